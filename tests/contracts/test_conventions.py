@@ -763,7 +763,7 @@ def two_shafts(kind: str, turned: float = 1.0, **numbers: object) -> System:
         Body(motion=joints.TORSION, parent=1, name="rider", **inertia),
         Body(polar_inertia=1.0, name="state"),
     ]
-    record = np.zeros(1, registry.find(kind).load().RECORD)
+    record = np.zeros(1, registry.find(kind).record)
     for name in ("A_i", "A_j"):
         if name in record.dtype.names:
             record[name] = np.eye(3)

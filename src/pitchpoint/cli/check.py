@@ -9,25 +9,18 @@ import click
 
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
 from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.model.sections import GROUPS
+from pitchpoint.model.signal_names import SECTIONS as SIGNALS
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-FORCES = (
-    "springs",
-    "maxwells",
-    "torsion_springs",
-    "torsion_maxwells",
-    "bushings",
-    "beams",
-    "clutches",
-    "rolling_bearings",
-    "plain_bearings",
-    "cam_contacts",
-    "curve_contacts",
-    "surface_contacts",
-    "unbalances",
+DETAILED = (
+    *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
+    *("bevel_meshes", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
 )
+"""Sections that are shown in other ways than by the names of their components."""
+FORCES = tuple(section for section in GROUPS if section not in DETAILED)
 FREEDOMS = {
     "torsion": ("spin",),
     "planar": ("x", "y", "spin"),
@@ -127,7 +120,7 @@ def summary(model: Model) -> dict[str, Any]:
         "mobility": _mobility(model),
         "bearings": list(model.bearings),
         "couplings": list(model.couplings),
-        **{group: list(getattr(model, group)) for group in FORCES},
+        **{group: list(getattr(model, group)) for group in (*FORCES, *model.others)},
         "loads": list(model.loads),
         "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
@@ -258,7 +251,7 @@ def _print(model: Model, file: str) -> None:
         table("Stations of shafts", ["station", "from the start [mm]", "what sits there"], rows)
     _show_joints(found)
     _show_meshes(found)
-    for group in ("bearings", "couplings", *FORCES, "loads"):
+    for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
     if found["signals"]:

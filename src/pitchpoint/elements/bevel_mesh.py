@@ -41,15 +41,14 @@ from pitchpoint.elements.bevel_mesh_sums import (
     sum_flank,
 )
 from pitchpoint.elements.bevel_mesh_turning import turning
+from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
 from pitchpoint.elements.mesh_friction import add_friction_torques
 from pitchpoint.elements.mesh_line import countable
 from pitchpoint.multibody.channels import bounded, events, frame_args, observations
 from pitchpoint.multibody.vectors import add, dot, times, triple
 
-__all__ = ["EVENTS", "OUTPUTS", "RECORD", "bevel_mesh", "entry"]
+__all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "bevel_mesh", "entry"]
 
-EXACT = {"turning": turning}
-"""Entries that only exact tangents need, by the field of the record that holds their address."""
 
 _LEAST = 1e-15
 """Least distance [m] of an event function from contact: it says on which side it is."""
@@ -306,3 +305,22 @@ def entry(ctl, rec, n):
         records[r]["here"] = rec + r * _BYTES
         records[r]["control"] = ctl
     return bevel_mesh(records, c, fr, kk)
+
+
+KIND = Kind(
+    name="bevel_mesh",
+    channel=FRAME,
+    record=RECORD,
+    entry=entry,
+    outputs=outputs,
+    events=EVENTS,
+    bends=bends,
+    exact={"turning": turning},
+    role=MESH,
+    massless=True,
+    spins=GEARED,
+    sections={"bevel_meshes": ""},
+    label="mesh",
+    main=True,
+    power=Power(),
+)

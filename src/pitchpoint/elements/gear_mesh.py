@@ -30,6 +30,7 @@ from pitchpoint.elements.gear_mesh_record import (
     USER,
     mesh_outputs,
 )
+from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
 from pitchpoint.elements.mesh_apart import apart
 from pitchpoint.elements.mesh_eccentric import begin_displaced, damping_alone, end_displaced, whole
 from pitchpoint.elements.mesh_gradient import normal_directions
@@ -62,7 +63,7 @@ from pitchpoint.elements.mesh_wrench import (
 )
 from pitchpoint.multibody.channels import F8, bounded, events, frame_args, observations
 
-__all__ = ["EVENTS", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
+__all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 
 _LEAST = 1e-15
@@ -71,10 +72,6 @@ _LEAST = 1e-15
 _NOWHERE = -0.1
 """Distance from contact [m] of a flank without stiffness: no pair of teeth is there."""
 
-#: Entries that only exact tangents need, by the field of the record that holds their address.
-EXACT = {"turning": turning}
-#: Entries that only some records need: where the second field is not 0.
-SOME = {"apart": (apart, "n_sep")}
 RECORD_BYTES = RECORD.itemsize
 #: Added to the event functions of the flank that is farther from contact: no sign changes there.
 AWAY = 10.0
@@ -365,3 +362,23 @@ def entry(ctl, rec, n):
         records[r]["here"] = rec + r * RECORD_BYTES
         records[r]["control"] = ctl
     return gear_mesh(records, c, fr, kk)
+
+
+KIND = Kind(
+    name="gear_mesh",
+    channel=FRAME,
+    record=RECORD,
+    entry=entry,
+    outputs=outputs,
+    events=EVENTS,
+    bends=bends,
+    exact={"turning": turning},
+    some={"apart": (apart, "n_sep")},
+    role=MESH,
+    massless=True,
+    spins=GEARED,
+    sections={"meshes": ""},
+    label="mesh",
+    main=True,
+    power=Power(),
+)

@@ -24,7 +24,7 @@ from pitchpoint.elements.gear_mesh_record import PROFILE
 from pitchpoint.elements.mesh_pairs import pair_teeth
 from pitchpoint.report.scene_bevel_lines import BevelLines, bevel_tooth_at
 from pitchpoint.report.scene_motion import shown_bodies
-from pitchpoint.system.meshes import mesh_names
+from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_places
 from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
 
 if TYPE_CHECKING:
@@ -60,12 +60,15 @@ class ContactLines:
 
     def __init__(self, system: System, read: Read, n: int) -> None:
         self.system = system
-        self.names = tuple(system.names.get("gear_mesh", ()))
+        meshes = list(zip(mesh_names(system), mesh_places(system), strict=True))
+        one = {name: system.records[kind][k : k + 1] for name, (kind, k) in meshes}
+        self.names = tuple(name for name in one if not is_bevel(one[name][0]))
         self.deflection = [read(f"deflection[{name}]") for name in self.names]
-        self.found = [_Mesh(system.records["gear_mesh"][m : m + 1], n) for m in range(len(self.names))]
+        self.found = [_Mesh(one[name], n) for name in self.names]
         self.bevels = {
-            name: BevelLines(system.records["bevel_mesh"][m : m + 1], n, system.pools["bevel_mesh"])
-            for m, name in enumerate(system.names.get("bevel_mesh", ()))
+            name: BevelLines(one[name], n, system.pools[kind])
+            for name, (kind, _) in meshes
+            if is_bevel(one[name][0])
         }
         self.questions = np.zeros(2 * len(self.names), mesh_lines.LINES)
         for m, mesh in enumerate(self.found):

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
-from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.cycle_means import TOUCH, shift, touching
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
@@ -30,6 +29,7 @@ from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.switched_off import without_friction
 from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
+from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
@@ -167,7 +167,7 @@ def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]
 def _of_one_position(system: System, state: State) -> tuple[str, ...]:
     """Notes on elastic bodies whose modes turn, and on other bodies whose inertia changes as they turn."""
     body, names = system.program["body"], system.layout.bodies
-    elastic = {int(record[m]) for record in system.records.get("flexible_body", ()) for m in MODAL} - {0}
+    elastic = modal_bodies(system, frames=True)
     turning = [names[b] for b in sorted(elastic) if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0]
     notes = []
     if turning:

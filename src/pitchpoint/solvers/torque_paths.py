@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from pitchpoint.elements import registry
+from pitchpoint.elements.kind import GEARED, MESH, RATIO, TOGETHER
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.multibody.bodies import base_of
 from pitchpoint.solvers.resistance import SAME
-from pitchpoint.system.meshes import KINDS, is_bevel
+from pitchpoint.system.meshes import is_bevel
 from pitchpoint.system.system import System
 
 Row = dict[int, float]
@@ -69,20 +70,18 @@ def torque_paths(system: System) -> list[TorquePath]:
     """All elements that carry torque between spins, or from them to ground."""
     found = []
     for kind, records in system.records.items():
-        together = getattr(registry.find(kind).load(), "SPINS", "") == "together"
-        if kind != "ratio" and kind not in (*KINDS, "bearing") and not together:
-            continue
+        described = registry.find(kind)
         for k, record in enumerate(records):
-            if kind == "bearing" and record["K"][5, 5] == 0.0:
-                continue
             to_ground = False
-            if kind == "ratio":
+            if described.role == RATIO:
                 row = _ratio(system, record)
+            elif described.spins_of(record) not in (GEARED, TOGETHER):
+                continue
             else:
                 one, two = (turning(system, int(record[end])) for end in "ij")
                 to_ground = not (one and two)
                 row = _sum((1.0, one), (-1.0, two))
-                if kind in KINDS:
+                if described.role == MESH:
                     teeth = {end: float(record[f"z{n}"]) for n, end in ((1, "i"), (2, "j"))}
                     row = _sum(*((z, against_the_base(system, record, end)) for end, z in teeth.items()))
             if row:

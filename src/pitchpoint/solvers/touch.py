@@ -8,9 +8,8 @@ import math
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED
 from pitchpoint.multibody.bodies import spin_of
-from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_record
+from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
@@ -27,14 +26,13 @@ def tangent_stiffness(system: System, state: State, m: int) -> float:
     if spin_of(system.program["body"], body) < 0:
         body, radius = record["j"], record["r_b2"]
     spin = spin_of(system.program["body"], body)
-    field = STIFFNESS_FIELD[mesh_places(system)[m][0]]
     whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
-    kept = float(record[field])
-    record[field] = 0.0
+    kept = float(record["c_prime"])
+    record["c_prime"] = 0.0
     try:
         rest = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
     finally:
-        record[field] = kept
+        record["c_prime"] = kept
     return float((whole - rest) / radius**2)
 
 

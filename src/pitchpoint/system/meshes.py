@@ -12,16 +12,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.elements.kind import MESH
+
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
-
-KINDS = ("bevel_mesh", "gear_mesh")
-"""Kinds of elements that are meshes."""
 
 
 def mesh_places(system: System) -> list[tuple[str, int]]:
     """Kind and number of the record of every mesh."""
-    return [(kind, k) for kind in KINDS if kind in system.records for k in range(system.records[kind].size)]
+    return [(kind, k) for kind in system.kinds(MESH) for k in range(system.records[kind].size)]
 
 
 def mesh_records(system: System) -> list[np.void]:

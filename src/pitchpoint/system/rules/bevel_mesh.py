@@ -28,6 +28,7 @@ from pitchpoint.model.shafts import middle_of
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses
+from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_pair import BevelPair
@@ -251,8 +252,9 @@ def own_teeth(row: Any, pair: BevelPair, gears: Sequence[BevelGear], keep: Calla
         row["sep_min"] -= np.abs(table[:, 2]).max()
 
 
-def bevel_bank(model: Model) -> Bank:
+def bevel_bank(places: Places) -> Bank:
     """All bevel meshes."""
+    model = places.model
     rows, names, pool = [], [], Pool()
     for name, mesh in model.bevel_meshes.items():
         if None in [model.body_of(g) for g in mesh.gears]:
@@ -272,7 +274,7 @@ def bevel_bank(model: Model) -> Bank:
             gears = [model.bevel_gears[g] for g in mesh.gears]
             own_teeth(row, model.bevel_pairs[name], gears, pool.add)
         # the checks of the model have found out that some gear rides on a carrier, or none
-        row["carried"] = carrying(model, *(str(model.body_of(g)) for g in mesh.gears)) or 0  # type: ignore[arg-type]
+        row["carried"] = carrying(model, *(str(model.body_of(g)) for g in mesh.gears)) or 0
         rows.append(row)
         names.append(name)
     return pack("bevel_mesh", layout.RECORD, rows, names, pool=pool.array())

@@ -25,12 +25,12 @@ from pitchpoint.model.components.stiffness import UserStiffness
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.gear_axes import mesh_frame
 from pitchpoint.model.mechanism import seat_frame
-from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.gear_seat import put_seats, sits_off
 from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, usual_slope
+from pitchpoint.system.rules.places import Places
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import user_law
 from pitchpoint.system.rules.wear import worn_flanks
@@ -193,9 +193,9 @@ def mesh_row(
     return row
 
 
-def mesh_bank(model: Model) -> Bank:
+def mesh_bank(places: Places) -> Bank:
     """All meshes whose gears sit on bodies."""
-    warn_of_remarks(model)
+    model = places.model
     pool = Pool()
     rows, names, laws = [], [], []
     for name, mesh in model.meshes.items():

@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The keys of a model file, and its sections: one row each with name, component class and rules.
+
+`Model`, the parts from which it is settled, checks, schema and `system.compile` follow from this table. Other
+packages add sections by an entry point of that name in the group ``pitchpoint.kinds``.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.outside import added
+from pitchpoint.model.components.actuator import ACTUATORS, Actuator
+from pitchpoint.model.components.beam import Beam
+from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.bevel_gear import BevelGear
+from pitchpoint.model.components.bevel_mesh import BevelMesh
+from pitchpoint.model.components.block import BLOCKS, Block
+from pitchpoint.model.components.body import Body
+from pitchpoint.model.components.bushing import Bushing
+from pitchpoint.model.components.clutch import Clutch
+from pitchpoint.model.components.contact import CamContact, CurveContact, SurfaceContact
+from pitchpoint.model.components.controller import CONTROLLERS, Controller
+from pitchpoint.model.components.coupling import Coupling
+from pitchpoint.model.components.damping import Damping
+from pitchpoint.model.components.elastic_body import ElasticBody
+from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.joint import Joint
+from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.marker import Triple
+from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.ratio import Ratio
+from pitchpoint.model.components.rod import Rod
+from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+from pitchpoint.model.components.sensor import SENSORS, Sensor
+from pitchpoint.model.components.shaft import Shaft
+from pitchpoint.model.components.spring import Maxwell, Spring
+from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
+from pitchpoint.model.components.unbalance import Unbalance
+from pitchpoint.model.keys import Key, component, defaults_of, keys_of, quantities, text
+from pitchpoint.model.scenario import Scenario
+
+
+@dataclass(frozen=True)
+class Section:
+    """Section of a model file: components by name, and the rules that make records of them.
+
+    Parameters
+    ----------
+    name
+        Key of the file.
+    meaning
+        What is in it, in a few words.
+    component
+        Class of its components, a frozen dataclass whose fields are made by the functions of `model.keys`, or
+        a table of classes by their `type`.
+    rules
+        Functions from `system.rules.places.Places` to a `Bank` or several, as "module:function"; a module
+        without a dot is one of `system.rules`. A rule of several sections is called once.
+    needs
+        Kinds of elements whose kernels the rules call, so that they are compiled before.
+    """
+
+    name: str
+    meaning: str
+    component: Any
+    rules: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()
+
+    @property
+    def key(self) -> Key:
+        """Key of the file."""
+        return Key("components", self.meaning, of=self.component)
+
+
+def section(meaning: str, of: Any, *rules: str, needs: tuple[str, ...] = (), later: bool = False) -> Any:
+    """Field for one section; arguments as of `Section`, `later` as of `keys.Key`."""
+    found = Key("components", meaning, of=of, later=later)
+    return dataclasses.field(default_factory=dict, metadata={"key": found, "rules": rules, "needs": needs})
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contents:
+    """All keys of a model file, in their order."""
+
+    title: str = text("what the file describes", "")
+    gravity: Triple | None = quantities(
+        "acceleration",
+        "acceleration of gravity along the axes of the world; without it nothing has weight",
+        None,
+        length=(3, 3),
+        sample="[0, 0, -9.81 m/s^2]",
+    )
+    gears: Mapping[str, Gear] = section("the gears by name", Gear)
+    bevel_gears: Mapping[str, BevelGear] = section("the bevel gears by name", BevelGear, later=True)
+    bodies: Mapping[str, Body] = section("bodies, with the gears that they carry", Body)
+    shafts: Mapping[str, Shaft] = section("elastic shafts, with the gears on them", Shaft, "shaft:shaft_bank")
+    elastic_bodies: Mapping[str, ElasticBody] = section(
+        "elastic bodies from finite-element matrices",
+        ElasticBody,
+        "elastic_body:elastic_bank",
+        "guide:guide_bank",
+    )
+    joints: Mapping[str, Joint] = section(
+        "joints between bodies",
+        Joint,
+        "closure:closure_bank",
+        "guide:guide_bank",
+        "joint_friction:friction_bank",
+    )
+    springs: Mapping[str, Spring] = section(
+        "springs and dampers between points", Spring, "spring:spring_bank"
+    )
+    maxwells: Mapping[str, Maxwell] = section(
+        "springs and dampers in series between points (Maxwell elements)", Maxwell, "spring:maxwell_bank"
+    )
+    torsion_springs: Mapping[str, TorsionSpring] = section(
+        "springs and dampers about the axes of bodies", TorsionSpring, "spring:torsion_spring_bank"
+    )
+    torsion_maxwells: Mapping[str, TorsionMaxwell] = section(
+        "springs and dampers in series about the axes of bodies (Maxwell elements)",
+        TorsionMaxwell,
+        "spring:torsion_maxwell_bank",
+    )
+    bushings: Mapping[str, Bushing] = section("elastic bushings", Bushing, "bushing:bushing_bank")
+    beams: Mapping[str, Beam] = section("elastic beams between two places", Beam, "beam:beam_bank")
+    clutches: Mapping[str, Clutch] = section("clutches and brakes", Clutch, "clutch:clutch_bank")
+    rolling_bearings: Mapping[str, RollingBearing] = section(
+        "bearings with their rolling elements", RollingBearing, "rolling_bearing:rolling_bearing_bank"
+    )
+    plain_bearings: Mapping[str, PlainBearing] = section(
+        "bearings with clearance", PlainBearing, "rolling_bearing:plain_bearing_bank"
+    )
+    cam_contacts: Mapping[str, CamContact] = section(
+        "points and rollers on curves", CamContact, "contact:cam_banks"
+    )
+    curve_contacts: Mapping[str, CurveContact] = section(
+        "curves on curves in one plane", CurveContact, "contact:curve_banks"
+    )
+    surface_contacts: Mapping[str, SurfaceContact] = section(
+        "surfaces on surfaces in space", SurfaceContact, "contact:surface_banks"
+    )
+    unbalances: Mapping[str, Unbalance] = section("point masses on bodies", Unbalance)
+    rods: Mapping[str, Rod] = section("rods that hold two points at a distance", Rod, "closure:closure_bank")
+    ratios: Mapping[str, Ratio] = section("fixed ratios between coordinates", Ratio, "ratio:ratio_bank")
+    meshes: Mapping[str, Mesh] = section(
+        "pairs of gears in mesh", Mesh, "gear_mesh:mesh_bank", needs=("gear_mesh",)
+    )
+    bevel_meshes: Mapping[str, BevelMesh] = section(
+        "pairs of bevel gears in mesh", BevelMesh, "bevel_mesh:bevel_bank", later=True
+    )
+    bearings: Mapping[str, Bearing] = section(
+        "bearings between bodies and ground",
+        Bearing,
+        "bearing:bearing_bank",
+        "loose_bearing:loose_bearing_bank",
+    )
+    couplings: Mapping[str, Coupling] = section("couplings between bodies", Coupling, "bearing:bearing_bank")
+    loads: Mapping[str, Load] = section("torques and forces on bodies", Load, "load:load_banks")
+    sensors: Mapping[str, Sensor] = section("signals of motion and loads", SENSORS)
+    blocks: Mapping[str, Block] = section("signals of other signals", BLOCKS)
+    controllers: Mapping[str, Controller] = section(
+        "sampled controllers, which read and make signals", CONTROLLERS
+    )
+    actuators: Mapping[str, Actuator] = section("torques and forces that signals make", ACTUATORS)
+    damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
+    scenarios: Mapping[str, Scenario] = section("what is done to the model", Scenario)
+
+
+SECTIONS: dict[str, Section] = {
+    f.name: Section(f.name, key.meaning, key.of, f.metadata["rules"], f.metadata["needs"])
+    for f in dataclasses.fields(Contents)
+    if (key := f.metadata["key"]).kind == "components"
+}
+"""Sections of this package by name."""
+GROUPS = tuple(SECTIONS)
+"""Their names, in the order of a file."""
+_OTHERS: dict[str, Section] = {}
+_CLASSES: list[type] = []
+
+
+def extensible(cls: type) -> type:
+    """Mark the class whose keys grow with the sections of other packages."""
+    _CLASSES.append(cls)
+    return cls
+
+
+def register(found: Section) -> None:
+    """Add a section at run time.
+
+    Raises
+    ------
+    ModelError
+        If the name is that of another key.
+    """
+    if _OTHERS.get(found.name) == found:
+        return
+    if found.name in _OTHERS or found.name in keys_of(Contents) or not found.name.isidentifier():
+        raise ModelError([Problem(found.name, "is no name for a new section", remedy="choose another name")])
+    _OTHERS[found.name] = found
+    for cls in _CLASSES:
+        keys_of(cls)[found.name] = found.key
+        defaults_of(cls)[found.name] = {}
+
+
+def find(name: str) -> Section | None:
+    """Section of this name, of this package or of another; None if there is none."""
+    if name not in SECTIONS and name not in _OTHERS:
+        for found in added(Section, name):
+            register(found)
+    return SECTIONS.get(name) or _OTHERS.get(name)
+
+
+def load_others() -> None:
+    """Find the sections of all packages that are installed."""
+    for found in added(Section):
+        register(found)
+
+
+def is_other(name: str) -> bool:
+    """Whether a section is known to come from another package."""
+    return name in _OTHERS
+
+
+def groups_of(machine: Any) -> tuple[str, ...]:
+    """Names of the sections of a model or its parts: all of this package, of others those with contents."""
+    return (*GROUPS, *machine.others)
