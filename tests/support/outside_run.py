@@ -25,7 +25,7 @@ from pitchpoint.system.source import source
 
 
 def refused(text: str) -> str:
-    """Message about a text that is no model."""
+    """Message about a text that is not a model."""
     try:
         loads_model(text)
     except ModelError as error:

@@ -48,7 +48,7 @@ __all__ = [
 ]
 
 Rows: TypeAlias = tuple[tuple[str, str, str], ...]
-"""Name, unit and long name of observations; ``{}`` in a name stands for that of the element."""
+"""Name, unit and long name of observations; ``{}`` in a name is replaced by that of the element."""
 
 # --- channels: when the entry of a kind runs
 FRAME, COORDINATE, CONSTRAINT, MOTION = "frame", "coordinate", "constraint", "motion"
@@ -162,7 +162,7 @@ class Kind:
     resists
         Rotations from which it keeps the bodies. RELATIVE: of one end against the other (default of HOLDS).
         ACROSS: the same but about the axis of body i. OWN: of body i about its axis. WEIGHT: of all whose
-        centre of mass lies beside the axis. NOTHING (default of all others). A word, or a function of the
+        centre of mass is off the axis. NOTHING (default of all others). A word, or a function of the
         record.
     lets_turn
         Ends, of one record, that may turn about their axis although it resists other rotations.
@@ -177,7 +177,7 @@ class Kind:
         Whether its forces change by themselves, so that time steps follow the modes that it moves.
     sections
         Sections of the model file whose components become records, with the name of the schematic that
-        stands for them in a scene (`report.scene_joining.SCHEMATICS`); "" if there is none.
+        represents them in a scene (`report.scene_joining.SCHEMATICS`); "" if there is none.
     label
         Word for it next to the name of an element; a word, or a function of the record.
     title, plural

@@ -200,7 +200,9 @@ def register(found: Section) -> None:
     if _OTHERS.get(found.name) == found:
         return
     if found.name in _OTHERS or found.name in keys_of(Contents) or not found.name.isidentifier():
-        raise ModelError([Problem(found.name, "is no name for a new section", remedy="choose another name")])
+        raise ModelError(
+            [Problem(found.name, "is not a usable name for a section", remedy="choose another name")]
+        )
     _OTHERS[found.name] = found
     for cls in _CLASSES:
         keys_of(cls)[found.name] = found.key
