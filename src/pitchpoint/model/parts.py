@@ -35,6 +35,8 @@ class Parts:
     damping: Damping | None
     scenarios: dict[str, Scenario]
     sections: dict[str, dict[str, Any]] = field(default_factory=dict)  # all others, found as attributes
+    groups: tuple[str, ...] = ()  # names of all sections that a file may have
+    unknown: set[str] = field(default_factory=set)  # keys of the file that are not sections
     names: dict[str, set[str]] = field(default_factory=dict)
     pairs: dict[str, GearPair] = field(default_factory=dict)
     misshapen: set[str] = field(default_factory=set)  # gears whose own shape is impossible
@@ -46,7 +48,7 @@ class Parts:
 
     @classmethod
     def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
-        """Parts from mappings of names to components, by group; missing groups are empty."""
+        """Parts from mappings of names to components, by group; groups that are None are empty."""
 
         def group(name: str) -> dict[str, Any]:
             """Contents of one section; none if it is missing."""
@@ -61,6 +63,7 @@ class Parts:
             loads=group("loads"),
             scenarios=group("scenarios"),
             damping=damping,
+            groups=tuple(groups),
             sections={
                 name: group(name)
                 for name, found in groups.items()
