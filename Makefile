@@ -11,7 +11,7 @@ EXAMPLE := examples/backlash-oscillator
 export PYTHONUTF8 := 1
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint pytest nojit stock newest-numba bench validate viewer docs clean
+.PHONY: help install demo test lint types check-format pytest nojit bench validate viewer docs clean
 
 help:
 	@echo "make demo      install, compile, run the main example, write a report"
@@ -20,7 +20,6 @@ help:
 	@echo "make validate  published cases as one page, docs/validation.md; long studies"
 	@echo "make viewer    the scripts of the 3-D scene and of plots (needs Node.js 20)"
 	@echo "make docs      the documentation as a site, build/docs/html"
-	@echo "make newest-numba  the first five minutes of README in a fresh environment with the newest Numba"
 	@echo "make lint      style, import contracts and types only"
 	@echo "make clean     remove build products (keeps $(VENV))"
 
@@ -42,9 +41,9 @@ install: $(STAMP)
 
 # --------------------------------------------------------------------------------------------------- demo
 
-# each command compiles what it uses: the whole of `warmup` would take several times as long
 demo: $(STAMP)
 	@mkdir -p build/demo
+	$(BIN)/pitchpoint warmup
 	$(BIN)/pitchpoint run $(EXAMPLE)/model.yaml --scenario steady -o build/demo/steady.h5
 	$(BIN)/pitchpoint sweep $(EXAMPLE)/model.yaml --scenario sweep -o build/demo/sweep.h5
 	$(BIN)/pitchpoint report $(EXAMPLE)/model.yaml build/demo/steady.h5 build/demo/sweep.h5 -o build/demo/report.html
@@ -53,7 +52,7 @@ demo: $(STAMP)
 
 # -------------------------------------------------------------------------------------------------- tests
 
-test: lint pytest nojit stock
+test: lint pytest nojit
 
 lint: $(STAMP)
 	$(BIN)/ruff check .
@@ -71,13 +70,6 @@ pytest: $(STAMP)
 # the same kernels as plain Python: what the compiler accepts must also be right without it
 nojit: $(STAMP)
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m nojit tests
-
-# the same through the public interface of Numba alone, which untested versions of Numba get
-stock: $(STAMP)
-	PITCHPOINT_STOCK_NUMBA=1 $(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile -m stock tests
-
-newest-numba: $(STAMP)
-	$(BIN)/python -m tests.support.fresh_environment build/newest-numba
 
 # ---------------------------------------------------------------------------------------- bench, validate
 

@@ -31,10 +31,9 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """A run without the compiler, or with the stock one, imports only the files that have tests for it."""
-    marker = config.option.markexpr
-    if marker in ("nojit", "stock") and collection_path.name.startswith("test_"):
-        return f"mark.{marker}" not in collection_path.read_text(encoding="utf-8") or None
+    """A run of the tests without the compiler imports only the files that have some."""
+    if config.option.markexpr == "nojit" and collection_path.name.startswith("test_"):
+        return "nojit" not in collection_path.read_text(encoding="utf-8") or None
     return None
 
 

@@ -105,27 +105,9 @@ def test_only_the_compiler_modules_import_the_compiler():
             names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
             for top in {n.split(".")[0] for n in names} & {"numba", "llvmlite"}:
                 found.setdefault(top, set()).add(name_of(path))
-    core = "src/pitchpoint/core/compiler"
-    public = {f"{core}.py", f"{core}_intrinsics.py"}
-    private = {f"{core}_{name}.py" for name in ("cache", "parts", "passes", "private")}
+    core = "src/pitchpoint/core"
+    code = {f"{core}/compiler.py", f"{core}/compiler_parts.py"}
     assert found == {
-        "numba": public | private,
-        "llvmlite": public
-        | {f"{core}_parts.py", f"{core}_private.py", "src/pitchpoint/core/machine_code.py"},
+        "numba": code | {f"{core}/compiler_cache.py", f"{core}/compiler_passes.py"},
+        "llvmlite": code | {f"{core}/machine_code.py"},
     }
-
-
-def test_the_door_uses_what_numba_documents_and_nothing_else():
-    """What replaces the private way for other versions of Numba must not depend on its inside itself."""
-    documented = {
-        "numba": {"carray", "cfunc", "config", "njit", "typeof", "types"},
-        "numba.extending": {"intrinsic", "typeof_impl"},
-        "llvmlite": {"binding", "ir"},
-    }
-    for name in ("compiler", "compiler_intrinsics"):
-        for node in ast.walk(tree(PACKAGE / "core" / f"{name}.py")):
-            source = (node.module or "") if isinstance(node, ast.ImportFrom) else ""
-            if source.startswith(("numba", "llvmlite")):
-                assert {a.name for a in node.names} <= documented[source]
-            if isinstance(node, ast.Import):
-                assert not [a.name for a in node.names if a.name.startswith(("numba.", "llvmlite."))]

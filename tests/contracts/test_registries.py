@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import ast
 import importlib
 
 import numpy as np
@@ -11,47 +10,12 @@ import pytest
 from click import Command, Option
 
 from pitchpoint.cli.main import COMMANDS
-from pitchpoint.contact.stiffness import law_function
+from pitchpoint.contact.stiffness import REGISTRY
 from pitchpoint.core import status
-from pitchpoint.elements.kind import CONSTRAINT, FRAME
-from pitchpoint.elements.registry import find, names
-from pitchpoint.model.components.stiffness import LAWS
+from pitchpoint.elements.registry import FRAME, find, names
 from tests.contracts.source import PACKAGE, functions, is_kernel
 
 FIRST = ("i", "j", "ii", "ij", "ji", "jj")
-
-
-#: Files that name a stiffness law for more than its registration, with what they do.
-CHECKED = {
-    "constant": {"system/rules/bevel_mesh.py"},  # of bevel meshes
-    "din3990": {
-        "model/components/gear.py",  # factor of the gear blank
-        "model/components/mesh.py",  # law if none is given
-        "model/idle_keys.py",  # keys without effect
-        "report/numbers.py",  # single stiffness of every mesh
-        "system/rules/bevel_mesh.py",  # of bevel meshes
-        "system/rules/stiffness.py",  # single stiffness of every mesh
-    },
-    "energy": {"model/idle_keys.py"},  # keys without effect
-    "fourier": {"model/mesh_check.py"},  # range that depends on several keys
-    "hertz": {"model/idle_keys.py", "model/mesh_check.py"},  # keys without effect, keys that go together
-    "rectangular": {"model/mesh_check.py"},  # range that depends on several keys
-    "table": {"contact/stiffness/user.py"},  # becomes one
-    "user": {  # runs code
-        "system/rules/gear_mesh.py",
-        "system/rules/mesh_laws.py",
-        "system/rules/stiffness.py",
-    },
-}
-
-
-def imports_law(path, name):
-    """Whether a file imports the class of a stiffness law, or its function."""
-    text = path.read_text(encoding="utf-8")
-    law = LAWS[name].__name__
-    imports = [n for n in ast.walk(ast.parse(text)) if isinstance(n, ast.ImportFrom)]
-    classes = {a.name for n in imports if str(n.module).endswith("components.stiffness") for a in n.names}
-    return law in classes or any(n.module == f"pitchpoint.contact.stiffness.{name}" for n in imports)
 
 
 def plain(dtype: np.dtype) -> bool:
@@ -64,19 +28,18 @@ def plain(dtype: np.dtype) -> bool:
 @pytest.mark.parametrize("name", names())
 def test_element_kinds_keep_to_their_contract(name):
     kind = find(name)
-    record = kind.record
+    module = kind.load()
+    record = module.RECORD
     assert record.isalignedstruct
     assert plain(record)
     assert record.names[:6] == FIRST if kind.channel == FRAME else record.names[:2] == FIRST[:2]
     assert record.names[-1] == "out"
-    assert set(kind.ends) | set(kind.paired) | set(kind.modal) <= set(record.names)
-    assert set(kind.exact) | set(kind.some) | {field for _, field in kind.some.values()} <= set(record.names)
-    rows = kind.outputs_of(np.ones(1, record)[0])
-    assert all(len(row) == 3 and all(isinstance(x, str) for x in row) for row in rows)
-    assert callable(kind.entry)
-    assert kind.rows == 0 or (kind.channel == CONSTRAINT and "row" in record.names)
-    assert not kind.events or "ev" in record.names
-    assert set(kind.bends_of(np.zeros(1, record)[0])) <= {event[0] for event in kind.events}
+    for pair in kind.pairs:
+        assert set(pair) <= set(record.names)
+    assert all(
+        len(row) == 3 and all(isinstance(x, str) for x in row) for row in getattr(module, "OUTPUTS", ())
+    )
+    assert callable(module.entry)
 
 
 def test_every_file_with_an_entry_is_a_registered_kind():
@@ -90,13 +53,12 @@ def test_every_file_with_an_entry_is_a_registered_kind():
     assert entries == listed
 
 
-@pytest.mark.parametrize("name", sorted(LAWS))
-def test_a_stiffness_law_is_its_file_and_its_class(name):
-    assert callable(law_function(name))
+@pytest.mark.parametrize("name", sorted(REGISTRY))
+def test_stiffness_sources_can_be_found_under_their_name(name):
+    source = REGISTRY[name]
+    assert callable(source.function)
+    assert source.summary
     assert (PACKAGE / "contact" / "stiffness" / f"{name}.py").is_file()
-    own = {f"contact/stiffness/{name}.py", "model/components/stiffness.py"}
-    users = {p.relative_to(PACKAGE).as_posix() for p in PACKAGE.rglob("*.py") if imports_law(p, name)}
-    assert users - own == CHECKED.get(name, set())
 
 
 @pytest.mark.parametrize("name", sorted(COMMANDS))

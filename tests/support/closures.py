@@ -12,15 +12,18 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import CONSTRAINT, Kind
 from pitchpoint.multibody.channels import constraint_args, constraint_rates
 from pitchpoint.system import evaluate
 
+ROWS = 2
+BODY_FIXED = True
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [("row", "i8"), ("at_i", "f8", 3), ("at_j", "f8", 3), ("out", "i8")],
     align=True,
 )
+OUTPUTS = ()
+KIND = registry.Kind("pin_in_plane", __name__, registry.CONSTRAINT)
 
 
 @kernel
@@ -61,9 +64,6 @@ def entry(ctl, rec, n):
     c, fr, _, g, _ = constraint_args(ctl)
     _, gt, gtt, Gf = constraint_rates(c)
     return pin_in_plane(view(rec, n, RECORD), c, fr, g, gt, gtt, Gf)
-
-
-KIND = Kind(name="pin_in_plane", channel=CONSTRAINT, record=RECORD, entry=entry, rows=2, body_fixed=True)
 
 
 def pins(rows):

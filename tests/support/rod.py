@@ -8,17 +8,19 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements import force, registry
-from pitchpoint.elements.kind import CONSTRAINT, Kind
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import constraint_args, constraint_rates
 from pitchpoint.multibody.joints import PRISMATIC
 from pitchpoint.system.system import assemble
 
+ROWS = 1
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [("row", "i8"), ("length", "f8"), ("out", "i8")],
     align=True,
 )
+OUTPUTS = ()
+KIND = registry.Kind("rod", __name__, registry.CONSTRAINT)
 GRAVITY = 9.81
 
 
@@ -47,9 +49,6 @@ def entry(ctl, rec, n):
     c, fr, _, g, _ = constraint_args(ctl)
     _, _, gtt, Gf = constraint_rates(c)
     return rod(view(rec, n, RECORD), c, fr, g, gtt, Gf)
-
-
-KIND = Kind(name="rod", channel=CONSTRAINT, record=RECORD, entry=entry, rows=1)
 
 
 def pendulum(rows=1):

@@ -9,18 +9,25 @@ import click
 
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
 from pitchpoint.cli.output import emit_json, show, shown, table
-from pitchpoint.model.sections import GROUPS
-from pitchpoint.model.signal_names import SECTIONS as SIGNALS
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
-DETAILED = (
-    *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
+FORCES = (
+    "springs",
+    "maxwells",
+    "torsion_springs",
+    "torsion_maxwells",
+    "bushings",
+    "beams",
+    "clutches",
+    "rolling_bearings",
+    "plain_bearings",
+    "cam_contacts",
+    "curve_contacts",
+    "surface_contacts",
+    "unbalances",
 )
-"""Sections that are shown in other ways than by the names of their components."""
-FORCES = tuple(section for section in GROUPS if section not in DETAILED)
 FREEDOMS = {
     "torsion": ("spin",),
     "planar": ("x", "y", "spin"),
@@ -120,7 +127,7 @@ def summary(model: Model) -> dict[str, Any]:
         "mobility": _mobility(model),
         "bearings": list(model.bearings),
         "couplings": list(model.couplings),
-        **{group: list(getattr(model, group)) for group in (*FORCES, *model.others)},
+        **{group: list(getattr(model, group)) for group in FORCES},
         "loads": list(model.loads),
         "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
@@ -251,7 +258,7 @@ def _print(model: Model, file: str) -> None:
         table("Stations of shafts", ["station", "from the start [mm]", "what sits there"], rows)
     _show_joints(found)
     _show_meshes(found)
-    for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
+    for group in ("bearings", "couplings", *FORCES, "loads"):
         if found[group]:
             show(f"{group}: {', '.join(found[group])}")
     if found["signals"]:

@@ -123,10 +123,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
 def run_command(arguments: list[str]) -> int:
     """Run one command and return its exit code; errors become sentences on stderr."""
     from pitchpoint.cli.failure import exit_code_of, show_warnings_plainly
-    from pitchpoint.core import notices
+    from pitchpoint.core import companion
 
-    quiet = bool({"-q", "--quiet"} & set(arguments))
-    notices.listen((lambda _: None) if quiet else partial(click.echo, err=True))
+    if not {"-q", "--quiet"} & set(arguments):
+        companion.listen(partial(click.echo, err=True))
     with warnings.catch_warnings():
         show_warnings_plainly()
         try:

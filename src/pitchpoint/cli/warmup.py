@@ -83,8 +83,8 @@ def jobs(folder: Path) -> list[Job]:
 
     def kind(name: str) -> Job:
         """Job that compiles one kind of element, with what only some of its records need."""
-        found = registry.find(name)
-        entries = [found.entry, *(entry for entry, _ in found.some.values())]
+        module = registry.find(name).load()
+        entries = [module.entry, *(entry for entry, _ in getattr(module, "SOME", {}).values())]
         return f"element {name}", lambda: [address(entry) for entry in entries]
 
     def time_response(name: str) -> Job:

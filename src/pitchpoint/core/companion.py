@@ -8,27 +8,31 @@ for that report and loads it. A companion that fails only costs time: what it di
 from __future__ import annotations
 
 import importlib
-import logging
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.compiling import unhindered
-from pitchpoint.core.machine_code import clear_drafts, is_stock
-from pitchpoint.core.notices import notice
 
 if TYPE_CHECKING:
     import subprocess
 
 _pending: dict[str, subprocess.Popen[str]] = {}
 
+_listeners: list[Callable[[str], None]] = []
+
+
+def listen(function: Callable[[str], None]) -> None:
+    """Let a function be told, once and in a sentence, that kernels are being compiled."""
+    _listeners[:] = [function]
+
 
 def announce() -> None:
-    """Report why the first start takes longer."""
-    seconds = 45 if is_stock() else 20
-    notice(f"compiling kernels for this machine: about {seconds} s, once", logging.INFO)
+    """Tell people, once, why the first start takes longer."""
+    while _listeners:
+        _listeners.pop()("compiling kernels for this machine: about 20 s, once")
 
 
 def cores() -> int:
@@ -59,6 +63,8 @@ def delegate(entries: Sequence[str]) -> None:
 
 def await_entry(entry: str) -> None:
     """Wait until the companion has finished an entry, or has ended; at once if it was not asked for it."""
+    from pitchpoint.core.machine_code import clear_drafts
+
     while entry in _pending:
         process = _pending[entry]
         assert process.stdout is not None

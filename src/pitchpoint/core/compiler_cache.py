@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kernels compiled for calls from Python, on disk: when they are out of date, one file for each signature.
+"""Compiled kernels on disk: where they lie, when they are out of date, and one file for each of them.
 
 Numba's own cache looks only at the file of the function itself; the locator here stamps the *import closure*
 of that file, so an edited helper is noticed and an unrelated edit is not. Numba numbers the files of a
@@ -22,15 +22,25 @@ from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLoca
 from numba.core.serialize import dumps
 
 from pitchpoint.core import machine_code
-from pitchpoint.core.compiler_intrinsics import FLAGS
+
+
+class Liberties(set[str]):
+    """Liberties taken with numbers; they print in one order in every process, as names of code hold them."""
+
+    def __repr__(self) -> str:
+        return repr(sorted(self))
+
+
+FLAGS: dict[str, Any] = {"error_model": "numpy", "fastmath": Liberties({"contract", "nsz"})}
 
 
 class Locator(_CacheLocator):
-    """Tells Numba where compiled kernels are and when they are out of date."""
+    """Tells Numba where compiled kernels live and when they are out of date; serves marked functions only."""
 
     def __init__(self, py_func: Any, py_file: str) -> None:
         self._py_file = py_file
         self._lineno = py_func.__code__.co_firstlineno
+        self._variant = py_func._pitchpoint
         mode = "bounds" if config.BOUNDSCHECK else "plain"
         self._path = str(machine_code.cache_folder() / mode / self.get_suitable_cache_subpath(py_file))
 
@@ -40,31 +50,27 @@ class Locator(_CacheLocator):
 
     def get_source_stamp(self) -> str:
         """Hash of everything that the compiled code depends on."""
-        options = (
-            config.BOUNDSCHECK,
-            config.OPT,
-            config.DEBUG,
-            FLAGS["error_model"],
-            *sorted(FLAGS["fastmath"]),
-        )
-        return f"{options!r} {machine_code.source_stamp(self._py_file)}"
+        flags = (config.BOUNDSCHECK, config.OPT, config.DEBUG, FLAGS)
+        return f"{flags!r} {machine_code.source_stamp(self._py_file)}"
 
     def get_disambiguator(self) -> str:
         """Line of the function, which tells functions of one name apart."""
-        return str(self._lineno)
+        return f"{self._lineno}{self._variant}"
 
     @classmethod
     def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
-        """Locator of a function; None without a file, and where nothing can be written or trusted."""
-        if not os.path.exists(py_file):
+        """Locator of a function marked by `kernel`; None for others and where nothing can be written."""
+        if not getattr(py_func, "_pitchpoint", None) or not os.path.exists(py_file):
             return None
         self = cls(py_func, py_file)
         try:
-            machine_code.make_folder(Path(self._path))
             self.ensure_cache_path()
         except OSError:
             return None
-        return self if machine_code.is_trusted(Path(self._path)) else None
+        return self
+
+
+CompileResultCacheImpl._locator_classes = [Locator, *CompileResultCacheImpl._locator_classes]
 
 
 class KernelFiles:
@@ -115,16 +121,8 @@ class KernelFiles:
         return hashlib.sha256(repr((self._stamp, key)).encode()).hexdigest().encode()
 
 
-class _Located(CompileResultCacheImpl):
-    """Numba's way to write a compilation, with places by `Locator` alone."""
-
-    _locator_classes = [Locator]
-
-
 class KernelCache(FunctionCache):
-    """Numba's cache of a function with a file for every signature; `RuntimeError` where it has no place."""
-
-    _impl_class = _Located
+    """Numba's cache of a function with a file for every signature."""
 
     def __init__(self, py_func: Any) -> None:
         super().__init__(py_func)

@@ -8,6 +8,7 @@ are short and many: all of that takes longer than their own code, which stays th
 
 from __future__ import annotations
 
+import hashlib
 import operator
 from types import BuiltinFunctionType
 from typing import Any
@@ -16,6 +17,8 @@ from numba import types
 from numba.core import cgutils, ir
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import PassManager, register_pass
+from numba.core.cpu import CPUContext
+from numba.core.itanium_mangler import mangle
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
@@ -145,6 +148,32 @@ class Lowering(Lower):
         return self.context.cast(self.builder, made, signature.return_type, returned)
 
 
+class Target(CPUContext):
+    """Numba's target, which remembers what it has no code for: the search in all registries takes long."""
+
+    _absent: dict[Any, Any] = {}
+
+    def mangler(
+        self, name: str, args: tuple[Any, ...], *, abi_tags: tuple[str, ...] = (), uid: Any = None
+    ) -> str:
+        """Name of code, the same in every process; Numba writes the number that a record has in this one."""
+        text = f"{uid} {args} {abi_tags}"
+        return str(mangle(name, (), uid=hashlib.sha256(text.encode()).hexdigest()[:16]))
+
+    def get_function(self, fn: Any, sig: Any, _firstcall: bool = True) -> Any:
+        """Code of a function for a signature."""
+        key = fn, sig.args
+        if key in self._absent:
+            error, words = self._absent[key]
+            raise error(*words)
+        try:
+            return super().get_function(fn, sig, _firstcall)
+        except RuntimeError as found:  # of which what Numba raises is a kind
+            if isinstance(fn, str):
+                self._absent[key] = type(found), found.args
+            raise
+
+
 @register_pass(mutates_CFG=True, analysis_only=False)
 class KernelLowering(NativeLowering):
     """Lowers a kernel."""
@@ -165,6 +194,7 @@ class KernelCompiler(CompilerBase):
     def __init__(self, typing: Any, target: Any, library: Any, *others: Any) -> None:
         super().__init__(typing, target, library, *others)
         self.state.typingctx = Typing(typing, self.state.flags.get_mangle_string())
+        self.state.targetctx.__class__ = Target  # a copy of its own
 
     def define_pipelines(self) -> list[Any]:
         """List the passes."""

@@ -64,7 +64,7 @@ class Kernel:
 
     @cached_property
     def dispatcher(self) -> Any:
-        """What represents this kernel inside other kernels."""
+        """What stands for this kernel inside other kernels."""
         from pitchpoint.core import compiler
 
         return compiler.dispatcher(self)
@@ -74,6 +74,11 @@ class Kernel:
         from pitchpoint.core import compiler
 
         return compiler.python_callable(self)
+
+    @property
+    def _numba_type_(self) -> Any:
+        """The type by which the compiler knows this object where a kernel refers to it."""
+        return self.dispatcher._numba_type_
 
     @property
     def signatures(self) -> list[Any]:
@@ -88,11 +93,17 @@ class Kernel:
         return str(self.__qualname__)  # type: ignore[attr-defined]
 
 
-class Intrinsic:
-    """Represents a function that exists only inside kernels."""
+class _Intrinsic:
+    """Stands for a function that only exists inside kernels."""
 
     def __init__(self, name: str) -> None:
         self.__name__ = name
+
+    @property
+    def _numba_type_(self) -> Any:
+        from pitchpoint.core import compiler
+
+        return compiler.intrinsic_type(self.__name__)
 
 
 def kernel(function: Any = None, *, inline: bool = False) -> Any:
@@ -319,11 +330,11 @@ def law_address(function: Any) -> int:
 
 if COMPILING:
     #: Array of the given final shape over memory that somebody else owns: ``view(where, shape, dtype)``.
-    view: Any = Intrinsic("view")
+    view: Any = _Intrinsic("view")
     #: Call of an entry through its address: ``call(where, a, b, c)``.
-    call: Any = Intrinsic("call")
+    call: Any = _Intrinsic("call")
     #: Call of a user law through its address: ``call_law(where, t, x, p)``, p the address of its parameters.
-    call_law: Any = Intrinsic("call_law")
+    call_law: Any = _Intrinsic("call_law")
 
 else:
 

@@ -15,7 +15,6 @@ import hashlib
 import importlib.util
 import os
 import shutil
-import stat
 import sys
 import tempfile
 import time
@@ -24,7 +23,6 @@ from pathlib import Path
 from typing import Any
 
 from pitchpoint.core.import_closure import import_closure
-from pitchpoint.core.notices import notice
 
 _HEAD = b"pitchpoint machine code 1"
 
@@ -90,13 +88,8 @@ def _settings() -> str:
     version = Path(str(found.origin)).with_name("_version.py") if found else Path()
     numba = version.read_text(encoding="utf-8") if version.is_file() else _installed_version("numba")
     processor = (llvm.get_process_triple(), llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten())
-    text = repr((llvmlite.__version__, numba, sys.version_info[:2], options, processor, is_stock()))
+    text = repr((llvmlite.__version__, numba, sys.version_info[:2], options, processor))
     return hashlib.sha256(text.encode()).hexdigest()[:16]
-
-
-def is_stock() -> bool:
-    """Whether the user wants kernels compiled through the public interface of Numba alone."""
-    return os.environ.get("PITCHPOINT_STOCK_NUMBA", "0").strip() not in ("", "0")
 
 
 def _installed_version(name: str) -> str:
@@ -111,9 +104,7 @@ def symbol(function: Any) -> str:
 
 
 def code_file(function: Any) -> Path | None:
-    """File of the machine code of an entry, written yet or not; None if it cannot have one.
-
-    It has none if its sources are not in files, or if other users can write to the cache.
+    """File of the machine code of an entry, written yet or not; None if its sources are not in files.
 
     Parameters
     ----------
@@ -121,7 +112,7 @@ def code_file(function: Any) -> Path | None:
         The plain Python function of the entry.
     """
     source = function.__code__.co_filename
-    if function.__closure__ or not os.path.exists(source) or not is_trusted(_folder()):
+    if function.__closure__ or not os.path.exists(source):
         return None
     line = function.__code__.co_firstlineno  # tells functions of one name apart
     name = f"{_family(function)}-{line}-{source_stamp(source)[:32]}.code"
@@ -132,45 +123,10 @@ def _folder() -> Path:
     return cache_folder() / "entries" / _settings()
 
 
-def make_folder(folder: Path) -> None:
-    """Make a folder of the cache, with those above it; nobody else may write to what is new."""
-    if not folder.is_dir():
-        make_folder(folder.parent)
-        folder.mkdir(mode=0o700, exist_ok=True)
-
-
-@cache
-def is_trusted(folder: Path) -> bool:
-    """Whether nobody but the user and the administrator can put code into a folder; reported if not.
-
-    What lies there is executed. Folders above count, too: who may write to one can replace what is in it,
-    unless its sticky bit reserves that for the owner.
-    """
-    if os.name != "posix":
-        return True
-    folder = folder.absolute()
-    for place in (folder, *folder.parents):
-        try:
-            found = place.stat()
-        except OSError:  # it does not exist yet
-            continue
-        shared = stat.S_IWOTH | stat.S_IWGRP if place == folder else stat.S_IWOTH
-        is_open = found.st_mode & shared and not (place != folder and found.st_mode & stat.S_ISVTX)
-        if is_open or found.st_uid not in (0, os.getuid()):
-            notice(
-                f"{place}: other users can write to this folder of compiled kernels, so it is not used and "
-                "every start compiles; remove their permission (chmod go-w) or set NUMBA_CACHE_DIR"
-            )
-            return False
-    return True
-
-
 def can_save() -> bool:
-    """Whether machine code can be kept: whether the user, and nobody else, may write to the cache."""
+    """Whether machine code can be kept: whether the user may write to the cache."""
     try:
-        make_folder(_folder())
-        if not is_trusted(_folder()):
-            return False
+        _folder().mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=_folder()):
             return True
     except OSError:
@@ -201,7 +157,7 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
     body = " ".join(needs).encode() + b"\n" + code
     data = b"\n".join([_HEAD, hashlib.sha256(body).hexdigest().encode(), body])
     with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
-        make_folder(file.parent)
+        file.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=f"{_DRAFT}{os.getpid()}-", dir=file.parent) as draft:
             whole = Path(draft, file.name)
             whole.write_bytes(data)
@@ -244,17 +200,6 @@ def is_refused(function: Any) -> bool:
     """Whether it is known that the code of an entry cannot live without the compiler."""
     found = _read(function)
     return found is not None and not found[1]
-
-
-def declared(module: Any) -> list[str]:
-    """Symbols that a module of LLVM expects in the process."""
-    functions = [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
-    return functions + [g.name for g in module.global_variables if g.is_declaration]
-
-
-def is_foreign(needs: list[str]) -> bool:
-    """Whether some of these symbols belong to Numba's run time or to the interpreter."""
-    return any(n.startswith(("NRT_", "numba_", "_Py", "Py")) for n in {*needs} - {UNREACHED})
 
 
 def load(function: Any) -> int | None:

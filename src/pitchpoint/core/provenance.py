@@ -115,7 +115,7 @@ def _plain(data: Any) -> Any:
 
 def _came_later(field: dataclasses.Field[Any]) -> bool:
     """Whether a key is newer than models without it: these keep their hashes, from which noise is drawn."""
-    return bool(getattr(field.metadata.get("key"), "later", field.metadata.get("later", False)))
+    return bool(getattr(field.metadata.get("key"), "later", False))
 
 
 def _content(field: dataclasses.Field[Any], value: Any) -> Any:

@@ -12,15 +12,16 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import RECORD, RESULTS
 from pitchpoint.elements.contact_wrench import place_markers
-from pitchpoint.elements.kind import CONSTRAINT, Kind
 from pitchpoint.elements.permanent_contact import FORCE, hold
 from pitchpoint.elements.point_surface import set_surface
 from pitchpoint.elements.surface_place import curvature_in_world, point_place
 from pitchpoint.multibody.channels import constraint_args, constraint_rates, observations
 from pitchpoint.multibody.vectors import column, dot, into_world, plus, triple
 
-__all__ = ["KIND", "OUTPUTS", "RECORD", "ball_on_surface", "entry", "set_surface"]
+__all__ = ["BODY_FIXED", "OUTPUTS", "RECORD", "ROWS", "ball_on_surface", "entry", "set_surface"]
 
+BODY_FIXED = True
+ROWS = 1
 OUTPUTS = (FORCE, *(result for result in RESULTS if result[0].startswith("contact_location")))
 
 
@@ -54,16 +55,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return ball_on_surface(view(rec, n, RECORD), c, fr, q, g, G)
-
-
-KIND = Kind(
-    name="ball_on_surface",
-    channel=CONSTRAINT,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    rows=1,
-    row_unit=lambda record: "m",
-    body_fixed=True,
-    sections={"surface_contacts": ""},
-)

@@ -13,10 +13,11 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.beam_forces import internal, loads, node, turned
 from pitchpoint.elements.beam_record import OUTPUTS, RECORD, beam_row
 from pitchpoint.elements.beam_tangent import tangent
-from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.multibody.channels import frame_args, observations
 
-__all__ = ["KIND", "OUTPUTS", "RECORD", "beam", "beam_row", "entry"]
+__all__ = ["BODY_FIXED", "OUTPUTS", "RECORD", "beam", "beam_row", "entry"]
+
+BODY_FIXED = True
 
 
 @kernel
@@ -44,17 +45,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return beam(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="beam",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    body_fixed=True,
-    linear=True,
-    fine=True,
-    excites=False,
-    sections={"beams": ""},
-)

@@ -25,7 +25,6 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import ACROSS, FRAME, HOLDS, NOTHING, TOGETHER, Kind, Power
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, times, unit
 
@@ -352,48 +351,3 @@ def entry(ctl, rec, n):
 def defaults(record: np.void) -> None:
     """Set the axes of the assembly frame of a fresh record to those of body j."""
     record["B"] = np.eye(3)
-
-
-def _spins(record: np.void) -> str:
-    """Both bodies turn together where the twist has a stiffness."""
-    return HOLDS if record["K"][5, 5] == 0.0 else TOGETHER
-
-
-def _resists(record: np.void) -> str:
-    """A housing is kept from turning about all axes but that of the bearing."""
-    return NOTHING if record["housed"] == 0 else ACROSS
-
-
-def _linear(record: np.void, spinning: bool) -> bool:
-    """Unless it holds a spin against ground."""
-    return not (spinning and 0 in (record["i"], record["j"]) and record["K"][5, 5] != 0.0)
-
-
-def _label(record: np.void) -> str:
-    """Between two bodies it is a coupling."""
-    return "coupling" if record["j"] != 0 else "bearing"
-
-
-def _arrow(record: np.void) -> str:
-    """Forces of couplings are not drawn."""
-    return "bearing" if record["j"] == 0 or record["housed"] else ""
-
-
-KIND = Kind(
-    name="bearing",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=outputs,
-    massless=True,
-    spins=_spins,
-    resists=_resists,
-    linear=_linear,
-    excites=False,
-    sections={"bearings": "", "couplings": "flanges"},
-    label=_label,
-    plural="bearings",
-    main=True,
-    arrow=_arrow,
-    power=Power("coupling_force[{}.mz]", where=lambda record: not record["housed"]),
-)

@@ -18,14 +18,13 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.rotation_vector import by_turn, by_turn_change, rotation_vector
 from pitchpoint.elements.wrench import angular_velocity, origin, push, put, velocity
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
 
-SOFT = 1e-9
-"""Stiffness about the axis over the largest below which a bushing lets its ends turn [1]."""
+BODY_FIXED = True
+
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
@@ -217,31 +216,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return bushing(view(rec, n, RECORD), c, fr, kk)
-
-
-def _lets_turn(record: np.void) -> tuple[str, ...]:
-    """Ends that lie on the axis of their body, if the bushing is soft about it."""
-    axis = np.array([0.0, 0.0, 1.0])
-    K = record["K"] + record["K"].T
-    found = []
-    for end in "ij":
-        A = record[f"A_{end}"]
-        x = np.concatenate([A.T @ np.cross(axis, record[f"p_{end}"]), A.T @ axis])
-        if np.abs(K @ x).max() <= SOFT * np.abs(K).max():
-            found.append(end)
-    return tuple(found)
-
-
-KIND = Kind(
-    name="bushing",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    body_fixed=True,
-    massless=True,
-    lets_turn=_lets_turn,
-    linear=True,
-    excites=False,
-    sections={"bushings": "bushing"},
-)

@@ -17,10 +17,12 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import FRAME, FREE, Kind
 from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import RING, ring_forces, ring_motion, ring_observations, ring_tangents
 from pitchpoint.multibody.channels import events, frame_args, observations
+
+BODY_FIXED = True
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -109,18 +111,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return clearance_bearing(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="clearance_bearing",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    events=EVENTS,
-    body_fixed=True,
-    massless=True,
-    spins=FREE,
-    sections={"plain_bearings": "journal"},
-    arrow="ring",
-)

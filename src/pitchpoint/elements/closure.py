@@ -24,10 +24,11 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK
-from pitchpoint.elements.kind import CLOSURE, CONSTRAINT, Kind, Power
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations, tangents
 from pitchpoint.multibody.vectors import add, cross, dot, less, moved_axis, times, triple, unit
 
+ROWS = 1
+BODY_FIXED = True
 POINT, RIGHT, DISTANCE, SCREW = 0, 1, 2, 3
 TWO_PI = 6.283185307179586
 
@@ -261,26 +262,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return closure(view(rec, n, RECORD), c, fr, g)
-
-
-def _row_unit(record: np.void) -> str:
-    """Right angles have none."""
-    return "" if record["form"] == RIGHT else "m"
-
-
-KIND = Kind(
-    name="closure",
-    channel=CONSTRAINT,
-    record=RECORD,
-    entry=entry,
-    outputs=outputs,
-    rows=1,
-    row_unit=_row_unit,
-    body_fixed=True,
-    role=CLOSURE,
-    massless=True,
-    sections={"joints": "", "rods": "rod"},
-    label="reaction",
-    names_modes=False,
-    power=Power(),
-)

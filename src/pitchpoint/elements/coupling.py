@@ -18,7 +18,6 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import FRAME, TOGETHER, Kind, Power
 from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
 from pitchpoint.elements.turning import (
     add_torque,
@@ -32,6 +31,7 @@ from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586
 
+SPINS = "together"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -103,24 +103,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return coupling(view(rec, n, RECORD), c, fr, kk)
-
-
-def _linear(record: np.void, spinning: bool) -> bool:
-    """Without play and without a law of its own."""
-    return bool(record["gap"] == 0.0 and record["form"] == CONSTANT)
-
-
-KIND = Kind(
-    name="coupling",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    massless=True,
-    spins=TOGETHER,
-    linear=_linear,
-    excites=False,
-    sections={"torsion_springs": "coil"},
-    main=True,
-    power=Power("torque[{}]"),
-)

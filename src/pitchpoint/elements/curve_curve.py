@@ -13,12 +13,12 @@ import numpy as np
 from pitchpoint.contact.curve import Curve
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.contact_record import EVENTS, PATHS, RECORD, RESULTS, set_curve
-from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.planar_contact import planar_entry
 from pitchpoint.elements.signal import Pool
 
-__all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "set_curves"]
+__all__ = ["BODY_FIXED", "EVENTS", "OUTPUTS", "RECORD", "entry", "set_curves"]
 
+BODY_FIXED = True
 OUTPUTS = RESULTS + PATHS
 
 
@@ -60,15 +60,3 @@ def set_curves(
 def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     return planar_entry(ctl, rec, n)
-
-
-KIND = Kind(
-    name="curve_curve",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    events=EVENTS,
-    body_fixed=True,
-    sections={"curve_contacts": ""},
-)

@@ -17,14 +17,15 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK, REFUSED
 from pitchpoint.elements.contact_record import PATHS, RECORD, set_curve
 from pitchpoint.elements.contact_wrench import place_markers
-from pitchpoint.elements.kind import CONSTRAINT, Kind
 from pitchpoint.elements.permanent_contact import FORCE, hold
 from pitchpoint.elements.planar_contact import LEAST_COSINE, place_contact
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
 
-__all__ = ["KIND", "OUTPUTS", "RECORD", "curve_on_curve", "entry", "set_held_curves"]
+__all__ = ["BODY_FIXED", "OUTPUTS", "RECORD", "ROWS", "curve_on_curve", "entry", "set_held_curves"]
 
+BODY_FIXED = True
+ROWS = 1
 OUTPUTS = (FORCE, *PATHS)
 
 
@@ -77,16 +78,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return curve_on_curve(view(rec, n, RECORD), c, fr, q, g, G)
-
-
-KIND = Kind(
-    name="curve_on_curve",
-    channel=CONSTRAINT,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    rows=1,
-    row_unit=lambda record: "m",
-    body_fixed=True,
-    sections={"curve_contacts": ""},
-)

@@ -10,8 +10,9 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import COORDINATE, EVERYWHERE, FREE, RAYLEIGH, Kind
 from pitchpoint.multibody.channels import coordinate_args
+
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -56,17 +57,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, q, v, R, A = coordinate_args(ctl)
     return damping(view(rec, n, RECORD), c, q, v, R, A)
-
-
-KIND = Kind(
-    name="damping",
-    channel=COORDINATE,
-    record=RECORD,
-    entry=entry,
-    role=RAYLEIGH,
-    scope=EVERYWHERE,
-    massless=True,
-    spins=FREE,
-    linear=True,
-    excites=False,
-)

@@ -14,7 +14,6 @@ import numpy as np
 from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import CONSTRAINT, DRIVE, FREE, Kind, Power
 from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import SpeedPieces
@@ -23,9 +22,11 @@ from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_ra
 TURN, TURN_REST = 6.283185303211212, 3.968374073792802e-09
 """A whole turn in two parts, the first of 27 bits: times the turns of a day it is exact."""
 SPEED, SPEED_PIECES, ANGLE_FORMULA = 0, 1, 2
+ROWS = 1
 STENCIL = 1e-5
 """Distance of the points from which a formula of the angle gets its acceleration [s]."""
 
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -163,17 +164,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return drive(view(rec, n, RECORD), c, fr, q, g, G)
-
-
-KIND = Kind(
-    name="drive",
-    channel=CONSTRAINT,
-    record=RECORD,
-    entry=entry,
-    outputs=outputs,
-    rows=1,
-    role=DRIVE,
-    massless=True,
-    spins=FREE,
-    power=Power("torque[{}]", source="drive", where=lambda record: not record["linear"]),
-)

@@ -27,11 +27,15 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements import guide
 from pitchpoint.elements.flexible_forces import coordinates, loads, shares
 from pitchpoint.elements.flexible_tangent import tangent
-from pitchpoint.elements.kind import FRAME, FREE, MODAL, WITH_MODES, Kind
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.joints import GUIDED
 from pitchpoint.multibody.mass_invariants import MassInvariants
+
+BODY_FIXED = True
+SPINS = "free"
+"""What bends with a body turns with it."""
 
 MOST = 30
 """Most modal coordinates of one body."""
@@ -39,6 +43,8 @@ GROUP = 3
 """Modal coordinates of one hidden body."""
 LOADS = 9
 """Loads that stiffen: a_x, a_y, a_z, then the products of omega: xx, yy, zz, xy, yz, zx."""
+PAIRED = MODAL
+"""Fields whose bodies have pair blocks with each other, which the layout writes into `pairs`."""
 
 _PAIR = ["i", "j", "ii", "ij", "ji", "jj"]
 
@@ -261,20 +267,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return flexible_body(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="flexible_body",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    pairs=WITH_MODES,
-    paired=MODAL,
-    modal=MODAL[1:],
-    body_fixed=True,
-    spins=FREE,
-    fine=True,
-    excites=False,
-    sections={"elastic_bodies": ""},
-)

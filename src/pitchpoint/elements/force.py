@@ -14,7 +14,6 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import FORCE, FRAME, FREE, Kind
 from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
 from pitchpoint.elements.turning import (
     common_axis,
@@ -27,6 +26,7 @@ from pitchpoint.elements.wrench import origin, push, put, spin_axis
 from pitchpoint.multibody.channels import frame_args
 from pitchpoint.multibody.vectors import add, cross, less, times, triple, unit
 
+SPINS = "free"
 WORLD, BODY = 0, 1
 
 RECORD = np.dtype(
@@ -138,17 +138,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return force(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="force",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    role=FORCE,
-    massless=True,
-    spins=FREE,
-    excites=False,
-    sections={"loads": ""},
-    names_modes=False,
-)

@@ -24,7 +24,6 @@ from pitchpoint.contact.bristle import bristle_rate, stribeck
 from pitchpoint.contact.friction import coulomb
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import CLUTCH, FRAME, FREE, WITH_STATE, Kind, Power
 from pitchpoint.elements.signal import SIGNAL, signal
 from pitchpoint.elements.turning import (
     add_torque,
@@ -42,6 +41,7 @@ TWO_PI = 6.283185307179586
 STILL = 1e-3
 """Slip over `v_eps` by which what stays put may turn back without a reversal: round-off does not count."""
 REGULARISED, BRISTLE = 0, 1
+SPINS = "free"
 
 
 RECORD = np.dtype(
@@ -154,18 +154,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return friction_clutch(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="friction_clutch",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    pairs=WITH_STATE,
-    events=EVENTS,
-    role=CLUTCH,
-    spins=FREE,
-    sections={"clutches": "discs"},
-    power=Power("torque[{}]", loss="friction"),
-)

@@ -14,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import FRAME, SINGLE, WEIGHT, Kind
 from pitchpoint.elements.wrench import push, put, spin_axis
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import frame_args
@@ -84,17 +83,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return gravity(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="gravity",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    scope=SINGLE,
-    massless=True,
-    resists=WEIGHT,
-    linear=True,
-    excites=False,
-    names_modes=False,
-)

@@ -19,10 +19,12 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import FREE, MOTION, Kind, Power
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_pieces import fit_pieces
 from pitchpoint.multibody.channels import F8, I8, motion_args
+
+SPINS = "free"
+"""Makes displacements and acts on nothing."""
 
 LINEAR, PIECES, FORMULA = 0, 1, 2
 TIME = -1
@@ -192,15 +194,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, q, guides = motion_args(ctl)
     return guide(view(rec, n, RECORD), c, q, guides)
-
-
-KIND = Kind(
-    name="guide",
-    channel=MOTION,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    spins=FREE,
-    sections={"joints": "", "elastic_bodies": ""},
-    power=Power(),
-)

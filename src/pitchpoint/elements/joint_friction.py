@@ -15,7 +15,6 @@ this channel run when all other forces are known; their tangents leave out how t
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,11 +25,12 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.closure import DISTANCE, RIGHT
 from pitchpoint.elements.closure import RECORD as CLOSURE
-from pitchpoint.elements.kind import FREE, FRICTION, Kind
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import F8, I8, bounded, events, frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, less, moved_axis, times, triple
 
+SPINS = "free"
+BODY_FIXED = True
 TURN, WAY = 0, 1
 
 RECORD = np.dtype(
@@ -80,7 +80,7 @@ def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     return OUTPUTS
 
 
-def bodies_beyond(bodies: Sequence[Body], k: int) -> NDArray[np.int64]:
+def bodies_beyond(bodies: tuple[Body, ...] | list[Body], k: int) -> NDArray[np.int64]:
     """Numbers of body k and of all that hang on it.
 
     Examples
@@ -199,16 +199,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return joint_friction(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="joint_friction",
-    channel=FRICTION,
-    record=RECORD,
-    entry=entry,
-    outputs=outputs,
-    events=EVENTS,
-    body_fixed=True,
-    spins=FREE,
-    sections={"joints": ""},
-)

@@ -13,8 +13,9 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import COORDINATE, TOGETHER, Kind
 from pitchpoint.multibody.channels import F8, FRAME, coordinate_args
+
+SPINS = "together"
 
 TWO_PI = 6.283185307179586
 
@@ -99,14 +100,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, q, v, a, R, A = part_args(ctl)
     return linear_part(view(rec, n, RECORD), c, fr, q, v, a, R, A)
-
-
-KIND = Kind(
-    name="linear_part",
-    channel=COORDINATE,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    spins=TOGETHER,
-    excites=False,
-)

@@ -15,11 +15,13 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import FRAME, FREE, WITH_STATE, Kind
 from pitchpoint.elements.line import line_between, line_column, pull, tension_tangent
 from pitchpoint.elements.wrench import put, spin_axis
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import cross, times
+
+BODY_FIXED = True
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
@@ -87,16 +89,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return maxwell(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="maxwell",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    pairs=WITH_STATE,
-    body_fixed=True,
-    spins=FREE,
-    sections={"maxwells": "spring"},
-)

@@ -15,12 +15,12 @@ from pitchpoint.contact.curve import Curve, chain, vertex
 from pitchpoint.contact.surface import SPHERE
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.contact_record import EVENTS, PATHS, RECORD, RESULTS, set_curve
-from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.planar_contact import planar_entry
 from pitchpoint.elements.signal import Pool
 
-__all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "set_cam"]
+__all__ = ["BODY_FIXED", "EVENTS", "OUTPUTS", "RECORD", "entry", "set_cam"]
 
+BODY_FIXED = True
 OUTPUTS = RESULTS + PATHS
 
 
@@ -58,15 +58,3 @@ def set_cam(
 def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     return planar_entry(ctl, rec, n)
-
-
-KIND = Kind(
-    name="point_curve",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    events=EVENTS,
-    body_fixed=True,
-    sections={"cam_contacts": ""},
-)

@@ -17,11 +17,13 @@ from pitchpoint.contact.curve_point import WIDTH, arc_length, nearest, point_of
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.elements.contact_wrench import moved, turned
-from pitchpoint.elements.kind import CONSTRAINT, Kind
 from pitchpoint.elements.permanent_contact import hold
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
 from pitchpoint.multibody.vectors import column, dot, plus, triple
+
+BODY_FIXED = True
+ROWS = 1
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -170,16 +172,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return point_on_curve(view(rec, n, RECORD), c, fr, q, g, G)
-
-
-KIND = Kind(
-    name="point_on_curve",
-    channel=CONSTRAINT,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    rows=1,
-    row_unit=lambda record: "m",
-    body_fixed=True,
-    sections={"cam_contacts": ""},
-)

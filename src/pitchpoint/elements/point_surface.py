@@ -18,14 +18,14 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import EVENTS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contact_wrench import act, begin, finish
-from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.surface_place import curvature_in_world, point_place
 from pitchpoint.multibody.channels import frame_args
 from pitchpoint.multibody.vectors import into_world, triple
 
-__all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "point_surface", "set_mesh", "set_surface"]
+__all__ = ["BODY_FIXED", "EVENTS", "OUTPUTS", "RECORD", "entry", "point_surface", "set_mesh", "set_surface"]
 
+BODY_FIXED = True
 OUTPUTS = RESULTS
 
 
@@ -148,15 +148,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return point_surface(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="point_surface",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    events=EVENTS,
-    body_fixed=True,
-    sections={"surface_contacts": ""},
-)

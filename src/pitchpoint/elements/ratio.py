@@ -13,10 +13,10 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import CONSTRAINT, GEARED, RATIO, Kind, Power
 from pitchpoint.multibody.channels import F8, constraint_args, observations
 
 TWO_PI = 6.283185307179586
+ROWS = 1
 SPIN = -1
 
 RECORD = np.dtype(
@@ -100,19 +100,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return ratio(view(rec, n, RECORD), c, fr, q, g, G)
-
-
-KIND = Kind(
-    name="ratio",
-    channel=CONSTRAINT,
-    record=RECORD,
-    entry=entry,
-    outputs=outputs,
-    pairs=(("i", "j"), ("i", "k")),
-    rows=1,
-    role=RATIO,
-    massless=True,
-    spins=GEARED,
-    sections={"ratios": ""},
-    power=Power(),
-)

@@ -31,7 +31,6 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.bearing_fault import lost_approach, shifted
-from pitchpoint.elements.kind import FRAME, FREE, Kind
 from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import (
     RING,
@@ -44,6 +43,8 @@ from pitchpoint.elements.ring import (
 from pitchpoint.elements.rolling_push import push_elements
 from pitchpoint.multibody.channels import frame_args, observations
 
+BODY_FIXED = True
+SPINS = "free"
 TWO_PI = 6.283185307179586
 SPLIT = 67108864.0
 """2^26: a share of the cage is cut after so many binary digits, so that whole turns of it are exact."""
@@ -305,18 +306,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return rolling_bearing(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="rolling_bearing",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    body_fixed=True,
-    massless=True,
-    spins=FREE,
-    sections={"rolling_bearings": ""},
-    plural="rolling bearings",
-    arrow="ring",
-)

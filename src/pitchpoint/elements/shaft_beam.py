@@ -19,12 +19,12 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.beam_forces import internal, loads, node, turned
 from pitchpoint.elements.beam_record import OUTPUTS, RECORD, beam_row
 from pitchpoint.elements.beam_tangent import tangent
-from pitchpoint.elements.kind import FRAME, TOGETHER, Kind, Power
 from pitchpoint.multibody.beam_section import Beam
 from pitchpoint.multibody.channels import frame_args, observations
 
-__all__ = ["KIND", "OUTPUTS", "RECORD", "entry", "shaft_beam", "shaft_row"]
+__all__ = ["OUTPUTS", "RECORD", "SPINS", "entry", "shaft_beam", "shaft_row"]
 
+SPINS = "together"
 
 TWO_PI = 6.283185307179586
 
@@ -111,19 +111,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return shaft_beam(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="shaft_beam",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    spins=TOGETHER,
-    linear=True,
-    fine=True,
-    excites=False,
-    sections={"shafts": ""},
-    label="beam",
-    power=Power(),
-)

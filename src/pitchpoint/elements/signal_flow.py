@@ -7,7 +7,7 @@ all blocks to every actuator: derivatives W of each signal by the sources are ca
 and links multiply them into the pair tangents of the bodies at both ends. They are exact but for loads
 (reactions, observations of other elements), whose derivatives are not known and left out.
 
-The kind *signal_flow* runs with the forces; *signal_of_loads*, the same code, after all of them.
+The kind *signal* runs with the forces; *signal_of_loads*, the same code, after all of them.
 """
 
 from __future__ import annotations
@@ -19,7 +19,6 @@ import numpy as np
 from pitchpoint.core.formula_kernel import evaluate_slope
 from pitchpoint.core.kernel import call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import FRAME, FREE, SIGNAL, Kind, Power
 from pitchpoint.elements.signal import interpolate
 from pitchpoint.elements.signal_actuators import act
 from pitchpoint.elements.signal_record import (
@@ -44,7 +43,10 @@ from pitchpoint.elements.wrench import spin_axis
 from pitchpoint.multibody.channels import F8, I8, frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, less, moved_axis, triple
 
-__all__ = ["KIND", "RECORD"]
+__all__ = ["RECORD"]
+
+SPINS = "free"
+BODY_FIXED = True
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
@@ -224,18 +226,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return flow(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="signal_flow",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=outputs,
-    body_fixed=True,
-    role=SIGNAL,
-    spins=FREE,
-    sections={"sensors": "", "blocks": "", "controllers": "", "actuators": ""},
-    title="signal",
-    power=Power(),
-)

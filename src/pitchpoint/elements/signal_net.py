@@ -365,7 +365,7 @@ class SignalNet:
     def kind(self) -> str:
         """Kind of the bank: it runs after all others if loads are sensed."""
         late = any(node.op in LOADS for node in self.nodes.values())
-        return "signal_of_loads" if late or self._bent_acceleration() else "signal_flow"
+        return "signal_of_loads" if late or self._bent_acceleration() else "signal"
 
     def _bent_acceleration(self) -> bool:
         """Whether accelerations pass a block that is not linear: one solution does not find them then."""

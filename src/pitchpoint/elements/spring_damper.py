@@ -15,10 +15,11 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.line import line_between, pull, tension_tangent
 from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
 from pitchpoint.multibody.channels import frame_args, observations
+
+BODY_FIXED = True
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
@@ -77,23 +78,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return spring_damper(view(rec, n, RECORD), c, fr, kk)
-
-
-def _linear(record: np.void, spinning: bool) -> bool:
-    """Without a law of its own."""
-    return bool(record["form"] == CONSTANT)
-
-
-KIND = Kind(
-    name="spring_damper",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    body_fixed=True,
-    massless=True,
-    linear=_linear,
-    large=True,
-    sections={"springs": "spring"},
-    names_modes=False,
-)

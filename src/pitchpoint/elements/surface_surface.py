@@ -27,7 +27,6 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contact_record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contact_wrench import act, begin, finish
-from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.line_contact import line_of_contact
 from pitchpoint.elements.point_surface import set_surface
 from pitchpoint.elements.rod_place import rim_place, rods_place
@@ -36,8 +35,8 @@ from pitchpoint.elements.triangle_contact import points_on_shape, points_on_tria
 from pitchpoint.multibody.channels import frame_args
 
 __all__ = [
+    "BODY_FIXED",
     "EVENTS",
-    "KIND",
     "OUTPUTS",
     "RECORD",
     "entry",
@@ -50,6 +49,7 @@ __all__ = [
     "surface_surface",
 ]
 
+BODY_FIXED = True
 OUTPUTS = RESULTS
 
 
@@ -238,15 +238,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return surface_surface(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="surface_surface",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    events=EVENTS,
-    body_fixed=True,
-    sections={"surface_contacts": ""},
-)

@@ -13,7 +13,6 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.kind import FRAME, FREE, TORQUE, Kind, Power
 from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
 from pitchpoint.elements.turning import (
     add_torque,
@@ -24,6 +23,8 @@ from pitchpoint.elements.turning import (
     turn_between,
 )
 from pitchpoint.multibody.channels import frame_args, observations
+
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")] + SIGNAL + [("out", "i8")], align=True
@@ -65,18 +66,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return torque(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="torque",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    role=TORQUE,
-    massless=True,
-    spins=FREE,
-    sections={"loads": ""},
-    names_modes=False,
-    power=Power("torque[{}]", source="load"),
-)

@@ -16,7 +16,6 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.kind import FRAME, FREE, WITH_STATE, Kind, Power
 from pitchpoint.elements.turning import (
     add_torque,
     common_axis,
@@ -27,6 +26,8 @@ from pitchpoint.elements.turning import (
 )
 from pitchpoint.elements.wrench import spin_axis
 from pitchpoint.multibody.channels import frame_args, observations
+
+SPINS = "free"
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
@@ -72,16 +73,3 @@ def entry(ctl, rec, n):
     """Uniform entry of the kind."""
     c, fr, kk = frame_args(ctl)
     return torsion_maxwell(view(rec, n, RECORD), c, fr, kk)
-
-
-KIND = Kind(
-    name="torsion_maxwell",
-    channel=FRAME,
-    record=RECORD,
-    entry=entry,
-    outputs=OUTPUTS,
-    pairs=WITH_STATE,
-    spins=FREE,
-    sections={"torsion_maxwells": "coil"},
-    power=Power("torque[{}]"),
-)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks common to cylindrical and bevel gears and their pairs: order, limits, messages.
 
-`problems` and `bevel_problems` give numbers and remedies. Nothing here raises: a loader lists all problems.
+`problems` and `bevel_problems` bring numbers and remedies of their kind. Nothing here raises: a loader shows
+every problem of a file at once.
 """
 
 from __future__ import annotations
@@ -13,12 +14,14 @@ from typing import Protocol
 from pitchpoint.core.errors import GeometryError, Problem
 
 TIP_THICKNESS_LIMIT = 0.2
-"""Normal modules. Thinner tips break or burn through in hardening: a limit of design practice."""
+"""Normal modules. Thinner tips may break or burn through in hardening: a usual limit of design practice."""
 INTERFERENCE_TOLERANCE = 0.01
 """Modules along the path of contact: less than what tip diameters, cones and centre distances are made to."""
 USABLE_CONTACT_RATIO = 1.1
 """Below this a pair with undercut teeth does not reliably transfer load from one tooth pair to the next."""
+
 NO_PAIR_IN_CONTACT = "leaves moments without a tooth pair in contact"
+
 Found = tuple[str, str, str, str | None, str]
 """Key, message, value, limit and remedy."""
 
@@ -141,10 +144,6 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
         What makes it thin.
     remedy
         What to do.
-
-    Notes
-    -----
-    A pointed tooth cannot be made; a thin one can: FZG gears of type A (ISO 14635-1) have 0.13 m_n.
 
     Examples
     --------
@@ -382,7 +381,8 @@ def odd_contact(
     -----
     Where a tip reaches below the mate's root form circle or cone the geometry still follows the tips (as
     published contact ratios do), but the involute ends sooner, in a fillet or an undercut. It depends on the
-    tool, which is rarely known exactly. A total contact ratio below one leaves moments without contact.
+    tool, which is rarely known exactly, so it does not forbid the pair. A total contact ratio below one
+    leaves moments without any contact.
     """
     found = []
     for (missing, limit), mate, tip, name in zip(

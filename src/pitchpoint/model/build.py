@@ -7,12 +7,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from pitchpoint.core.errors import ModelError, Problem
-from pitchpoint.model import sections
 from pitchpoint.model.keys import BAD, keys_of
-from pitchpoint.model.model import Model
+from pitchpoint.model.model import GROUPS, Model
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.read import Reader
-from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.validate import check
 
 
@@ -37,8 +35,6 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
         what = "is empty" if data is None else "is not a mapping of keys"
         raise ModelError([*reader.problems, Problem("model", what, remedy="begin with gears:", line=1)], file)
     keys = keys_of(Model)
-    for name in [name for name in data if name not in keys]:
-        sections.find(str(name))  # those of other packages become keys
     reader.unknown(data, keys, ())
     values = {}
     for name, key in keys.items():
@@ -50,9 +46,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
     if not any(values.get(g) or (g,) in reader.tainted for g in moving):
         reader.problem(("gears",), "is missing: a model has a gear or a body", remedy="add gears: or bodies:")
     parts = Parts.of(values, values.get("damping"))
-    parts.names = {
-        g: {str(n) for n in data[g]} for g in (*GROUPS, *parts.others) if isinstance(data.get(g), Mapping)
-    }
+    parts.names = {g: {str(n) for n in data[g]} for g in GROUPS if isinstance(data.get(g), Mapping)}
     check(parts, reader)
     if reader.problems:
         ordered = sorted(reader.problems, key=lambda p: p.line if p.line is not None else 10**9)

@@ -11,7 +11,6 @@ from pitchpoint.model.components.joint import FUNCTIONS
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.keys import Place, keys_of
 from pitchpoint.model.read import Reader
-from pitchpoint.model.sections import groups_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.body import Body
@@ -50,7 +49,9 @@ def check_places(parts: Parts, report: Reader) -> None:
 
 def ends_of(parts: Any) -> Iterator[tuple[str, str, str, Any]]:
     """Every place on a body that a component names: section, name, key and value."""
-    for group in groups_of(parts):
+    from pitchpoint.model.model import GROUPS
+
+    for group in GROUPS:
         for name, part in getattr(parts, group).items():
             for key, description in keys_of(type(part)).items():
                 given = getattr(part, key)

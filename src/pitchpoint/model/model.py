@@ -11,14 +11,44 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
 from pitchpoint.core.errors import ModelError, Problem
-from pitchpoint.model import sections
 from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
+from pitchpoint.model.components.actuator import ACTUATORS, Actuator
+from pitchpoint.model.components.beam import Beam
+from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.components.bevel_gear import BevelGear
+from pitchpoint.model.components.bevel_mesh import BevelMesh
+from pitchpoint.model.components.block import BLOCKS, Block
+from pitchpoint.model.components.body import Body
+from pitchpoint.model.components.bushing import Bushing
+from pitchpoint.model.components.clutch import Clutch
+from pitchpoint.model.components.contact import CamContact, CurveContact, SurfaceContact
+from pitchpoint.model.components.controller import CONTROLLERS, Controller
+from pitchpoint.model.components.coupling import Coupling
+from pitchpoint.model.components.damping import Damping
+from pitchpoint.model.components.elastic_body import ElasticBody
+from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.components.joint import Joint
+from pitchpoint.model.components.load import Load
+from pitchpoint.model.components.marker import Triple
+from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.ratio import Ratio
+from pitchpoint.model.components.rod import Rod
+from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+from pitchpoint.model.components.sensor import SENSORS, Sensor
+from pitchpoint.model.components.shaft import Shaft
+from pitchpoint.model.components.spring import Maxwell, Spring
+from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
+from pitchpoint.model.components.unbalance import Unbalance
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
     Place,
+    component,
     defaults_of,
     derived,
+    key,
     keys_of,
+    quantities,
+    text,
 )
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.pair_check import gap
@@ -28,7 +58,6 @@ from pitchpoint.model.read import Reader
 from pitchpoint.model.recheck import recheck
 from pitchpoint.model.replace import replace_at
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.model.sections import GROUPS, Contents
 from pitchpoint.model.shafts import own_bodies, station_names, stations_of
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
 from pitchpoint.model.validate import check
@@ -36,10 +65,6 @@ from pitchpoint.model.validate import check
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_pair import BevelPair
     from pitchpoint.geometry.gear_pair import GearPair
-    from pitchpoint.model.components.bevel_gear import BevelGear
-    from pitchpoint.model.components.bevel_mesh import BevelMesh
-    from pitchpoint.model.components.gear import Gear
-    from pitchpoint.model.components.mesh import Mesh
 
 V = TypeVar("V")
 
@@ -57,18 +82,82 @@ class Frozen(dict[str, V]):
         return type(self), (dict(self),)
 
 
-@sections.extensible
 @dataclass(frozen=True, kw_only=True)
-class Model(Contents):
+class Model:
     """Gears, bodies, meshes, supports, loads and scenarios of one machine.
 
     Making a `Model` checks it; every problem is reported in one `ModelError`. All values are SI and radians.
     """
 
-    others: Mapping[str, Mapping[str, Any]] = dataclasses.field(
-        default_factory=dict, repr=False, metadata={"later": True}
+    title: str = text("what the file describes", "")
+    gravity: Triple | None = quantities(
+        "acceleration",
+        "acceleration of gravity along the axes of the world; without it nothing has weight",
+        None,
+        length=(3, 3),
+        sample="[0, 0, -9.81 m/s^2]",
     )
-    """Sections of other packages, which are attributes too."""
+    gears: Mapping[str, Gear] = key("components", "the gears by name", {}, of=Gear)
+    bevel_gears: Mapping[str, BevelGear] = key(
+        "components", "the bevel gears by name", {}, of=BevelGear, later=True
+    )
+    bodies: Mapping[str, Body] = key("components", "bodies, with the gears that they carry", {}, of=Body)
+    shafts: Mapping[str, Shaft] = key("components", "elastic shafts, with the gears on them", {}, of=Shaft)
+    elastic_bodies: Mapping[str, ElasticBody] = key(
+        "components", "elastic bodies from finite-element matrices", {}, of=ElasticBody
+    )
+    joints: Mapping[str, Joint] = key("components", "joints between bodies", {}, of=Joint)
+    springs: Mapping[str, Spring] = key("components", "springs and dampers between points", {}, of=Spring)
+    maxwells: Mapping[str, Maxwell] = key(
+        "components", "springs and dampers one behind the other between points", {}, of=Maxwell
+    )
+    torsion_springs: Mapping[str, TorsionSpring] = key(
+        "components", "springs and dampers about the axes of bodies", {}, of=TorsionSpring
+    )
+    torsion_maxwells: Mapping[str, TorsionMaxwell] = key(
+        "components",
+        "springs and dampers one behind the other about the axes of bodies",
+        {},
+        of=TorsionMaxwell,
+    )
+    bushings: Mapping[str, Bushing] = key("components", "elastic bushings", {}, of=Bushing)
+    beams: Mapping[str, Beam] = key("components", "elastic beams between two places", {}, of=Beam)
+    clutches: Mapping[str, Clutch] = key("components", "clutches and brakes", {}, of=Clutch)
+    rolling_bearings: Mapping[str, RollingBearing] = key(
+        "components", "bearings with their rolling elements", {}, of=RollingBearing
+    )
+    plain_bearings: Mapping[str, PlainBearing] = key(
+        "components", "bearings with clearance", {}, of=PlainBearing
+    )
+    cam_contacts: Mapping[str, CamContact] = key(
+        "components", "points and rollers on curves", {}, of=CamContact
+    )
+    curve_contacts: Mapping[str, CurveContact] = key(
+        "components", "curves on curves in one plane", {}, of=CurveContact
+    )
+    surface_contacts: Mapping[str, SurfaceContact] = key(
+        "components", "surfaces on surfaces in space", {}, of=SurfaceContact
+    )
+    unbalances: Mapping[str, Unbalance] = key("components", "point masses on bodies", {}, of=Unbalance)
+    rods: Mapping[str, Rod] = key("components", "rods that hold two points at a distance", {}, of=Rod)
+    ratios: Mapping[str, Ratio] = key("components", "fixed ratios between coordinates", {}, of=Ratio)
+    meshes: Mapping[str, Mesh] = key("components", "pairs of gears in mesh", {}, of=Mesh)
+    bevel_meshes: Mapping[str, BevelMesh] = key(
+        "components", "pairs of bevel gears in mesh", {}, of=BevelMesh, later=True
+    )
+    bearings: Mapping[str, Bearing] = key("components", "bearings between bodies and ground", {}, of=Bearing)
+    couplings: Mapping[str, Coupling] = key("components", "couplings between bodies", {}, of=Coupling)
+    loads: Mapping[str, Load] = key("components", "torques and forces on bodies", {}, of=Load)
+    sensors: Mapping[str, Sensor] = key("components", "signals of motion and loads", {}, of=SENSORS)
+    blocks: Mapping[str, Block] = key("components", "signals of other signals", {}, of=BLOCKS)
+    controllers: Mapping[str, Controller] = key(
+        "components", "sampled controllers, which read and make signals", {}, of=CONTROLLERS
+    )
+    actuators: Mapping[str, Actuator] = key(
+        "components", "torques and forces that signals make", {}, of=ACTUATORS
+    )
+    damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
+    scenarios: Mapping[str, Scenario] = key("components", "what is done to the model", {}, of=Scenario)
     file: str | None = derived()
     """Path of the file the model came from."""
     lines: Mapping[Place, int] | None = derived()
@@ -86,11 +175,7 @@ class Model(Contents):
         object.__setattr__(self, "bodies", own_bodies(self.bodies))
         for group in GROUPS:
             object.__setattr__(self, group, Frozen(getattr(self, group)))
-        self._set_others(self.others)
         report = Reader()
-        for name in self.others:
-            if sections.find(name) is None:
-                report.unknown({name: None}, keys_of(type(self)), ())
         recheck(self, (), report)
         if report.problems:
             raise ModelError(report.problems, self.file)
@@ -122,8 +207,7 @@ class Model(Contents):
             As in the class.
         """
         model = object.__new__(cls)
-        given = {**defaults_of(cls), **keys}
-        plain = {n: v for n, v in given.items() if n not in GROUPS and not sections.is_other(n)}
+        plain = {n: v for n, v in {**defaults_of(cls), **keys}.items() if n not in GROUPS}
         own = {
             "file": file,
             "lines": lines,
@@ -139,25 +223,10 @@ class Model(Contents):
     def _settle(self, parts: Parts) -> None:
         for group in (*GROUPS, "pairs"):
             object.__setattr__(self, group, Frozen(getattr(parts, group)))
-        self._set_others(parts.others)
         object.__setattr__(self, "mechanism", parts.mechanism)
 
-    def _set_others(self, others: Mapping[str, Mapping[str, Any]]) -> None:
-        found = {name: Frozen(part) for name, part in others.items() if part}
-        object.__setattr__(self, "others", Frozen(found))
-
-    if not TYPE_CHECKING:  # typos in the names of attributes are errors
-
-        def __getattr__(self, name: str) -> Any:
-            """Section of another package; one that a file does not have is empty."""
-            if name in (others := self.__dict__.get("others", {})):
-                return others[name]
-            if sections.is_other(name):
-                return Frozen()
-            raise AttributeError(f"a model has no {name!r}", name=name, obj=self)
-
     def _parts(self) -> Parts:
-        parts = Parts.of({group: getattr(self, group) for group in sections.groups_of(self)}, self.damping)
+        parts = Parts.of({group: getattr(self, group) for group in GROUPS}, self.damping)
         parts.mechanism = self.mechanism or parts.mechanism
         return parts
 
@@ -215,8 +284,7 @@ class Model(Contents):
             report.problems.clear()
         if problems:
             raise ModelError(problems)
-        others = {name: tops.pop(name) for name in list(tops) if sections.is_other(name)}
-        return dataclasses.replace(self, **tops, others={**self.others, **others}, changed=True)
+        return dataclasses.replace(self, **tops, changed=True)
 
     # --- what follows ----------------------------------------------------------------------------------
     def line(self, place: Place) -> int | None:
@@ -302,3 +370,7 @@ class Model(Contents):
         from pitchpoint.model.table import model_table
 
         return model_table(self)
+
+
+GROUPS = tuple(name for name, found in keys_of(Model).items() if found.kind == "components")
+"""Sections of a file that hold components by name."""

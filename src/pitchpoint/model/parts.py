@@ -16,7 +16,6 @@ from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.model.sections import SECTIONS
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -73,11 +72,6 @@ class Parts:
         if name.startswith("__"):
             raise AttributeError(name)
         return self.__dict__.get("sections", {}).get(name, {})
-
-    @property
-    def others(self) -> dict[str, dict[str, Any]]:
-        """Sections of other packages."""
-        return {name: part for name, part in self.sections.items() if name not in SECTIONS}
 
     def known(self, group: str) -> set[str]:
         """All names of a group, those of unreadable parts included."""

@@ -55,12 +55,7 @@ def replace_at(
         new = value
     else:
         new = report.value(keys[name], value, here)
-    if report.problems:
-        return part
-    if name in part.__dataclass_fields__:
-        return dataclasses.replace(part, **{name: new})
-    model: Any = part
-    return dataclasses.replace(model, others={**model.others, name: new})  # section of another package
+    return part if report.problems else dataclasses.replace(part, **{name: new})
 
 
 def _replace_named(

@@ -157,7 +157,7 @@ class Scenario:
     )
     channels: tuple[str, ...] = key(
         "names",
-        "names of the channels to store; * matches any characters, as in mesh_force[*]",
+        "names of the channels to store; * stands for any characters, as in mesh_force[*]",
         (),
         display="all",
         later=True,

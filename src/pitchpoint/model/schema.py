@@ -10,7 +10,6 @@ from typing import Any
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.model.keys import TYPE, Key, defaults_of, keys_of
 from pitchpoint.model.model import Model
-from pitchpoint.model.sections import load_others
 from pitchpoint.model.write import quantity_text
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
@@ -19,14 +18,11 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 def json_schema() -> dict[str, Any]:
     """JSON schema (draft 2020-12) of a model file; every quantity names its unit.
 
-    It has the sections of all packages that are installed.
-
     Examples
     --------
     >>> json_schema()["$defs"]["Gear"]["properties"]["normal_module"]["unit"]
     'm'
     """
-    load_others()
     definitions: dict[str, Any] = {}
     top = _object(Model, definitions)
     return {"$schema": DRAFT, "title": "pitchpoint model file", **top, "$defs": definitions}

@@ -16,7 +16,6 @@ from pitchpoint.model.frames import GROUND, axes_of, split
 from pitchpoint.model.keys import Place, keys_of
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.read import Reader
-from pitchpoint.model.sections import GROUPS, Contents, groups_of
 from pitchpoint.model.validate import nearest
 
 if TYPE_CHECKING:
@@ -62,7 +61,9 @@ def _tree_known(parts: Parts, report: Reader) -> bool:
 
 def _all_read(parts: Parts, report: Reader, groups: tuple[str, ...]) -> bool:
     """Whether the names of all parts of some sections are known: no such section is spelled wrong, say."""
-    values = set(keys_of(Contents)) - set(GROUPS)
+    from pitchpoint.model.model import GROUPS, Model
+
+    values = set(keys_of(Model)) - set(GROUPS)
     broken = {str(p[0]) for p in report.tainted if len(p) == 1} - values
     lost = {word for word in broken if not parts.known(word)}
     return not any(word in groups or word not in GROUPS for word in lost)
@@ -161,9 +162,11 @@ def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None
             remedy=nearest(match[1], table()) + "the names are those of a result file",
         )
         return
+    from pitchpoint.model.model import GROUPS
+
     if not _all_read(parts, report, GROUPS):
         return
-    known = {n for group in groups_of(parts) for n in parts.known(group)}
+    known = {n for group in GROUPS for n in parts.known(group)}
     whole, first = match[2], match[2].split(".")[0]
     if whole not in known and first not in known:
         report.problem(

@@ -7,7 +7,6 @@ from collections import deque
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from pitchpoint.model.frames import split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.torsional_supports import bushed_pairs, supported_bodies
 
@@ -33,12 +32,10 @@ def links_of(parts: Parts) -> list[Link]:
         z_1, z_2 = (parts.gears[g].sign * parts.gears[g].number_of_teeth for g in mesh.gears)
         found.append((("meshes", name), str(bodies[0]), str(bodies[1]), -z_1 / z_2))
     found += _bevel_links(parts)
-    for group in ("couplings", *parts.others):
-        for name, coupling in getattr(parts, group).items():
-            if getattr(coupling, "carries_torque", False):
-                one, two = (split(end)[0] for end in coupling.bodies)
-                if one != two and one in parts.bodies and two in parts.bodies:
-                    found.append(((group, name), one, two, 1.0))
+    for name, coupling in parts.couplings.items():
+        one, two = coupling.bodies
+        if one != two and one in parts.bodies and two in parts.bodies and coupling.carries_torque:
+            found.append((("couplings", name), one, two, 1.0))
     for name, spring in parts.torsion_springs.items():
         if len(set(spring.bodies) & set(parts.bodies)) == 2 and spring.stiffness > 0.0:
             found.append((("torsion_springs", name), *spring.bodies, 1.0))

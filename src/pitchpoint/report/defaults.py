@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import defaults_of, keys_of
+from pitchpoint.model.model import GROUPS
 from pitchpoint.model.remarks import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
-from pitchpoint.model.sections import groups_of
 from pitchpoint.model.shafts import own_bodies
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def defaults(model: Model) -> list[tuple[str, str]]:
 
 def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     """Give (group, name, key below it, default in words) of every key that is at its default."""
-    for group in groups_of(model):
+    for group in GROUPS:
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
             idle = _idle(part)

@@ -178,7 +178,7 @@ def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]
 def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[dict[str, Array], list[str]]:
     """Channels that change and are finite, and sentences about the others.
 
-    With `time` [s], tacho channels are omitted too: their harmonics are not vibration.
+    With `time` [s], tacho channels are left out too: their harmonics are not vibration.
     """
     kept, remarks = {}, []
     for name, values in channels.items():
@@ -193,7 +193,7 @@ def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[di
             continue
         if time is not None and is_pulse_train(x, time):
             remarks.append(
-                f"{name}: looks like the pulses of a tacho, not like vibration; omitted; --tacho {name} "
+                f"{name}: looks like the pulses of a tacho, not like vibration; left out; --tacho {name} "
                 f"--pulses N takes the speed from it, -c {name} looks at it all the same"
             )
             continue

@@ -16,10 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.elements import registry
-from pitchpoint.elements.kind import MESH, RATIO, Kind, Power
 from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
 from pitchpoint.report.scene_motion import Motion, motion
+from pitchpoint.system.meshes import KINDS as MESHES
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 
@@ -32,8 +31,15 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 LOSSES = {"friction": "friction_power", "damping": "damping_power"}
+TORQUES = {"coupling": "damping", "torsion_maxwell": "damping", "friction_clutch": "friction"}
+"""Kinds that put a torque on their first body about its axis and the opposite one on their second, and where
+what does not arrive has gone."""
+FOLLOWED = {*MESHES, "torque", "drive", "ratio", "bearing", *TORQUES}
+WITHOUT_POWER = {"signal", "guide", "closure", "shaft_beam", "linear_hold", "linear_modes"}
+"""Kinds without mean power, or within one block."""
 ROUND_OFF = 1e-12
 """Share of the power of a link below which what it loses is none."""
+KINDS = {"bearing": "bearings", "rolling_bearing": "rolling bearings", "loose_bearing": "bearings with play"}
 
 
 class NoPowerFlowError(PitchpointError):
@@ -60,18 +66,12 @@ def power_flow(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> Po
     from pitchpoint.system.compile import compile_model
 
     system = compile_model(model, result.attrs.get("scenario") or None)
-    if not any(_joins(registry.find(kind)) for kind in system.records):
+    if not any(len(system.names.get(kind, ())) for kind in (*MESHES, "ratio", *TORQUES)):
         return None
     machine = Machine(model, system, result, settle_time)
     links = [*machine.sources(), *machine.meshes(), *machine.torques(), *machine.ratios()]
     links += machine.carried(links)
     return machine.flow(links)
-
-
-def _joins(kind: Kind) -> bool:
-    """Whether a kind passes power on between bodies that turn, whatever its records."""
-    power = kind.power or Power()
-    return kind.role in (MESH, RATIO) or bool(power.torque and not power.source and power.where is None)
 
 
 class Machine:
@@ -158,31 +158,18 @@ class Machine:
 
     def sources(self) -> Iterator[PowerLink]:
         """Drives and loads, and reactions of loads on other bodies."""
-        for power, record, name in self.passing(source=True):
-            i, j = int(record["i"]), int(record["j"])
-            on_i = self.power(power.torque.format(name), self.turning(i, self.axis[i]))
-            on_j = -self.power(power.torque.format(name), self.turning(j, self.axis[i]))
-            if on_i:
-                yield self.link(name, power.source, (0, i), (-on_i, on_i))
-            if on_j:
-                yield self.link(f"reaction of {name}", power.source, (0, j), (-on_j, on_j))
-
-    def passing(self, source: bool) -> Iterator[tuple[Power, np.void, str]]:
-        """Description, record and name of the elements whose torque is followed: sources, or all others."""
-        for kind, records in self.system.records.items():
-            power = registry.find(kind).power
-            if power is None or not power.torque or bool(power.source) != source:
-                continue
+        for kind, word in (("drive", "drive"), ("torque", "load")):
+            records = self.system.records.get(kind, ())
             for record, name in zip(records, self.system.names.get(kind, ()), strict=False):
-                wanted = power.where is None or power.where(record)
-                if wanted and self.follows(power, record):
-                    yield power, record, name
-
-    def follows(self, power: Power, record: np.void) -> bool:
-        """Whether nothing is lost from view: between bodies that turn where only some records pass power."""
-        if power.source or power.where is None:
-            return True
-        return power.where(record) and {int(record["i"]), int(record["j"])} <= set(self.block_of)
+                i, j = int(record["i"]), int(record["j"])
+                if kind == "drive" and record["linear"]:
+                    continue
+                on_i = self.power(f"torque[{name}]", self.turning(i, self.axis[i]))
+                on_j = -self.power(f"torque[{name}]", self.turning(j, self.axis[i]))
+                if on_i:
+                    yield self.link(name, word, (0, i), (-on_i, on_i))
+                if on_j:
+                    yield self.link(f"reaction of {name}", word, (0, j), (-on_j, on_j))
 
     def meshes(self) -> Iterator[PowerLink]:
         """Meshes; friction power not divided among the gears counts for the driving gear."""
@@ -200,10 +187,18 @@ class Machine:
 
     def torques(self) -> Iterator[PowerLink]:
         """Couplings and clutches: what does not arrive is lost in them."""
-        for power, record, name in self.passing(source=False):
+        for kind, word in TORQUES.items():
+            records = self.system.records.get(kind, ())
+            for record, name in zip(records, self.system.names.get(kind, ()), strict=False):
+                pair = int(record["i"]), int(record["j"])
+                found = self.between(name, pair, f"torque[{name}]")
+                yield _with_losses(found, {word: found.given - found.taken})
+        records = self.system.records.get("bearing", ())
+        for record, name in zip(records, self.system.names.get("bearing", ()), strict=False):
             pair = int(record["i"]), int(record["j"])
-            found = self.between(name, pair, power.torque.format(name))
-            yield _with_losses(found, {power.loss: found.given - found.taken})
+            if not record["housed"] and set(pair) <= set(self.block_of):
+                found = self.between(name, pair, f"coupling_force[{name}.mz]")
+                yield _with_losses(found, {"damping": found.given - found.taken})
 
     def between(self, name: str, pair: tuple[int, int], channel: str) -> PowerLink:
         """A torque on the first of two bodies, the opposite one on the second."""
@@ -212,16 +207,16 @@ class Machine:
 
     def ratios(self) -> Iterator[PowerLink]:
         """Ratios without teeth, which lose nothing; of three bodies the first shares with two."""
-        for kind in self.system.kinds(RATIO):
-            for record, name in zip(self.system.records[kind], self.system.names[kind], strict=True):
-                i = int(record["i"])
-                if record["linear"] or i not in self.spin:
-                    continue
-                for end in "jk":
-                    b, share = int(record[end]), float(record[f"c_{end}"]) / float(record["c_i"])
-                    if share and b in self.spin:
-                        on = share * self.power(f"torque[{name}]", self.spin[b])
-                        yield self.link(name, "ratio", (i, b), (-on, on))
+        records = self.system.records.get("ratio", ())
+        for record, name in zip(records, self.system.names.get("ratio", ()), strict=False):
+            i = int(record["i"])
+            if record["linear"] or i not in self.spin:
+                continue
+            for end in "jk":
+                b, share = int(record[end]), float(record[f"c_{end}"]) / float(record["c_i"])
+                if share and b in self.spin:
+                    on = share * self.power(f"torque[{name}]", self.spin[b])
+                    yield self.link(name, "ratio", (i, b), (-on, on))
 
     def carried(self, links: list[PowerLink]) -> list[PowerLink]:
         """What blocks hand to those that carry them and turn: all that they get and do not store."""
@@ -260,15 +255,6 @@ class Machine:
         along = (speed * (speed + 2.0 * np.cross(turn, center))).sum(axis=1)
         return np.asarray(0.5 * (float(record["mass"]) * along + ((turn @ inertia) * turn).sum(axis=1)))
 
-    def unfollowed(self) -> list[str]:
-        """Elements that may take or give power and are none of the links, in words."""
-        found = []
-        for name, records in self.system.records.items():
-            kind = registry.find(name)
-            if kind.power is None or not all(self.follows(kind.power, record) for record in records):
-                found.append(kind.plural or kind.words)
-        return found
-
     def flow(self, links: list[PowerLink]) -> PowerFlow:
         """All of it."""
         own = {block: b for b, block in reversed(self.block_of.items())}
@@ -284,8 +270,19 @@ class Machine:
             links=[_numbered(link, number) for link in links],
             elastic=sum(float(e[-1] - e[0]) for e in energies) / span,
             booked=self.booked,
-            unfollowed=self.unfollowed(),
+            unfollowed=_unfollowed(self.system, len([link for link in links if link.kind == "coupling"])),
         )
+
+
+def _unfollowed(system: System, couplings: int) -> list[str]:
+    """Elements that may take or give power and are none of the links, in words."""
+    found = []
+    for kind, records in system.records.items():
+        # couplings in six directions are bearings between two bodies that turn
+        alike = len(records) - (couplings - sum(len(system.records.get(k, ())) for k in TORQUES))
+        if (kind == "bearing" and alike) or (len(records) and kind not in FOLLOWED | WITHOUT_POWER):
+            found.append(KINDS.get(kind, kind.replace("_", " ")))
+    return found
 
 
 def _with_losses(link: PowerLink, losses: Mapping[str, float]) -> PowerLink:

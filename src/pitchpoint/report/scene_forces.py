@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
 from pitchpoint.system.meshes import mesh_names
 from pitchpoint.viz.scene import SceneArrow
 
@@ -21,8 +20,11 @@ Array = NDArray[np.float64]
 Read = Callable[[str], Array | None]
 
 PARTS = ("circumferential", "radial", "axial")
+LINEAR = "bearing"
+"""Kind of bearings that have axes of their own; those of rings go with the outer ring."""
 NOTHING = 1e-6
 """Part of a bearing's largest force below which it carries nothing axially."""
+RINGS = ("clearance_bearing", "loose_bearing", "rolling_bearing")
 
 
 class Forces:
@@ -109,16 +111,15 @@ def _steadied(place: Array) -> Array:
 def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[SceneArrow]:
     """Forces of all bearings on the bodies, or inner rings, that run in them: radial in all, and axial."""
     found = []
-    for kind, records in system.records.items():
-        for record, name in zip(records, system.names.get(kind, ()), strict=False):
-            drawn = registry.find(kind).arrow_of(record)
-            if not drawn:
-                continue
+    for kind in (LINEAR, *RINGS):
+        for record, name in zip(system.records.get(kind, ()), system.names.get(kind, ()), strict=True):
+            if kind == LINEAR and record["j"] != 0 and not record["housed"]:
+                continue  # a coupling
             parts = forces.of(*(f"bearing_force[{name}.{c}]" for c in ("fx", "fy", "fz")))
             if parts is None:
                 continue
             i, j = int(record["i"]), int(record["j"])
-            if drawn == "bearing":  # has axes of its own; those of rings go with the outer ring
+            if kind == LINEAR:
                 place = moved.place[:, i] + record["zi"] * moved.axes[:, i, :, 2]
                 axes = moved.axes[:, j] @ record["B"]
             else:

@@ -8,22 +8,20 @@ the clearance of plain bearings, which is the true one.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
 from pitchpoint.model.frames import GROUND, axes_of, place_of, split
 from pitchpoint.model.mechanism import seat_frame
-from pitchpoint.model.sections import groups_of
 from pitchpoint.report import scene_shapes as shapes
-from pitchpoint.report.scene_schematics import BAR, bar, link, piston, stand_in
+from pitchpoint.report.scene_schematics import BAR, stand_in
 from pitchpoint.report.scene_supports import LEAST, shaft_radius
 from pitchpoint.viz.scene import Between, SceneSolid
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     from pitchpoint.model.model import Model
     from pitchpoint.report.scene_places import Places
@@ -54,21 +52,20 @@ def joining_parts(model: Model, at: Places) -> list[SceneSolid]:
         Where things sit in the scene.
     """
     found: list[SceneSolid] = []
-    for section, schematic in drawn_sections(model):
-        for name, part in getattr(model, section).items():
-            found += SCHEMATICS[schematic](at, name, part)
+    for name in model.plain_bearings:
+        found += _plain_bearing(model, name, at)
+    for name in model.bushings:
+        found += _bushing(model, name, at)
+    for name, coupling in model.couplings.items():
+        found += _halves(at, f"coupling {name}", coupling.bodies, FLANGE, coupling.position[2])
+    for name, clutch in model.clutches.items():
+        word = "clutch" if len(clutch.bodies) == 2 else "brake"
+        found += _halves(at, f"{word} {name}", clutch.bodies, DISC)
+    for name, spring in model.torsion_springs.items():
+        found += _wound(at, name, spring.bodies)
+    for name, maxwell in model.torsion_maxwells.items():
+        found += _wound(at, name, maxwell.bodies)
     return found
-
-
-def drawn_sections(model: Model) -> list[tuple[str, str]]:
-    """Sections of a model with components that a schematic represents, and its name, from their kinds."""
-    own = [section for section in groups_of(model) if getattr(model, section)]
-    found = {}
-    for name in registry.names(others=bool(model.others)):
-        for section, schematic in registry.find(name).sections.items():
-            if schematic and section in own:
-                found[section] = schematic
-    return [(section, found[section]) for section in own if section in found]
 
 
 def _radius(model: Model, at: Places, end: str, place: Array) -> float | None:
@@ -85,10 +82,11 @@ def _round(clearance: float, radius: float) -> int:
     return int(np.clip(math.pi / math.sqrt(clearance / (8.0 * radius)), 48, 360))
 
 
-def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
+def _plain_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
     """Journal and bush, apart by the clearance, each on the body of its end."""
-    place = place_of(at.model, part.ends[0])
-    known = None if place is None else _radius(at.model, at, part.ends[0], place)
+    part = model.plain_bearings[name]
+    place = place_of(model, part.ends[0])
+    known = None if place is None else _radius(model, at, part.ends[0], place)
     # a thousandth more than the shaft: two surfaces in one place flicker
     radius = max(1.001 * (known or LEAST * at.size), part.clearance)
     bore = radius + 0.5 * part.clearance
@@ -112,9 +110,9 @@ def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
     return found
 
 
-def _bushing(at: Places, name: str, part: Any) -> list[SceneSolid]:
+def _bushing(model: Model, name: str, at: Places) -> list[SceneSolid]:
     """A sleeve on the first end and a ring around it on the second; on ground where the other end is."""
-    model, ends = at.model, part.ends
+    ends = model.bushings[name].ends
     marks = [other if end == GROUND else end for end, other in zip(ends, ends[::-1], strict=True)]
     places = [place_of(model, end) for end in marks]
     known = [_radius(model, at, m, p) for m, p in zip(marks, places, strict=True) if p is not None]
@@ -232,9 +230,8 @@ def _pads(radius: float, thick: float) -> list[shapes.Surface]:
     ]
 
 
-def _coil(at: Places, name: str, part: Any) -> list[SceneSolid]:
+def _wound(at: Places, name: str, bodies: tuple[str, ...]) -> list[SceneSolid]:
     """A coil between two bodies on one axis, a flat spiral where they lie over each other, else a bar."""
-    bodies = part.bodies
     line = _axis(at, bodies)
     if line.apart is not None:
         return _across(at, name, "spring", bodies, line)
@@ -282,41 +279,3 @@ def _between(
         between=Between((a, b), (first, second)),
         schematic=True,
     )
-
-
-def _spring(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A coil between two points; without stiffness a piston in its cylinder."""
-    stiff = part.stiffness > 0.0
-    surface = shapes.coil(0.022 * at.size, 0.004 * at.size) if stiff else piston(at)
-    return [link(at, name, part.ends, "spring", surface)]
-
-
-def _rod(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A bar between two points."""
-    return [link(at, name, part.ends, "body", bar(at))]
-
-
-def _flanges(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A flange on each of two bodies on one axis."""
-    position = getattr(part, "position", None)
-    height = None if position is None else position[2]
-    return _halves(at, f"coupling {name}", part.bodies, FLANGE, height)
-
-
-def _discs(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """Discs that rub on each other, or one that pads on ground hold."""
-    word = "clutch" if len(part.bodies) == 2 else "brake"
-    return _halves(at, f"{word} {name}", part.bodies, DISC)
-
-
-SCHEMATICS: dict[str, Callable[[Places, str, Any], list[SceneSolid]]] = {
-    "bushing": _bushing,
-    "coil": _coil,
-    "discs": _discs,
-    "flanges": _flanges,
-    "journal": _journal,
-    "rod": _rod,
-    "spring": _spring,
-}
-"""Symbol of a component, by the name that its kind gives (`elements.kind.Kind.sections`). A coil, discs
-and flanges need a component with the key `bodies`, all others one with `ends`."""

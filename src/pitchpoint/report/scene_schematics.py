@@ -7,7 +7,6 @@ All of it is marked as schematic. Places and directions are those of the model, 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -59,7 +58,7 @@ def schematics(
     bars = bool(found)
     found += _pins(at)
     found += _guides(at)
-    found += _struts(at)
+    found += _links(at)
     found += _unbalances(at)
     for name, where, (points, triangles) in parts:
         number, place, axes = at.end(where)
@@ -200,53 +199,39 @@ def _unbalances(at: Places) -> list[SceneSolid]:
     return found
 
 
-def _struts(at: Places) -> list[SceneSolid]:
-    """Actuators between two points."""
-    struts = {n: p for n, p in at.model.actuators.items() if isinstance(p, Strut)}
-    return [link(at, f"actuator {n}", p.ends, "spring", piston(at)) for n, p in struts.items()]
-
-
-def thin(at: Places) -> float:
-    """Radius of thin bars [m]."""
-    return 0.55 * BAR * at.size
-
-
-def bar(at: Places) -> shapes.Surface:
-    """Bar of unit length."""
-    r = thin(at)
-    return shapes.turned_profile([(0.0, 0.0), (r, 0.0), (r, 1.0), (0.0, 1.0)], 12)
-
-
-def piston(at: Places) -> shapes.Surface:
-    """Piston in its cylinder, of unit length."""
-    r = thin(at)
-    return shapes.turned_profile(
-        [(0.0, 0.0), (0.5 * r, 0.0), (0.5 * r, 0.45), (1.8 * r, 0.45), (1.8 * r, 1.0), (0.0, 1.0)], 16
+def _links(at: Places) -> list[SceneSolid]:
+    """Springs, dampers, rods and struts between two points."""
+    model, found = at.model, []
+    thin = 0.55 * BAR * at.size
+    coil = shapes.coil(0.022 * at.size, 0.004 * at.size)
+    bar = shapes.turned_profile([(0.0, 0.0), (thin, 0.0), (thin, 1.0), (0.0, 1.0)], 12)
+    piston = shapes.turned_profile(
+        [
+            (0.0, 0.0),
+            (0.5 * thin, 0.0),
+            (0.5 * thin, 0.45),
+            (1.8 * thin, 0.45),
+            (1.8 * thin, 1.0),
+            (0.0, 1.0),
+        ],
+        16,
     )
-
-
-def link(at: Places, name: str, ends: Sequence[str], kind: str, surface: shapes.Surface) -> SceneSolid:
-    """A surface of unit length that is stretched between two places.
-
-    Parameters
-    ----------
-    at
-        Where things sit in the scene.
-    name, kind
-        Of the solid.
-    ends
-        Both places: ground, BODY or BODY.MARKER.
-    surface
-        From 0 to 1 along z.
-    """
-    (a, first, _), (b, second, _) = (at.end(end) for end in ends)
-    points, triangles = surface
-    return SceneSolid(
-        name=name,
-        kind=kind,
-        body=a,
-        points=points,
-        triangles=triangles,
-        between=Between((a, b), (first, second)),
-        schematic=True,
-    )
+    parts = [(n, p.ends, "spring", coil if p.stiffness > 0.0 else piston) for n, p in model.springs.items()]
+    parts += [(n, p.ends, "spring", coil) for n, p in model.maxwells.items()]
+    parts += [(n, p.ends, "body", bar) for n, p in model.rods.items()]
+    struts = {n: p for n, p in model.actuators.items() if isinstance(p, Strut)}
+    parts += [(f"actuator {n}", p.ends, "spring", piston) for n, p in struts.items()]
+    for name, ends, kind, (points, triangles) in parts:
+        (a, first, _), (b, second, _) = (at.end(end) for end in ends)
+        found.append(
+            SceneSolid(
+                name=name,
+                kind=kind,
+                body=a,
+                points=points,
+                triangles=triangles,
+                between=Between((a, b), (first, second)),
+                schematic=True,
+            )
+        )
+    return found

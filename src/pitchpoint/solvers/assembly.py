@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.system import evaluate
-from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.source import row_source, row_unit
 from pitchpoint.system.system import State, System
 
@@ -228,9 +228,11 @@ def _reluctance(system: System) -> Array:
     """Weight of every coordinate in closing loops; elastic bodies bend only where nothing else helps."""
     found = system.weight.copy()
     body = system.program["body"]
-    for hidden in modal_bodies(system):
-        first, n = int(body[hidden]["dof"]), int(body[hidden]["n"])
-        found[first : first + n] *= STIFF
+    for record in system.records.get("flexible_body", ()):
+        for hidden in (int(record[n]) for n in MODAL[1:]):
+            first, n = int(body[hidden]["dof"]), int(body[hidden]["n"])
+            if hidden:
+                found[first : first + n] *= STIFF
     return found
 
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
-from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signal_graph import LOADS
 from pitchpoint.model.signal_names import rates_behind
 from pitchpoint.system.source import source
@@ -73,8 +72,8 @@ def refuse_loads(system: System, what: str) -> None:
     system, what
         As in `refuse_sampled`.
     """
-    for kind in system.kinds(SIGNAL):
-        for record, name in zip(system.records[kind], system.names.get(kind, ()), strict=True):
+    for kind in ("signal", "signal_of_loads"):
+        for record, name in zip(system.records.get(kind, ()), system.names.get(kind, ()), strict=True):
             if int(record["op"]) in LOADS:
                 raise SolverError(
                     f"{what} cannot keep {source(system, kind, name)}, which senses a load; leave it out",

@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import EVERYWHERE, SIGNAL
 from pitchpoint.solvers.element_tangents import Share, tangents
 from pitchpoint.solvers.null_space import connected
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
+
+SIGNALS = ("signal", "signal_of_loads")
+"""Kinds whose records reach bodies that their fields do not name."""
 
 
 @dataclass(frozen=True)
@@ -39,8 +41,7 @@ class Block:
 def blocks_of(system: System, kind: str, k: int) -> Block:
     """Blocks that one element has entries in: of its bodies, and of those that they hang on."""
     layout = system.layout
-    # records of signals reach bodies that their fields do not name
-    if registry.find(kind).role == SIGNAL or not _bodies(system, kind, k):
+    if kind in SIGNALS or not _bodies(system, kind, k):  # such as gravity
         nodes = frozenset(layout.node_of) - {-1}
         pairs = tuple(layout.blocks)
     else:
@@ -81,10 +82,9 @@ def machines_of(system: System) -> NDArray[np.int64]:
     rows = [{b: 1.0, int(body[b]["parent"]): 1.0} for b in range(1, len(body)) if body[b]["parent"]]
     rows += [{b: 1.0, int(body[b]["spinner"]): 1.0} for b in range(1, len(body)) if body[b]["spinner"]]
     for kind, records in system.records.items():
-        described = registry.find(kind)
-        if described.scope == EVERYWHERE:
+        if kind == "damping":
             continue
-        if described.role == SIGNAL:
+        if kind in SIGNALS:
             rows.append(dict.fromkeys(range(1, len(body)), 1.0))
         rows += [dict.fromkeys(own, 1.0) for k in range(len(records)) if (own := _bodies(system, kind, k))]
     found = np.zeros(len(body), np.int64)
@@ -131,7 +131,8 @@ def share_of_blocks(system: System, block: Block, values: Array) -> Share:
 def _bodies(system: System, kind: str, k: int) -> set[int]:
     """Bodies that a record names, without ground."""
     records = system.records[kind]
-    return {int(records[k][field]) for field in registry.find(kind).ends} - {0}
+    fields = {field for pair in registry.find(kind).pairs for field in pair} & set(records.dtype.names or ())
+    return {int(records[k][field]) for field in fields} - {0}
 
 
 def _movers(system: System, b: int) -> set[int]:

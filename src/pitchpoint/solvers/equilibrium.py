@@ -28,7 +28,6 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import tell_aside
 from pitchpoint.core.status import DIVERGED, SINGULAR
-from pitchpoint.elements import torque
 from pitchpoint.model.components.law import Balance
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
@@ -45,7 +44,6 @@ from pitchpoint.system.system import State, System
 if TYPE_CHECKING:
     import xarray as xr
 
-LOAD = torque.KIND.name
 MOST_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the sum of what acts, at which a state counts as equilibrium."""
@@ -291,18 +289,18 @@ def balance_torques(
     wanted = balancing_loads(system)
     if not wanted:
         return system, (), list(held)
-    acting = system.records[LOAD]["i"]  # on a shaft it is the station where the torque acts
+    acting = system.records["torque"]["i"]  # on a shaft it is the station where the torque acts
     spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
     let_go = exchange_all(system, held, spins, state)
     found = find_equilibrium(system, state, let_go)
     reaction = _mean_reaction(system, found, *instants)
-    records = system.records[LOAD].copy()
+    records = system.records["torque"].copy()
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = reaction[found.held.index(spin)]
     kept = list(complete(system, driven, let_go))
     if is_looped(system):  # a train that goes on through loops stays where its torques balance
         kept += [s for s in spins if s not in kept and is_independent(system, state, kept, s)]
-    return system.with_params({LOAD: records}), tuple(spins), kept
+    return system.with_params({"torque": records}), tuple(spins), kept
 
 
 def _mean_reaction(

@@ -36,10 +36,10 @@ def bending(system: System) -> NDArray[np.int64]:
     """Per event function 1 if forces jump or bend at its zeros, shape (ne,)."""
     flags = np.zeros(len(system.layout.events), np.int64)
     for name, bank in system.records.items():
-        kind = registry.find(name)
-        names = [event[0] for event in kind.events]
+        module = registry.find(name).load()
+        names = [event[0] for event in getattr(module, "EVENTS", ())]
         for record in bank if names else ():
-            bends = kind.bends_of(record)
+            bends = module.bends(record) if hasattr(module, "bends") else names
             first = int(record["ev"])
             flags[first : first + len(names)] = [event in bends for event in names]
     return flags

@@ -13,17 +13,18 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
-from pitchpoint.elements.kind import DRIVE, FREE, MESH, Kind
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.null_space import connected, null_space
 from pitchpoint.solvers.resistance import SAME, resisted_spins
 from pitchpoint.solvers.torque_paths import TorquePath, spins_of, torque_paths, turning
 from pitchpoint.solvers.trains import driven_coordinates
-from pitchpoint.system.meshes import mesh_places
+from pitchpoint.system.meshes import KINDS, mesh_places
 from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
+
+LOADS = ("torque", "friction_clutch", "torsion_maxwell")
+"""Kinds that put a torque on a spin from outside its train."""
 
 
 def pressed_flanks(system: System, loose: Sequence[int], leaning: Mapping[int, int]) -> dict[int, int]:
@@ -67,14 +68,14 @@ def _ends(system: System, paths: Sequence[TorquePath]) -> set[int]:
     """Spins where torque enters or leaves a train."""
     body = system.program["body"]
     found = {*resisted_spins(system), *driven_coordinates(system)}
-    for kind, records in system.records.items():
-        for record in records if _brings_torque(registry.find(kind)) else ():
+    for kind in LOADS:
+        for record in system.records.get(kind, ()):
             found |= {spin_of(body, int(record[end])) for end in "ij" if end in (record.dtype.names or ())}
     joints: dict[int, set[object]] = {}
     riding = set()
     for c, path in enumerate(paths):
         gears = set()
-        if registry.find(path.kind).role == MESH:
+        if path.kind in KINDS:
             record = system.records[path.kind][path.number]
             gears = {b for b in (int(record["i"]), int(record["j"])) if spin_of(body, b) >= 0}
             riding |= {spin_of(body, b) for b in gears if len(turning(system, b)) > 1}
@@ -82,11 +83,6 @@ def _ends(system: System, paths: Sequence[TorquePath]) -> set[int]:
         for spin in path.row:  # all meshes of a planetary set join its members once
             joints.setdefault(spin, set()).add(("carried", *sorted(carriers)) if carriers else c)
     return (found | {spin for spin, joined in joints.items() if len(joined) == 1}) - riding
-
-
-def _brings_torque(kind: Kind) -> bool:
-    """Whether a kind puts torques on bodies that still turn as they like: loads, clutches, dampers."""
-    return kind.power is not None and bool(kind.power.torque) and kind.spins == FREE and kind.role != DRIVE
 
 
 def _patterns(paths: Sequence[TorquePath], own: Sequence[int], inner: Sequence[int]) -> Array:

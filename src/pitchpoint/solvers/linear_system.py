@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.cycle_means import TOUCH, shift, touching
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
@@ -29,7 +30,6 @@ from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.switched_off import without_friction
 from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
-from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
@@ -154,7 +154,7 @@ def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
 def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]:
     """Note on unloaded meshes whose stiffness grows with the load: at the point of touch they have none."""
     records = zip(mesh_names(system), mesh_records(system), strict=True)
-    names = [name for name, record in records if name in loose and record["power"] > 1.0]
+    names = [name for name, record in records if name in loose and record["contact"]["power"] > 1.0]
     if not names:
         return []
     return [
@@ -167,7 +167,7 @@ def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]
 def _of_one_position(system: System, state: State) -> tuple[str, ...]:
     """Notes on elastic bodies whose modes turn, and on other bodies whose inertia changes as they turn."""
     body, names = system.program["body"], system.layout.bodies
-    elastic = modal_bodies(system, frames=True)
+    elastic = {int(record[m]) for record in system.records.get("flexible_body", ()) for m in MODAL} - {0}
     turning = [names[b] for b in sorted(elastic) if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0]
     notes = []
     if turning:

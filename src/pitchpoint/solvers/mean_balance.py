@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.units import format_quantity
-from pitchpoint.elements.kind import MESH
 from pitchpoint.elements.signal import CONSTANT, TWO_PI, set_constant
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import LOAD, NOW, balancing_loads
+from pitchpoint.solvers.equilibrium import NOW, balancing_loads
 from pitchpoint.solvers.trains import mesh_rates
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import KINDS
 from pitchpoint.system.system import State, System, assemble
 
 if TYPE_CHECKING:
@@ -55,30 +55,30 @@ def with_mean_loads(system: System, state: State) -> System:
     system, state
         The system and its start: the speeds there count for loads that follow them.
     """
-    records = system.records.get(LOAD)
+    records = system.records.get("torque")
     if records is None or not np.any(records["form"] != CONSTANT):
         return system
     alone = assemble(
         system.bodies,
-        {LOAD: records.copy()},
-        pools={k: p for k, p in system.pools.items() if k == LOAD},
-        laws={k: w for k, w in system.laws.items() if k == LOAD},
+        {"torque": records.copy()},
+        pools={k: p for k, p in system.pools.items() if k == "torque"},
+        laws={k: w for k, w in system.laws.items() if k == "torque"},
     )
     found = records.copy()
-    now = evaluate.observe(alone, state)[alone.records[LOAD]["out"]]
+    now = evaluate.observe(alone, state)[alone.records["torque"]["out"]]
     pulsates = False
     for k in np.flatnonzero(records["form"] != CONSTANT):
         mean = _mean_over_angle(alone, state, int(k))
         if mean is not None and abs(mean - now[k]) > SAME * abs(mean):
             set_constant(found[k], mean)
             pulsates = True
-    return system.with_params({LOAD: found}) if pulsates else system
+    return system.with_params({"torque": found}) if pulsates else system
 
 
 def _mean_over_angle(alone: System, state: State, k: int) -> float | None:
     """Mean of one torque over its period; None if its body rests or it does not repeat."""
-    body = int(alone.records[LOAD][k]["i"])
-    spin, out = spin_of(alone.program["body"], body), int(alone.records[LOAD][k]["out"])
+    body = int(alone.records["torque"][k]["i"])
+    spin, out = spin_of(alone.program["body"], body), int(alone.records["torque"][k]["out"])
     if spin < 0 or state.v[spin] == 0.0:
         return None
     here = state.copy()
@@ -107,7 +107,9 @@ def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
 
     The start alone where nothing turns, no flank has friction, loops close the machine, or it is large.
     """
-    rough = any(np.any(bank["mu"] > 0.0) for bank in system.banks(MESH))
+    rough = any(
+        np.any(system.records[kind]["contact"]["mu"] > 0.0) for kind in KINDS if kind in system.records
+    )
     rates = np.zeros(0)
     if rough and system.sizes["nd"] <= MOST_COORDINATES and not is_looped(system):
         body = system.program["body"]

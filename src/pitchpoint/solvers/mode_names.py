@@ -15,8 +15,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pitchpoint.elements import registry
-from pitchpoint.solvers.stiffness_parts import ROTATION, Array, Parts
+from pitchpoint.solvers.stiffness_parts import Array, Parts
 from pitchpoint.system.layout import Layout
 
 MOTION = {
@@ -33,6 +32,8 @@ TORSIONAL = 0.7
 """Share of the spins from which a mode counts as torsional."""
 ENOUGH = 0.8
 """Share that the named motions make up."""
+FORCES = ("closure", "force", "gravity", "rotation", "spring_damper", "torque")
+"""Kinds of which a mode is not named: they are no shafts."""
 MOST = 3
 """Most motions that are named."""
 
@@ -79,7 +80,7 @@ def _elastic(layout: Layout, parts: Parts, kinetic: Array, potential: Array) -> 
     if _spin_share(layout, kinetic) < TORSIONAL or not potential.size:
         return _motions(layout, kinetic)
     e = int(np.argmax(potential))
-    if parts.kinds[e] == ROTATION or not registry.find(parts.kinds[e]).names_modes:
+    if parts.kinds[e] in FORCES:
         return _motions(layout, kinetic)
     one, two = (layout.bodies[b] for b in parts.bodies[e])
     share = "" if potential[e] > 0.995 else f" {100.0 * potential[e]:.0f} %"

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.damping import KIND
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.eigen import symmetric, undamped
 from pitchpoint.solvers.free_directions import free_directions
@@ -39,16 +38,16 @@ def with_damping(system: System, state: State) -> System:
     Its stiffness is that of what is elastic: a load that changes with the angle or the speed would make the
     damping brake the rotation, or drive it.
     """
-    if KIND.name not in system.records or system.model is None or system.model.damping is None:
+    if "damping" not in system.records or system.model is None or system.model.damping is None:
         return system
     still = state.copy()
     still.v[:] = 0.0
     D = _matrix(without_loads(without_friction(system)), still, system.model.damping)
-    records = system.records[KIND.name].copy()
+    records = system.records["damping"].copy()
     for record in records:
         i, j, n, m = (int(record[k]) for k in ("dof_i", "dof_j", "n_i", "n_j"))
         record["D"][:n, :m] = D[i : i + n, j : j + m]
-    return system.with_params({KIND.name: records})
+    return system.with_params({"damping": records})
 
 
 def _matrix(system: System, still: State, given: Damping) -> Array:

@@ -8,8 +8,6 @@ from collections.abc import Collection
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
-from pitchpoint.elements.kind import BETWEEN, SINGLE
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.element_tangents import switched
 from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
@@ -93,7 +91,7 @@ def changing(system: System, state: State, eligible: Choice, rates: Array) -> tu
     with switched(system, {}):
         bare = ask()
     elements: Choice = {}
-    for kind in [k for k in eligible if registry.find(k).scope == BETWEEN and eligible[k].size]:
+    for kind in [k for k in eligible if k not in ("gravity", "damping") and eligible[k].size]:
         found = []
         for k in eligible[kind]:
             with switched(system, {kind: slice(int(k), int(k) + 1)}):
@@ -102,9 +100,8 @@ def changing(system: System, state: State, eligible: Choice, rates: Array) -> tu
                 found.append(int(k))
         if found:
             elements[kind] = np.array(found, np.int64)
-    single = [kind for kind in eligible if registry.find(kind).scope == SINGLE]
-    if single:
-        with switched(system, dict.fromkeys(single, slice(None))):
+    if "gravity" in eligible:
+        with switched(system, {"gravity": slice(None)}):
             bare = [np.where(_varies(a - b), a, b) for a, b in zip(ask(), bare, strict=True)]
     varies = np.any([_varies(a) for a in bare], axis=0)
     own_rows = np.unique(rows[varies])

@@ -23,7 +23,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import CONSTRAINT
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.controls import held_outputs, refuse_loads
@@ -38,16 +37,7 @@ from pitchpoint.solvers.reduction_choice import (
     sum_over,
 )
 from pitchpoint.solvers.reduction_error import ReductionError, compare
-from pitchpoint.solvers.reduction_part import (
-    HOLD,
-    MODES,
-    PART,
-    TWIST,
-    Linear,
-    Rows,
-    condense,
-    damp_across,
-)
+from pitchpoint.solvers.reduction_part import Linear, Rows, condense, damp_across
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System, assemble
 
@@ -194,13 +184,13 @@ def _bodies(system: System, split: Split) -> tuple[list[Body], dict[int, int]]:
 def _condensed(system: System, state: State, split: Split, whole: Linear, limit: float) -> tuple[System, int]:
     """The reduced system with fixed-interface modes up to a frequency [Hz], and their number."""
     bodies, number = _bodies(system, split)
-    rows: Rows = {kind: [] for kind in (PART, HOLD, MODES, TWIST)}
+    rows: Rows = {"linear_part": [], "linear_hold": [], "linear_modes": [], "coupling": []}
     parts = []
     for p, part in enumerate(split.parts):
         sides = [b for b in part if b in number], [b for b in part if b not in number]
         parts.append(condense(system, state, whole, sides, limit, f"part{p + 1}", number, bodies, rows))
-    damp_across(whole.D, state, parts, rows[MODES])
-    return _assembled(system, split.condensed, number, bodies, rows), len(rows[TWIST])
+    damp_across(whole.D, state, parts, rows["linear_modes"])
+    return _assembled(system, split.condensed, number, bodies, rows), len(rows["coupling"])
 
 
 def _linear(system: System, state: State, split: Split) -> Linear:
@@ -239,7 +229,7 @@ def _assembled(
     for kind, bank in system.records.items():
         rest = np.setdiff1d(np.arange(bank.size), condensed.get(kind, np.zeros(0, np.int64)))
         kept = bank[rest].copy()
-        for field in registry.find(kind).ends:
+        for field in {f for pair in registry.find(kind).pairs for f in pair}:
             kept[field] = [number[int(b)] for b in kept[field]]
         banks[kind] = kept
         names[kind] = [element_names(system, kind)[k] for k in rest]
@@ -249,7 +239,7 @@ def _assembled(
         if more:
             names[kind] = [*names.get(kind, ()), *(f"condensed{k + 1}" for k in range(len(more)))]
             banks[kind] = np.concatenate([*([banks[kind]] if kind in banks else []), *more])
-    constraints = {k: b for k, b in banks.items() if registry.find(k).channel == CONSTRAINT}
+    constraints = {k: b for k, b in banks.items() if registry.find(k).channel == registry.CONSTRAINT}
     others = {k: b for k, b in banks.items() if k not in constraints and b.size}
     own = assemble(bodies, others, constraints, names=names, pools=system.pools, laws=laws, keep=system.keep)
     return replace(own, controllers=system.controllers)

@@ -18,18 +18,20 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import BETWEEN, EVERYWHERE, SINGLE
+from pitchpoint.elements.registry import MODAL
+from pitchpoint.elements.signal import CONSTANT
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.eigen import symmetric
 from pitchpoint.solvers.element_tangents import element_names, switched
 from pitchpoint.solvers.position_dependence import changing, ways_to_turn
 from pitchpoint.system import evaluate
-from pitchpoint.system.elastic import elastic_records
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 Choice = dict[str, NDArray[np.int64]]
 
+LINEAR = ("beam", "bearing", "bushing", "coupling", "damping", "gravity", "shaft_beam", "spring_damper")
+"""Kinds that are condensed if nothing else acts on one of their bodies."""
 LOOSE = 1e-9
 """Eigenvalue of a stiffness with ones on its diagonal below which a motion is not held."""
 LEAD = 1e-3
@@ -111,15 +113,19 @@ def _linear_records(system: System, keep: Sequence[str]) -> Choice:
     """Records of linear elements that nobody wants to keep."""
     body = system.program["body"]
     found: Choice = {}
-    for kind, records in system.records.items():
-        described = registry.find(kind)
-        if not described.linear:
+    for kind in LINEAR:
+        if kind not in system.records:
             continue
         names = element_names(system, kind)
         chosen = []
-        for k, record in enumerate(records):
-            spinning = any(b and body[b]["joint"] != GENERAL for b in (int(record[e]) for e in ("i", "j")))
-            if described.is_linear(record, spinning) and f"{kind} {names[k]}" not in keep:
+        for k, record in enumerate(system.records[kind]):
+            ends = [int(record[e]) for e in ("i", "j")]
+            grounded = kind == "bearing" and 0 in ends and record["K"][5, 5] != 0.0
+            spins = any(b and body[b]["joint"] != GENERAL for b in ends)
+            straight = kind != "coupling" or (record["gap"] == 0.0 and record["form"] == CONSTANT)
+            if kind == "spring_damper":
+                straight = record["form"] == CONSTANT
+            if straight and not (grounded and spins) and f"{kind} {names[k]}" not in keep:
                 chosen.append(k)
         found[kind] = np.array(chosen, np.int64)
     return found
@@ -129,8 +135,12 @@ def _never(system: System) -> dict[int, str]:
     """Bodies that functions move, what hangs on them, and states of elements, with the reason."""
     body = system.program["body"]
     found: dict[int, str] = {}
-    for name, record, fields in elastic_records(system):
-        modes = {int(record[field]) for field in ("i", *fields)} - {0}
+    for name, record in zip(
+        element_names(system, "flexible_body") if "flexible_body" in system.records else (),
+        system.records.get("flexible_body", ()),
+        strict=True,
+    ):
+        modes = {int(record[field]) for field in MODAL} - {0}
         for b in range(1, body.size):
             if {b, int(body[b]["shares"])} & modes:
                 found[b] = f"elastic body {name}"
@@ -153,8 +163,11 @@ def _never(system: System) -> dict[int, str]:
 
 def _rotors(system: System) -> dict[int, str]:
     """Elastic bodies with a spin: number of the frame and name."""
-    frames = {int(record["i"]): name for name, record, _ in elastic_records(system)}
-    return {b: name for b, name in frames.items() if system.program["body"][b]["spin"] >= 0}
+    if "flexible_body" not in system.records:
+        return {}
+    body, names = system.program["body"], element_names(system, "flexible_body")
+    frames = [int(record["i"]) for record in system.records["flexible_body"]]
+    return {b: name for b, name in zip(frames, names, strict=True) if body[b]["spin"] >= 0}
 
 
 def _rotor_notes(system: System, eligible: Choice) -> list[str]:
@@ -164,7 +177,7 @@ def _rotor_notes(system: System, eligible: Choice) -> list[str]:
         return []
     kept = []
     for kind, rows in eligible.items():
-        if registry.find(kind).scope != BETWEEN:
+        if kind in ("gravity", "damping"):
             continue
         on = [
             int(k)
@@ -196,12 +209,11 @@ def _kept(system: System, eligible: Choice, forced: dict[int, str]) -> dict[int,
     """Bodies that anything but a linear element acts on, those forced to stay, and what carries them: why."""
     body, kept = system.program["body"], dict(forced)
     for kind, bank in system.records.items():
-        described = registry.find(kind)
-        if described.scope == SINGLE:
+        if kind == "gravity":
             continue
         rest = np.setdiff1d(np.arange(bank.size), eligible.get(kind, np.zeros(0, np.int64)))
         names = element_names(system, kind)
-        for field in described.ends:
+        for field in {f for pair in registry.find(kind).pairs for f in pair}:
             for k in rest:
                 kept.setdefault(int(bank[field][k]), f"{kind.replace('_', ' ')} {names[k]} acts on it")
     kept.pop(0, None)
@@ -220,23 +232,22 @@ def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
     found: Choice = {}
     for kind, rows in eligible.items():
         chosen = []
-        described = registry.find(kind)
         for k in rows:
             ends = [int(system.records[kind][k][e]) for e in ("i", "j")]
-            if described.scope == SINGLE:
+            if kind == "gravity":
                 ends = ends[:1]
             goes = any(b and b not in kept for b in ends)
-            joins = described.scope == BETWEEN and not described.large
-            round_ = joins and all(b == 0 or body[b]["joint"] != GENERAL for b in ends)
+            round_ = kind not in ("spring_damper", "gravity", "damping") and all(
+                b == 0 or body[b]["joint"] != GENERAL for b in ends
+            )
             if goes or round_:
                 chosen.append(int(k))
         found[kind] = np.array(chosen, np.int64)
-    for kind in [kind for kind in found if registry.find(kind).scope == EVERYWHERE]:
-        # of all coordinates: it goes with the bodies that others join
+    if "damping" in found:  # of all coordinates: it goes with the bodies that others join
         joined = {b for part in _parts(system, found, kept) for b in part}
-        bank = system.records[kind]
-        found[kind] = np.array(
-            [k for k in eligible[kind] if {int(bank[k]["i"]), int(bank[k]["j"])} <= joined], np.int64
+        bank = system.records["damping"]
+        found["damping"] = np.array(
+            [k for k in eligible["damping"] if {int(bank[k]["i"]), int(bank[k]["j"])} <= joined], np.int64
         )
     return found
 
@@ -268,7 +279,7 @@ def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]
             for c in carriers:
                 join(b, c)
     for kind, chosen in condensed.items():
-        if registry.find(kind).scope != BETWEEN:
+        if kind in ("gravity", "damping"):
             continue
         for record in system.records[kind][chosen]:
             ends = [c for e in ("i", "j") if int(record[e]) for c in _movers(body, int(record[e]))]

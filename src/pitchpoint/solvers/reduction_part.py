@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
-from pitchpoint.elements import coupling, linear_hold, linear_modes, linear_part
+from pitchpoint.elements import coupling, linear_part
 from pitchpoint.multibody.bodies import GENERAL, TORSION, Body
 from pitchpoint.solvers.eigen import symmetric, undamped
 from pitchpoint.solvers.reduction_choice import coordinates_of
@@ -19,10 +19,6 @@ from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 Rows = dict[str, list[NDArray[np.void]]]
-
-PART, HOLD, MODES = linear_part.KIND.name, linear_hold.KIND.name, linear_modes.KIND.name
-TWIST = coupling.KIND.name
-"""Kinds that condensed parts are made of."""
 
 TURNS = 1e-7
 """Stiffness against a rotation of a whole shaft, over the largest, that counts as rounding."""
@@ -103,7 +99,7 @@ def condense(
         bodies.append(Body(motion=TORSION, polar_inertia=1.0, name=f"{name}.mode{j + 1}"))
         row = np.zeros(1, coupling.RECORD)
         row["i"], row["k"] = first + j, w * w
-        rows[TWIST].append(row)
+        rows["coupling"].append(row)
         m[n + j, n + j] -= 1.0
         stiff[n + j, n + j] -= w * w
     stiff[n:, :n] = 0.0  # static shapes do not stress the fixed modes
@@ -200,11 +196,11 @@ def _kind(
     """Kind of the records of a block, which says how far it keeps bodies from turning."""
     one, two = pair
     if one >= len(ends) or two >= len(ends):
-        return MODES
+        return "linear_modes"
     place = int(system.program["body"][ends[one]]["spin"]) - int(system.program["body"][ends[one]]["dof"])
     if one == two and place >= 0 and groups[one] < 0 and diagonal[place, place] > 0.0:
-        return HOLD
-    return PART if groups[one] == groups[two] >= 0 else MODES
+        return "linear_hold"
+    return "linear_part" if groups[one] == groups[two] >= 0 else "linear_modes"
 
 
 def damp_across(D: Array, state: State, parts: Sequence[Part], rows: list[NDArray[np.void]]) -> None:

@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import ACROSS, NOTHING, OWN, WEIGHT
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.system.meshes import KINDS
 from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
@@ -24,21 +24,26 @@ def resisted_spins(system: System) -> list[int]:
     body = system.program["body"]
     held = {int(s) for s in system.states}
     for kind, records in system.records.items():
-        described = registry.find(kind)
+        if kind in (*KINDS, "ratio"):
+            continue
+        module = registry.find(kind).load()
+        if getattr(module, "SPINS", "holds") != "holds" or "i" not in (records.dtype.names or ()):
+            continue
         for record in records:
-            resists = described.resists_of(record)
-            if resists == NOTHING:
+            if kind == "bearing" and record["housed"] == 0:
                 continue
-            if resists == WEIGHT:
+            if kind == "gravity":
                 held |= _leaning(system)
                 break
-            if resists == OWN:  # on one body, against what it hangs on
+            fields = records.dtype.names or ()
+            if kind == "linear_hold":  # on one body, against what it hangs on
                 held |= {int(body[record["i"]]["spin"])} - {-1}
                 continue
-            between = set.symmetric_difference(*(_movers(body, int(record[end])) for end in ("i", "j")))
-            if resists == ACROSS:
+            ends = [_movers(body, int(record[end])) for end in ("i", "j") if end in fields]
+            between = set.symmetric_difference(*ends) if len(ends) == 2 else ends[0]
+            if kind == "bearing":
                 between -= _along(system, int(record["i"]))
-            held |= between - {spin_of(body, int(record[end])) for end in described.lets_turn(record)}
+            held |= between - (_unresisted(body, record) if kind == "bushing" else set())
     return sorted(held)
 
 
@@ -50,6 +55,19 @@ def _along(system: System, b: int) -> set[int]:
     off = [np.linalg.norm(np.cross(x, axis[:, 2]), axis=1) for x in (z, way)]
     spins = system.program["body"]["spin"][1:]
     return {int(s) for s in spins[(off[0] <= SAME) & (off[1] <= SAME)]}
+
+
+def _unresisted(body: NDArray[np.void], record: np.void) -> set[int]:
+    """Spins of the two bodies of a bushing that it lets turn: on the axis, and soft about it."""
+    found = set()
+    axis = np.array([0.0, 0.0, 1.0])
+    K = record["K"] + record["K"].T
+    for end in "ij":
+        A = record[f"A_{end}"]
+        x = np.concatenate([A.T @ np.cross(axis, record[f"p_{end}"]), A.T @ axis])
+        if np.abs(K @ x).max() <= SAME * np.abs(K).max():
+            found.add(spin_of(body, int(record[end])))
+    return found
 
 
 def _movers(body: NDArray[np.void], b: int) -> set[int]:

@@ -19,7 +19,6 @@ from pitchpoint.solvers.explicit import SLOPE_AT
 from pitchpoint.solvers.step_choice import divided
 from pitchpoint.system import evaluate, signals
 from pitchpoint.system.perform import RESIDUAL, ask
-from pitchpoint.system.signals import kind_of_signals
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
@@ -131,7 +130,7 @@ def _named(system: System, name: str) -> tuple[str, str]:
     """What a controller is called by its sentence, and with its place in the model file if it has one."""
     short = f"the controller {name!r}"
     known = system.model is not None and name in system.model.controllers
-    return short, source(system, kind_of_signals(system), name) if known else short
+    return short, source(system, "signal", name) if known else short
 
 
 def begin_anew(run: Any) -> int:

@@ -10,13 +10,12 @@ import numpy as np
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements import drive as drive_element
-from pitchpoint.elements.kind import DRIVE, MESH, TORQUE
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.model.mechanism import given
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state, close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
+from pitchpoint.solvers.equilibrium import NOW, Equilibrium, balance_torques, balancing_loads
 from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
 from pitchpoint.solvers.model_damping import with_damping
 from pitchpoint.solvers.start_notes import start_notes
@@ -27,6 +26,7 @@ from pitchpoint.solvers.trains import (
     held_spins,
     rates_through_loops,
 )
+from pitchpoint.system.meshes import KINDS
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -79,7 +79,8 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
 def drive_records(system: System) -> list[tuple[str, np.void]]:
     """Name of the body and record of every drive."""
     system.workspace  # noqa: B018 - fills in the pool addresses of the records
-    return [(system.layout.bodies[int(r["i"])], r) for r in system.rows(DRIVE)]
+    records = system.records.get("drive", np.zeros(0, drive_element.RECORD))
+    return [(system.layout.bodies[int(r["i"])], r) for r in records]
 
 
 def prepare_start(system: System, scenario: Scenario) -> Start:
@@ -138,9 +139,9 @@ def _at_rest(
     found, told = rest_of_controls(mean, state, held, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)
     if pulsates:
-        records = system.records[LOAD].copy()
-        records["value"][balancing] = mean.records[LOAD]["value"][balancing]
-        mean = system.with_params({LOAD: records})
+        records = system.records["torque"].copy()
+        records["value"][balancing] = mean.records["torque"]["value"][balancing]
+        mean = system.with_params({"torque": records})
         found, told = rest_of_controls(mean, found.state, held, known)
     return mean, found, (*told, *_notes(mean, found, known), *remarks)
 
@@ -197,7 +198,7 @@ def _closed(
 
 def _passed_on(system: System, state: State, keep: Collection[int], rates: Collection[int]) -> State:
     """The state whose trains beyond closed loops turn too: loops know no teeth, and teeth no loops."""
-    if not system.kinds(MESH) or not rates:
+    if system.records.keys().isdisjoint(KINDS) or not rates:
         return state
     state.v[:] = rates_through_loops(system, state, rates)
     return assemble_state(system, state, keep=keep, keep_rates=rates).state
@@ -205,7 +206,11 @@ def _passed_on(system: System, state: State, keep: Collection[int], rates: Colle
 
 def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ...]:
     """Say when the loads do not balance: the speed will then drift."""
-    largest = max((abs(float(r["value"])) for r in system.rows(TORQUE)), default=0.0)
+    largest = (
+        max((abs(float(v)) for v in system.records["torque"]["value"]), default=0.0)
+        if ("torque" in system.records)
+        else 0.0
+    )
     notes = []
     for spin, reaction in zip(found.held, found.reaction, strict=True):
         body = system.layout.coordinates[spin].rsplit(".", 1)[0]

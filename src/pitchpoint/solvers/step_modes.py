@@ -16,8 +16,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
-from pitchpoint.elements.kind import FORCE, TORQUE
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.element_tangents import switched
 from pitchpoint.system import evaluate
@@ -29,6 +27,20 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+FINE = ("beam", "flexible_body", "shaft_beam")
+"""Kinds that bring modes with them which nothing excites."""
+LINEAR = (
+    *FINE,
+    "bearing",
+    "bushing",
+    "coupling",
+    "damping",
+    "force",
+    "gravity",
+    "linear_modes",
+    "linear_part",
+)
+"""Kinds that excite nothing by themselves."""
 RIGID = 1e-3
 """Square root over that of the stiffest mode below which a mode is a rotation [1]."""
 
@@ -48,7 +60,7 @@ def counted_frequency(start: Start, explicit: bool = False) -> float:
         return 0.0
     M = evaluate.matrix(system, state, 1.0, 0.0, 0.0, NEWTON)
     K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)
-    if explicit or not any(registry.find(kind).fine for kind in system.records):
+    if explicit or not any(kind in system.records for kind in FINE):
         values = np.linalg.eigvals(np.linalg.solve(M, K)).real
         return float(np.sqrt(max(values.max(), 0.0)) / (2.0 * np.pi))
     root = np.linalg.inv(np.linalg.cholesky(0.5 * (M + M.T)))
@@ -69,16 +81,16 @@ def _excited_energy(start: Start, shapes: Array) -> Array:
     """Twice the energy of every mode in what is no linear spring."""
     system, state = start.system, start.state
     parts = []
-    for on in ({kind: slice(None) for kind in system.records if registry.find(kind).excites}, {}):
+    for on in ({kind: slice(None) for kind in system.records if kind not in LINEAR}, {}):
         with switched(system, on):
             parts.append(evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON))
     excited = 0.5 * (parts[0] + parts[0].T) - 0.5 * (parts[1] + parts[1].T)
     return np.asarray(np.einsum("ik,ij,jk->k", shapes, excited, shapes))
 
 
-def _ends(system: System, role: str) -> set[int]:
-    """Numbers of the bodies, without ground, on which loads of a role act."""
-    return {int(r[end]) for r in system.rows(role) for end in "ij"} - {0}
+def _ends(system: System, kind: str) -> set[int]:
+    """Numbers of the bodies, without ground, on which loads of a kind act."""
+    return {int(r[end]) for r in system.records.get(kind, ()) for end in "ij"} - {0}
 
 
 def _loaded_compliance(system: System, shapes: Array, omega: Array, bends: NDArray[np.bool_]) -> Array:
@@ -87,9 +99,10 @@ def _loaded_compliance(system: System, shapes: Array, omega: Array, bends: NDArr
     A torque turns the spin of its body, a force may move any coordinate.
     """
     body = system.program["body"]
-    spins = {spin_of(body, b) for b in _ends(system, TORQUE)}
+    ends = {kind: _ends(system, kind) for kind in ("torque", "force")}
+    spins = {spin_of(body, b) for b in ends["torque"]}
     pushed = set()
-    for b in _ends(system, FORCE):
+    for b in ends["force"]:
         while b:  # what moves it: its own coordinates or those that it shares, else those that carry it
             owner = body[int(body[b]["shares"]) or b]
             pushed |= set(range(int(owner["dof"]), int(owner["dof"]) + int(owner["n"])))

@@ -12,8 +12,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pitchpoint.elements import friction_clutch, torque
 from pitchpoint.elements.friction_clutch import BRISTLE
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
@@ -23,7 +23,6 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
-CLUTCH, LOAD = friction_clutch.KIND.name, torque.KIND.name
 STICKS = 1e-9
 """Slip over the speeds around it up to which a clutch sticks."""
 BALANCED = 1e-9
@@ -73,15 +72,15 @@ def settle_clutches(
         if float(np.abs(left).max()) <= BALANCED * max(1.0, _largest(system)):
             break
         slopes = evaluate.matrix(system, found.state, 0.0, 1.0, 0.0, NEWTON)[:, places]
-        by_load = [-turning[_spin(system, system.records[LOAD][k])] for k in loads]
+        by_load = [-turning[_spin(system, system.records["torque"][k])] for k in loads]
         A = np.column_stack([UNWANTED * turning.T @ slopes, *by_load])
         change = np.linalg.lstsq(A, -left, rcond=1e-12)[0]
         state = found.state.copy()
         state.v[places] = np.clip(state.v[places] + UNWANTED * change[: len(places)], -limits, limits)
         if loads:
-            records = system.records[LOAD].copy()
+            records = system.records["torque"].copy()
             records["value"][loads] += change[len(places) :]
-            system = system.with_params({LOAD: records})
+            system = system.with_params({"torque": records})
         found = find_equilibrium(system, state, held)
     notes = tuple(
         f"the clutch between {names[int(record['i'])]} and {names[int(record['j'])]} cannot hold its load "
@@ -94,13 +93,13 @@ def settle_clutches(
 
 def _bristles(system: System) -> list[tuple[int, np.void]]:
     """Number and record of every clutch with bristles."""
-    records = system.records.get(CLUTCH, ())
+    records = system.records.get("friction_clutch", ())
     return [(k, r) for k, r in enumerate(records) if int(r["sticking"]) == BRISTLE]
 
 
 def _place(system: System, number: int) -> int:
     """Coordinate whose rate is the deflection of a clutch."""
-    return int(system.program["body"][int(system.records[CLUTCH][number]["k"])]["spin"])
+    return int(system.program["body"][int(system.records["friction_clutch"][number]["k"])]["spin"])
 
 
 def _spin(system: System, record: np.void) -> int:
@@ -119,4 +118,5 @@ def _speed(state: State) -> float:
 
 def _largest(system: System) -> float:
     """Largest torque that acts [N m]."""
-    return max((abs(float(record["value"])) for record in system.records.get(LOAD, ())), default=0.0)
+    values: NDArray[np.float64] = np.abs(np.asarray(system.records.get("torque", {"value": [0.0]})["value"]))
+    return float(values.max(initial=0.0))

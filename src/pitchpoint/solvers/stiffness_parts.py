@@ -14,21 +14,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import FRICTION, MESH, MOTION
 from pitchpoint.solvers.cycle_means import cycle_means
 from pitchpoint.solvers.element_batches import share_of_blocks, stiffness_by_element
 from pitchpoint.solvers.element_tangents import Share, bare_blocks, element_names, share_of
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_places
+from pitchpoint.system.meshes import KINDS, mesh_places
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
-ROTATION = "rotation"
-"""What takes the place of a kind for the stiffness of guided motion."""
+#: Field that holds the stiffness of a mesh; without it there is none.
+STIFFNESS_FIELD = dict.fromkeys(KINDS, "c_prime")
 
 NONE = 1e-14
 """Stiffness over the largest below which an element has none."""
+
+FIRST = ("bearing", "coupling", *KINDS)
+"""Kinds that are listed before all others."""
+
+WORDS = {**dict.fromkeys(KINDS, "mesh"), "closure": "reaction", "shaft_beam": "beam"}
+"""Words for kinds where they differ from the name."""
 
 
 @dataclass(frozen=True)
@@ -63,18 +68,19 @@ def element_list(system: System) -> list[tuple[str, int, str]]:
     """All elements: kind, number of the record, "WORD NAME" for people."""
     found = []
     for kind in sorted(system.records, key=_rank):
-        described = registry.find(kind)
-        if described.channel in (MOTION, FRICTION):
+        if registry.find(kind).channel in (registry.MOTION, registry.FRICTION):
             continue
         for k, name in enumerate(element_names(system, kind)):
-            found.append((kind, k, f"{described.label_of(system.records[kind][k])} {name}"))
+            word = WORDS.get(kind, kind.replace("_", " "))
+            if kind == "bearing" and system.records[kind][k]["j"] != 0:
+                word = "coupling"
+            found.append((kind, k, f"{word} {name}"))
     return found
 
 
-def _rank(kind: str) -> tuple[bool, bool, str]:
-    """Bearings and couplings first, then meshes, then all others by name."""
-    described = registry.find(kind)
-    return not described.main, described.role == MESH, kind
+def _rank(kind: str) -> tuple[int, str]:
+    """Springs first, then all others by name."""
+    return (FIRST.index(kind) if kind in FIRST else len(FIRST), kind)
 
 
 def split(
@@ -118,18 +124,17 @@ def split(
     numbers = {place: m for m, place in enumerate(mesh_places(system))}
     at_phase = stiffness_by_element(system, state, [(kind, k) for kind, k, _ in listed])
     for e, ((kind, k, name), (blocks, d, own)) in enumerate(zip(listed, at_phase, strict=True)):
-        described = registry.find(kind)
-        if described.role == MESH and mean:
+        if kind in KINDS and mean:
             D_mean, K_mean = means[numbers[kind, k]]
             D[blocks.places] += D_mean - d
             K[blocks.places] += K_mean - own
             own = K_mean
-        if described.main or np.abs(own).max(initial=0.0) > least:
+        if kind in FIRST or np.abs(own).max(initial=0.0) > least:
             found.append((kind, name, _ends(system.records[kind][k]), share_of_blocks(system, blocks, own)))
         if progress is not None:
             progress(e + 1, len(listed), name)
     if np.abs(bare).max(initial=0.0) > least:  # joints that turn over time make the bodies heavy or light
-        found.append((ROTATION, "guided motion", (0, 0), share_of(evaluate.dense(system, bare))))
+        found.append(("rotation", "guided motion", (0, 0), share_of(evaluate.dense(system, bare))))
     kinds, names, bodies, shares = zip(*found, strict=True) if found else ((), (), (), ())
     ends = np.array(bodies, np.int64).reshape(-1, 2)
     whole = [evaluate.dense(system, blocks) for blocks in (M, D, K)]

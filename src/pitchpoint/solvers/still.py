@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signal_record import SATURATION
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
@@ -111,7 +110,7 @@ def _sparse_inverse(A: Any, root: Array) -> Callable[[Array], Array] | None:
 
 def signal_states(system: System) -> NDArray[np.int64]:
     """Coordinates whose rates are states of signals: those of filters, integrals, transfer functions."""
-    if not system.kinds(SIGNAL):
+    if "signal" not in system.records and "signal_of_loads" not in system.records:
         return np.zeros(0, np.int64)
     found = [k for k in system.states if system.layout.coordinates[int(k)].startswith(STATE)]
     return np.array(found, np.int64)
@@ -142,7 +141,7 @@ def restless(system: System, state: State, free: NDArray[np.int64]) -> NDArray[n
 
 def _without_limits(system: System) -> System:
     """The same system with signals that no limits keep."""
-    kind = system.kinds(SIGNAL)[0]
+    kind = next(kind for kind in ("signal", "signal_of_loads") if kind in system.records)
     records = system.records[kind].copy()
     kept = records["op"] == SATURATION
     records["low"][kept], records["high"][kept] = -np.inf, np.inf

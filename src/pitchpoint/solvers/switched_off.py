@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-from pitchpoint.elements.kind import FORCE, MESH, TORQUE
 from pitchpoint.elements.signal import set_constant
+from pitchpoint.system.meshes import KINDS
 from pitchpoint.system.system import System
 
 
@@ -14,18 +14,18 @@ def without_friction(system: System) -> System:
     Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
     into modes that real sliding does not.
     """
-    rough = [k for k in system.kinds(MESH) if system.records[k]["mu"].any()]
+    rough = [k for k in KINDS if k in system.records and system.records[k]["contact"]["mu"].any()]
     if not rough:
         return system
     smooth = {kind: system.records[kind].copy() for kind in rough}
     for records in smooth.values():
-        records["mu"] = 0.0
+        records["contact"]["mu"] = 0.0
     return system.with_params(smooth)
 
 
 def without_loads(system: System) -> System:
     """The same system with its torques and forces at zero."""
-    loads = {kind: system.records[kind].copy() for role in (TORQUE, FORCE) for kind in system.kinds(role)}
+    loads = {kind: system.records[kind].copy() for kind in ("torque", "force") if kind in system.records}
     for records in loads.values():
         for record in records:
             set_constant(record, 0.0)

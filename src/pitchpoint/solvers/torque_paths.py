@@ -13,11 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import GEARED, MESH, RATIO, TOGETHER
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.multibody.bodies import base_of
 from pitchpoint.solvers.resistance import SAME
-from pitchpoint.system.meshes import is_bevel
+from pitchpoint.system.meshes import KINDS, is_bevel
 from pitchpoint.system.system import System
 
 Row = dict[int, float]
@@ -70,18 +69,20 @@ def torque_paths(system: System) -> list[TorquePath]:
     """All elements that carry torque between spins, or from them to ground."""
     found = []
     for kind, records in system.records.items():
-        described = registry.find(kind)
+        together = getattr(registry.find(kind).load(), "SPINS", "") == "together"
+        if kind != "ratio" and kind not in (*KINDS, "bearing") and not together:
+            continue
         for k, record in enumerate(records):
-            to_ground = False
-            if described.role == RATIO:
-                row = _ratio(system, record)
-            elif described.spins_of(record) not in (GEARED, TOGETHER):
+            if kind == "bearing" and record["K"][5, 5] == 0.0:
                 continue
+            to_ground = False
+            if kind == "ratio":
+                row = _ratio(system, record)
             else:
                 one, two = (turning(system, int(record[end])) for end in "ij")
                 to_ground = not (one and two)
                 row = _sum((1.0, one), (-1.0, two))
-                if described.role == MESH:
+                if kind in KINDS:
                     teeth = {end: float(record[f"z{n}"]) for n, end in ((1, "i"), (2, "j"))}
                     row = _sum(*((z, against_the_base(system, record, end)) for end, z in teeth.items()))
             if row:

@@ -8,8 +8,9 @@ import math
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.stiffness_parts import STIFFNESS_FIELD
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_names, mesh_record
+from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_record
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
@@ -26,13 +27,14 @@ def tangent_stiffness(system: System, state: State, m: int) -> float:
     if spin_of(system.program["body"], body) < 0:
         body, radius = record["j"], record["r_b2"]
     spin = spin_of(system.program["body"], body)
+    field = STIFFNESS_FIELD[mesh_places(system)[m][0]]
     whole = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
-    kept = float(record["c_prime"])
-    record["c_prime"] = 0.0
+    kept = float(record[field])
+    record[field] = 0.0
     try:
         rest = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)[spin, spin]
     finally:
-        record["c_prime"] = kept
+        record[field] = kept
     return float((whole - rest) / radius**2)
 
 
@@ -52,11 +54,11 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     names = mesh_names(system)
     u, pushes = (system.layout.channel(f"{c}[{names[m]}]") for c in ("transmission_error", "mesh_force"))
     nowhere = SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, clear)
-    power = float(record["power"])
-    aim = DEPTH**power * float(record["k_ref"])
+    power = float(record["contact"]["power"])
+    aim = DEPTH**power * float(record["contact"]["k_ref"])
     state = clear.copy()
     evaluate.residual(system, state)
-    span = abs(float(record["gap"])) + 1e-6
+    span = abs(float(record["now"]["gap"])) + 1e-6
     for _ in range(200):
         # force against depth beyond any gap: go in until it bites, then down to the edge
         values = evaluate.observe(system, state)

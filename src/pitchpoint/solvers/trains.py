@@ -14,8 +14,8 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.kind import DRIVE
 from pitchpoint.elements.ratio import place_of
+from pitchpoint.elements.registry import MODAL
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.assembly import loop_rows
@@ -23,7 +23,6 @@ from pitchpoint.solvers.null_space import NullSpace, null_space
 from pitchpoint.solvers.resistance import SAME, resisted_spins
 from pitchpoint.solvers.torque_paths import Row, against_the_base, spins_of, torque_paths
 from pitchpoint.system import evaluate
-from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
@@ -42,7 +41,7 @@ def held_spins(system: System) -> tuple[int, ...]:
 
 def driven_coordinates(system: System) -> tuple[int, ...]:
     """Coordinates whose motion is prescribed, in the order of the drives."""
-    return tuple(place_of(r, "i") for r in system.rows(DRIVE))
+    return tuple(place_of(r, "i") for r in system.records.get("drive", ()))
 
 
 def exchange(system: System, held: Sequence[int], spin: int, state: State | None = None) -> tuple[int, ...]:
@@ -143,7 +142,7 @@ def _motions(system: System, state: State) -> Array:
         row[list(path.row)] = list(path.row.values())
         rows.append(row)
     still = {int(s) for s in system.states}
-    hidden = modal_bodies(system)
+    hidden = {int(r[n]) for r in system.records.get("flexible_body", ()) for n in MODAL[1:]} - {0}
     for k, b in enumerate(body):
         if k and (b["joint"] != GENERAL or k in hidden):
             own = range(int(b["dof"]), int(b["dof"]) + int(b["n"]))

@@ -21,7 +21,6 @@ from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
-from pitchpoint.elements.kind import DRIVE
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.rows import explain, row_notes
@@ -184,12 +183,14 @@ class _Walk:
         for name, ratio in self.plan.ratio.items():
             if ratio != 0.0:
                 w.v[self.system.spin(name)] += (speed - self.speed) * ratio
-        for record in self.system.rows(DRIVE):
-            name = self.system.layout.bodies[int(record["i"])]
-            spin = self.system.spin(name)
-            turned = w.q[spin] + 2.0 * math.pi * w.fr["turns"][int(record["i"])]
-            record["speed"] = speed * self.plan.ratio[name]
-            record["angle"] = turned - record["speed"] * self.run.t
+        records = self.system.records.get("drive")
+        if records is not None:
+            for record in records:
+                name = self.system.layout.bodies[int(record["i"])]
+                spin = self.system.spin(name)
+                turned = w.q[spin] + 2.0 * math.pi * w.fr["turns"][int(record["i"])]
+                record["speed"] = speed * self.plan.ratio[name]
+                record["angle"] = turned - record["speed"] * self.run.t
         self.speed = speed
         self.run.change_step(self._step(speed))
 

@@ -22,7 +22,7 @@ def chosen_channels(system: System, patterns: Sequence[str]) -> list[int]:
     system
         The system.
     patterns
-        Names of channels; * matches any characters, as in `mesh_force[*]`.
+        Names of channels; * stands for any characters, as in `mesh_force[*]`.
 
     Raises
     ------
@@ -42,7 +42,7 @@ def chosen_channels(system: System, patterns: Sequence[str]) -> list[int]:
             near = get_close_matches(pattern, names, n=1) or names[:1]
             raise SolverError(
                 f"channels: {pattern!r} matches none of the {len(names)} channels; an example is "
-                f"{' '.join(near)} (* matches any characters)",
+                f"{' '.join(near)} (* stands for any characters)",
                 INCONSISTENT,
             )
         found |= hits

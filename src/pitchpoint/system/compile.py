@@ -1,32 +1,46 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a model to a system: the rules of its sections turn components into records for the assembler."""
+"""From a model to a system: every rule turns one kind of component into records for the assembler."""
 
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
-from importlib import import_module
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import CompileError, ModelError
-from pitchpoint.elements import registry
-from pitchpoint.elements.kind import CONSTRAINT
 from pitchpoint.model.force_check import states_of
 from pitchpoint.model.frames import axes_of
-from pitchpoint.model.remarks import warn_of_remarks
-from pitchpoint.model.sections import Section, find, groups_of
-from pitchpoint.model.signal_names import SECTIONS as SIGNALS
+from pitchpoint.model.signal_names import SECTIONS
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
-from pitchpoint.system.rules.beam import beam_stations
-from pitchpoint.system.rules.bearing import housing_seats
+from pitchpoint.system.rules.beam import beam_bank, beam_stations
+from pitchpoint.system.rules.bearing import bearing_bank, housing_seats
+from pitchpoint.system.rules.bevel_mesh import bevel_bank
 from pitchpoint.system.rules.bodies import bodies, body_numbers, end_of, world_place
+from pitchpoint.system.rules.bushing import bushing_bank
+from pitchpoint.system.rules.closure import closure_bank
+from pitchpoint.system.rules.clutch import clutch_bank
+from pitchpoint.system.rules.contact import cam_banks, curve_banks, surface_banks
 from pitchpoint.system.rules.damping import damping_bank
 from pitchpoint.system.rules.drive import drive_bank
+from pitchpoint.system.rules.elastic_body import elastic_bank
+from pitchpoint.system.rules.gear_mesh import mesh_bank
 from pitchpoint.system.rules.gravity import gravity_bank
+from pitchpoint.system.rules.guide import guide_bank
+from pitchpoint.system.rules.joint_friction import friction_bank
+from pitchpoint.system.rules.load import load_banks
+from pitchpoint.system.rules.loose_bearing import loose_bearing_bank
 from pitchpoint.system.rules.places import Places, hidden_bodies
+from pitchpoint.system.rules.ratio import ratio_bank
+from pitchpoint.system.rules.rolling_bearing import plain_bearing_bank, rolling_bearing_bank
+from pitchpoint.system.rules.shaft import shaft_bank
+from pitchpoint.system.rules.spring import (
+    maxwell_bank,
+    spring_bank,
+    torsion_maxwell_bank,
+    torsion_spring_bank,
+)
 from pitchpoint.system.source import with_lines
 from pitchpoint.system.system import Law, System, assemble
 
@@ -74,27 +88,47 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
         world=partial(world_place, model),
         axes=partial(axes_of, model),
         state=states.__getitem__,
-        model=model,
-        scenario=chosen,
-        numbers=body_numbers(model),
-        first_station=len(tree) + 1,
     )
-    places = replace(places, tree=[*tree, *beam_stations(model, places)])
+    beams = beam_bank(model, places, len(tree) + 1)
+    tree += beam_stations(model, places)
     elements = [n for names in states_of(model).values() for n in names]
-    states |= {name: k for k, name in enumerate(elements, start=len(places.tree) + 1)}
-    used = [found for name in groups_of(model) if getattr(model, name) and (found := find(name)) is not None]
-    banks = [damping_bank(model), gravity_bank(model)]
+    states |= {name: k for k, name in enumerate(elements, start=len(tree) + 1)}
+    followers, held = cam_banks(model.cam_contacts, places.end)
+    curves, held_curves = curve_banks(model.curve_contacts, places.end)
+    *surfaces, held_balls = surface_banks(model.surface_contacts, places.end)
+    others = [
+        bevel_bank(model),
+        bearing_bank(model),
+        loose_bearing_bank(model),
+        shaft_bank(model, body_numbers(model)),
+        elastic_bank(model, body_numbers(model)),
+        *load_banks(model),
+        damping_bank(model),
+        gravity_bank(model),
+        guide_bank(model, chosen),
+        friction_bank(model, tree),
+        spring_bank(model.springs, places),
+        maxwell_bank(model.maxwells, places),
+        torsion_spring_bank(model.torsion_springs, places),
+        torsion_maxwell_bank(model.torsion_maxwells, places),
+        bushing_bank(model.bushings, places),
+        beams,
+        clutch_bank(model.clutches, places),
+        rolling_bearing_bank(model.rolling_bearings, places),
+        plain_bearing_bank(model.plain_bearings, places),
+        followers,
+        curves,
+        *surfaces,
+    ]
+    constraints = [closure_bank(model), ratio_bank(model), held, held_curves, held_balls]
     if chosen is not None:
-        banks.append(drive_bank(model, chosen))
-    banks += _banks([section for section in used if not section.needs], places)
-    late = [section for section in used if section.needs]
-    kinds = {b.kind for b in banks if b.records.size} | {kind for section in late for kind in section.needs}
-    trees = any(not body.is_round for body in places.tree)
-    prepare_kernels(kinds, trees)
-    warn_of_remarks(model)
-    banks += _banks(late, places)
-    everybody = [*places.tree, *hidden_bodies(elements)]
-    if any(getattr(model, section) for section in SIGNALS):
+        constraints.append(drive_bank(model, chosen))
+    used = {b.kind for b in (*others, *constraints) if b.records.size}
+    trees = any(not body.is_round for body in tree)
+    prepare_kernels(used | {"gear_mesh"} if model.meshes else used, trees)
+    banks = [mesh_bank(model), *others]
+    everybody = [*tree, *hidden_bodies(elements)]
+    if any(getattr(model, section) for section in SECTIONS):
         # only machines with signals wait for what these need
         from pitchpoint.system.rules.signals import net_of_model
         from pitchpoint.system.signals import assemble_controlled
@@ -104,26 +138,14 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
         assembled = partial(assemble_controlled, net, controllers=controllers)
     else:
         assembled = partial(assemble, everybody)
-    banks = [b for b in banks if b.records.size]
     system = assembled(
-        {b.kind: b.records for b in banks if not _is_constraint(b)},
-        {b.kind: b.records for b in banks if _is_constraint(b)},
-        names={b.kind: b.names for b in banks},
-        pools={b.kind: b.pool for b in banks if b.pool is not None},
-        laws=_laws(banks),
+        {b.kind: b.records for b in banks if b.records.size},
+        {b.kind: b.records for b in constraints if b.records.size},
+        names={b.kind: b.names for b in (*banks, *constraints)},
+        pools={b.kind: b.pool for b in (*banks, *constraints) if b.pool is not None and b.records.size},
+        laws=_laws([*banks, *constraints]),
     )
     return replace(system, model=model, scenario=chosen)
-
-
-def _banks(used: Iterable[Section], places: Places) -> list[Bank]:
-    """What the rules of some sections make; modules of rules are imported only where a model needs them."""
-    found: list[Bank] = []
-    for rule in dict.fromkeys(rule for section in used for rule in section.rules):
-        module, _, function = rule.partition(":")
-        where = module if "." in module else f"pitchpoint.system.rules.{module}"
-        made = getattr(import_module(where), function)(places)
-        found += [made] if isinstance(made, Bank) else made
-    return found
 
 
 def _named(model: Model, scenario: str) -> Scenario:
@@ -134,10 +156,6 @@ def _named(model: Model, scenario: str) -> Scenario:
         listed = ", ".join(model.scenarios) or "none"
         raise CompileError(f"scenario: there is no {scenario!r}; {guess}there are: {listed}")
     return model.scenarios[scenario]
-
-
-def _is_constraint(bank: Bank) -> bool:
-    return registry.find(bank.kind).channel == CONSTRAINT
 
 
 def _laws(banks: list[Bank]) -> dict[str, tuple[Law | None, ...]]:

@@ -28,20 +28,22 @@ def law_fault(system: System, kind: str, number: int) -> str:
     if not callable(function):
         return ""
     record = system.records[kind][number]
+    t, x, first, count = _arguments(system, record)
     pool = system.pools.get(kind)
-    t, x, first, count = _arguments(system, record, pool)
     p = pool[first : first + count] if pool is not None and count else signal.Pool().array()
     said = UserLaw(_plain(function), p, _name(function)).diagnose(t, x)
     return f": {said} (t = {t:.6g} s, x = {x:.6g})" if said else ""
 
 
-def _arguments(system: System, record: Any, pool: Any) -> tuple[float, float, int, int]:
+def _arguments(system: System, record: Any) -> tuple[float, float, int, int]:
     """Time, second argument, place and number of the parameters in the failed call."""
     t = float(system.workspace.ctl[0]["t"])
-    if "psi" in record.dtype.names:  # a mesh: the stiffness law is no function of time
-        return 0.0, float(record["psi"]), int(record["params"]), len(pool)
+    if "now" in record.dtype.names:  # a mesh
+        return t, float(record["now"]["psi"]), int(record["params"]), len(system.pools["gear_mesh"])
     if "slot" in record.dtype.names:  # a signal of another signal
-        return t, float(pool[int(record["a"])]), int(record["start"]), int(record["n"])
+        kind = next(name for name in ("signal", "signal_of_loads") if name in system.pools)
+        x = float(system.pools[kind][int(record["a"])])
+        return t, x, int(record["start"]), int(record["n"])
     if "free" in record.dtype.names:  # a spring along a line
         ends = (system.workspace.fr[int(record[end])] for end in "ij")
         return (

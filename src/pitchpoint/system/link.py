@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import address, law_address, prepare
-from pitchpoint.elements import kind as traits
 from pitchpoint.elements import registry
 from pitchpoint.elements.signal_record import (
     ACCELERATION,
@@ -34,18 +33,19 @@ from pitchpoint.system.residual import COLUMNS, EARLY, OBSERVER_CHANNEL
 if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
 
+SIGNALS = ("signal", "signal_of_loads")
 ACTING = (STATE, HELD, TORQUE, STRUT, FORCE, RATE, LINK)
 """Signals that act on the machine, or are written and read between steps."""
 NO_MATTER = 1e30
 """Share of a coordinate that an error may have if nothing depends on it."""
 _CHANNEL = {
-    traits.FRAME: 0,
-    traits.FRICTION: 0,
-    traits.COORDINATE: 1,
-    traits.CONSTRAINT: 2,
-    traits.MOTION: 3,
+    registry.FRAME: 0,
+    registry.FRICTION: 0,
+    registry.COORDINATE: 1,
+    registry.CONSTRAINT: 2,
+    registry.MOTION: 3,
 }
-_TABLE = {traits.CONSTRAINT: "cons", traits.MOTION: "guiding", traits.FRICTION: "frictions"}
+_TABLE = {registry.CONSTRAINT: "cons", registry.MOTION: "guiding", registry.FRICTION: "frictions"}
 
 
 TABLES = ("forces", "cons", "guiding", "frictions")
@@ -68,18 +68,17 @@ def link(
         kind = registry.find(name)
         if name in pools and "pool" in (bank.dtype.names or ()):
             bank["pool"] = pools[name].ctypes.data
-        if "closures" in (bank.dtype.names or ()):
-            for closures in registry.of_role(records, traits.CLOSURE):
-                bank["closures"] = records[closures].ctypes.data
+        if "closures" in (bank.dtype.names or ()) and "closure" in records:
+            bank["closures"] = records["closure"].ctypes.data
         for k, law in enumerate(laws.get(name, ())):
             if law is not None:
                 bank[k]["law"] = law_address(law)
-        for field, (kernel, reason) in kind.some.items():
+        for field, (kernel, reason) in getattr(kind.load(), "SOME", {}).items():
             if np.any(bank[reason]):
                 bank[field] = address(kernel)
         channel = OBSERVER_CHANNEL if only_observes(name, bank) else _CHANNEL[kind.channel]
-        early = int(kind.channel == traits.FRAME and kind.massless)
-        row = (address(kind.entry), bank.ctypes.data, bank.size, channel, early)
+        early = int(kind.channel == registry.FRAME and name in registry.MASSLESS)
+        row = (address(kind.load().entry), bank.ctypes.data, bank.size, channel, early)
         tables[_TABLE.get(kind.channel, "forces")].append(row)
     return {name: np.array(rows, np.int64).reshape(-1, COLUMNS) for name, rows in tables.items()}
 
@@ -91,18 +90,18 @@ _PARTS = {"residual": residual.entry, "factor_entry": linear.factor_entry, "solv
 def prepare_kernels(kinds: Iterable[str], trees: bool = False) -> None:
     """Compile what is not in the cache: the core here, the kinds of elements in a second process.
 
-    Meshes go first: they are the largest kinds, and the records of a model need them before all others.
-    Bodies in `trees` need their own part of the core.
+    The mesh goes first: it is the largest kind, and the records of a model need it before all others. Bodies
+    in `trees` need their own part of the core.
     """
-    found = [registry.find(name) for name in kinds]
-    theirs = [kind.entry for kind in sorted(found, key=lambda kind: (kind.role != traits.MESH, kind.name))]
+    ordered = sorted(kinds, key=lambda name: (name != "gear_mesh", name))
+    theirs = [registry.find(name).load().entry for name in ordered]
     prepare([*_PARTS.values(), perform], [*theirs, tree.entry] if trees else theirs)
 
 
 def link_exact(records: Mapping[str, NDArray[np.void]]) -> None:
     """Compile what only exact tangents need and write its addresses into the records."""
     for name, bank in records.items():
-        for field, kernel in registry.find(name).exact.items():
+        for field, kernel in getattr(registry.find(name).load(), "EXACT", {}).items():
             bank[field] = address(kernel)
 
 
@@ -118,17 +117,12 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
 
 def signal_banks(records: Mapping[str, NDArray[np.void]]) -> list[NDArray[np.void]]:
     """Records of signals; there is one bank at most."""
-    return [records[name] for name in registry.of_role(records, traits.SIGNAL)]
+    return [records[name] for name in SIGNALS if name in records]
 
 
 def only_observes(name: str, bank: NDArray[np.void]) -> bool:
     """Whether the records of a kind are signals that nothing but results reads."""
-    return registry.find(name).role == traits.SIGNAL and not acts(bank)
-
-
-def acts(signals: NDArray[np.void]) -> bool:
-    """Whether signals act on the machine, or are written and read between steps."""
-    return bool(np.any(np.isin(signals["op"], ACTING)))
+    return name in SIGNALS and not np.any(np.isin(bank["op"], ACTING))
 
 
 def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -> None:
@@ -138,8 +132,8 @@ def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -
     mach["settles"] = np.any(workspace.tables["frictions"][:, residual.CHANNEL] != OBSERVER_CHANNEL)
     mach["constant_mass"] = np.all(body["joint"] < FREE) and not mach["settles"]
     workspace.arrays["relative"][body["spin"][body["state"] == 1]] = NO_MATTER
-    for bank in signal_banks(records):
-        if not acts(bank):
+    for name, bank in ((n, records[n]) for n in SIGNALS if n in records):
+        if only_observes(name, bank):
             continue
         if np.any(bank["op"] == CHANNEL):  # other elements say what they observe at every evaluation
             mach["watch"] = workspace.arrays["heard"].ctypes.data

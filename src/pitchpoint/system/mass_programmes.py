@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
+from pitchpoint.elements.registry import MASSLESS
 from pitchpoint.multibody.block_lu import FINISH, INVERT, INVERT_MASS
 from pitchpoint.system.link import only_observes
 
@@ -27,7 +27,7 @@ def mass_programmes(
     """Programmes mass_proj, mass_factor, mass_solve; those of the whole matrix where masses may couple."""
     body, path, proj = program["body"], program["path"], program["proj"]
     alone = np.all(body["count"] <= 1) and not np.any(body["shares"])
-    if not alone or not all(_no_mass(name, bank) for name, bank in records.items()):
+    if not alone or not all(name in MASSLESS or only_observes(name, b) for name, b in records.items()):
         return {f"mass_{name}": program[name] for name in ("proj", "factor", "solve")}
     own = path["body"][proj["pi"]] == path["body"][proj["pj"]]
     factor, solve = program["factor"], program["solve"]
@@ -38,8 +38,3 @@ def mass_programmes(
         "mass_factor": alone_factor,
         "mass_solve": solve[solve["op"] == FINISH],
     }
-
-
-def _no_mass(name: str, bank: NDArray[np.void]) -> bool:
-    """Whether the records of a kind bring no mass."""
-    return registry.find(name).massless or only_observes(name, bank)

@@ -12,15 +12,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.kind import MESH
-
 if TYPE_CHECKING:
     from pitchpoint.system.system import System
+
+KINDS = ("bevel_mesh", "gear_mesh")
+"""Kinds of elements that are meshes."""
 
 
 def mesh_places(system: System) -> list[tuple[str, int]]:
     """Kind and number of the record of every mesh."""
-    return [(kind, k) for kind in system.kinds(MESH) for k in range(system.records[kind].size)]
+    return [(kind, k) for kind in KINDS if kind in system.records for k in range(system.records[kind].size)]
 
 
 def mesh_records(system: System) -> list[np.void]:
@@ -45,11 +46,22 @@ def is_bevel(record: np.void) -> bool:
     return "apex" in (record.dtype.names or ())
 
 
+def shared_width(record: np.void) -> tuple[float, float]:
+    """Ends of the face width that both gears share, of an evaluated mesh [m].
+
+    They count from the pitch point along parallel axes; of bevel gears, whose faces do not move, from the
+    mean cone distance.
+    """
+    part = record if is_bevel(record) else record["now"]
+    return float(part["z_lo"]), float(part["z_hi"])
+
+
 def force_directions(record: np.void) -> NDArray[np.float64]:
     """Directions of the circumferential, radial and axial force on gear 2 of an evaluated mesh, rows."""
+    now = record["now"]
     if is_bevel(record):
-        return np.array((record["t"], record["away"][1], record["axis"][1]))
-    return np.array([record[field] for field in "tem"])
+        return np.array((now["t"], now["away"][1], now["axis"][1]))
+    return np.array([now[field] for field in "tem"])
 
 
 def mesh_names(system: System) -> tuple[str, ...]:

@@ -11,14 +11,13 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import registry
-from pitchpoint.elements.kind import CONSTRAINT, Kind
 from pitchpoint.multibody.bodies import base_of
 from pitchpoint.system.layout import Channel
 
 
-def checked(kind: Kind, bank: NDArray[np.void], nb: int) -> NDArray[np.void]:
+def checked(kind: registry.Kind, bank: NDArray[np.void], nb: int) -> NDArray[np.void]:
     """Own, contiguous copy of a bank with the exact dtype and valid body indices."""
-    record = kind.record
+    record = kind.load().RECORD
     if bank.dtype != record:
         raise CompileError(f"records of kind {kind.name!r} have another layout than the kind declares")
     bank = np.array(bank, dtype=record, order="C").reshape(-1)
@@ -57,7 +56,7 @@ def _carried(records: NDArray[np.void], i: int, j: int) -> int:
 
 
 def fill(
-    kind: Kind,
+    kind: registry.Kind,
     bank: NDArray[np.void],
     records: NDArray[np.void],
     pair_index: Mapping[tuple[int, int], int],
@@ -65,7 +64,7 @@ def fill(
 ) -> None:
     """Write the index fields of a bank: pair blocks, coordinate blocks, spin coordinates."""
     fields = bank.dtype.names or ()
-    paired = kind.paired
+    paired = getattr(kind.load(), "PAIRED", ())
     for record in bank:
         for x, a in enumerate(paired):
             for y, b in enumerate(paired):
@@ -99,7 +98,7 @@ def pairs(banks: Mapping[str, NDArray[np.void]], channel: str) -> set[tuple[int,
         (int(record[a]), int(record[b]))
         for name, bank in banks.items()
         if registry.find(name).channel == channel
-        if channel != CONSTRAINT or registry.find(name).body_fixed
+        if channel != registry.CONSTRAINT or hasattr(registry.find(name).load(), "BODY_FIXED")
         for a, b in registry.find(name).pairs
         for record in bank
     }
@@ -114,19 +113,20 @@ def number(
     rows: list[str] = []
     row_bodies: list[tuple[int, int]] = []
     for name, bank in banks.items():
-        kind = registry.find(name)
+        module = registry.find(name).load()
         fields = bank.dtype.names or ()
+        outputs = getattr(module, "outputs", None)
         for k, record in enumerate(bank):
             label = names[name][k] if name in names else f"{name}{k}"
             if "out" in fields:
                 record["out"] = len(channels)
-            channels += _outputs(kind.outputs_of(record), label)
+            channels += _outputs(outputs(record) if outputs else getattr(module, "OUTPUTS", ()), label)
             if "ev" in fields:
                 record["ev"] = len(events)
-            events += _outputs(kind.events, label)
+            events += _outputs(getattr(module, "EVENTS", ()), label)
             if "row" in fields:
                 record["row"] = len(rows)
-                for _ in range(kind.rows):
+                for _ in range(getattr(module, "ROWS", 0)):
                     rows.append(f"{name} {label}")
                     row_bodies.append((int(record["i"]), int(record["j"])))
     return channels, events, rows, row_bodies

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError, ModelError, Problem
 from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signal_net import SignalNet
 from pitchpoint.system.controller import SampledController
 from pitchpoint.system.system import System, assemble
 
+KINDS = ("signal", "signal_of_loads")
 OBSERVED = "name a channel as results have it"
 
 
@@ -89,7 +89,7 @@ def _check(net: SignalNet, controllers: Sequence[SampledController]) -> None:
 
 def kind_of_signals(system: System) -> str:
     """Kind of the signals of a system, "" if it has none."""
-    return next(iter(system.kinds(SIGNAL)), "")
+    return next((kind for kind in KINDS if kind in system.records), "")
 
 
 def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:

@@ -7,13 +7,50 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.elements import registry
-from pitchpoint.elements.kind import DRIVE, Kind
 from pitchpoint.model.show import dotted
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.system.system import System
+
+SIGNALS = ("sensors", "blocks", "controllers", "actuators")
+SECTIONS: dict[str, tuple[str, ...]] = {
+    "ball_on_surface": ("surface_contacts",),
+    "beam": ("beams",),
+    "bearing": ("bearings", "couplings"),
+    "bevel_mesh": ("bevel_meshes",),
+    "bushing": ("bushings",),
+    "clearance_bearing": ("plain_bearings",),
+    "closure": ("joints", "rods"),
+    "coupling": ("torsion_springs",),
+    "curve_on_curve": ("curve_contacts",),
+    "curve_curve": ("curve_contacts",),
+    "flexible_body": ("elastic_bodies",),
+    "force": ("loads",),
+    "friction_clutch": ("clutches",),
+    "gear_mesh": ("meshes",),
+    "guide": ("joints", "elastic_bodies"),
+    "joint_friction": ("joints",),
+    "loose_bearing": ("bearings",),
+    "maxwell": ("maxwells",),
+    "point_curve": ("cam_contacts",),
+    "point_on_curve": ("cam_contacts",),
+    "point_surface": ("surface_contacts",),
+    "ratio": ("ratios",),
+    "rolling_bearing": ("rolling_bearings",),
+    "shaft_beam": ("shafts",),
+    "signal": SIGNALS,
+    "signal_of_loads": SIGNALS,
+    "spring_damper": ("springs",),
+    "surface_surface": ("surface_contacts",),
+    "torque": ("loads",),
+    "torsion_maxwell": ("torsion_maxwells",),
+}
+"""Sections of a model file whose components become records of a kind."""
+CONTACTS = ("ball_on_surface", "curve_on_curve", "point_on_curve")
+"""Kinds whose rows are gaps."""
+LENGTHS = ("x", "y", "z")
+"""Last words of closures that are distances; the others are angles."""
 
 
 def source(system: System, kind: str, name: str) -> str:
@@ -31,12 +68,11 @@ def source(system: System, kind: str, name: str) -> str:
     str
         Without a model, or where none of its components has the name: kind and name.
     """
-    described = registry.find(kind)
-    if described.role == DRIVE and (driven := _drive(system, name)):
-        return driven
-    found = _component(system, described, name)
+    if kind == "drive" and (told := _drive(system, name)):
+        return told
+    found = _component(system, kind, name)
     if found is None:
-        return f"{described.words} {name!r}"
+        return f"{kind.replace('_', ' ')} {name!r}"
     section, component = found
     line = system.model.line((section, component)) if system.model is not None else None
     return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
@@ -65,16 +101,16 @@ def _drive(system: System, name: str) -> str:
 def row_source(system: System, row: int) -> str:
     """The same for a constraint row by its number."""
     words = system.layout.rows[row]
-    kind, _, name = words.partition(" ")
-    return source(system, kind, name) if _component(system, registry.find(kind), name) else words
+    kind, name = _row(words)
+    return source(system, kind, name) if kind and _component(system, kind, name) else words
 
 
 def row_unit(system: System, row: int) -> str:
     """Unit of what a constraint row is off by, with a blank before it; "" for angles and ratios."""
-    kind = registry.find(system.layout.rows[row].partition(" ")[0])
-    bank = system.records[kind.name]
-    unit = kind.row_unit(bank[(bank["row"] <= row) & (row < bank["row"] + kind.rows)][0])
-    return f" {unit}" if unit else ""
+    kind, name = _row(system.layout.rows[row])
+    distance = kind in CONTACTS or (kind == "closure" and name.rpartition(".")[2] in LENGTHS)
+    rod = kind == "closure" and system.model is not None and name in system.model.rods
+    return " m" if distance or rod else ""
 
 
 def with_lines(model: Model, error: ModelError) -> ModelError:
@@ -91,11 +127,17 @@ def with_lines(model: Model, error: ModelError) -> ModelError:
     return ModelError(found, error.file or model.file)
 
 
-def _component(system: System, kind: Kind, name: str) -> tuple[str, str] | None:
+def _row(words: str) -> tuple[str, str]:
+    """Kind and name of a row; both empty for rows that are no component's."""
+    kind, _, name = words.partition(" ")
+    return (kind, name) if kind in SECTIONS else ("", "")
+
+
+def _component(system: System, kind: str, name: str) -> tuple[str, str] | None:
     """Section and name of the component that a record comes from."""
     if system.model is None:
         return None
-    for section in kind.sections:
+    for section in SECTIONS.get(kind, ()):
         known = getattr(system.model, section, {})
         for candidate in (name, name.rpartition(".")[0], name.partition(".")[0]):
             if candidate in known:

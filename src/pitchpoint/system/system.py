@@ -12,7 +12,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.elements import kind as traits
 from pitchpoint.elements import registry
 from pitchpoint.multibody.bodies import Body, body_records, spin_of
 from pitchpoint.system.layout import Layout, body_channels, products, structure
@@ -173,18 +172,6 @@ class System:
         body = self.program["body"]
         return np.asarray(body["spin"][body["state"] == 1])
 
-    def kinds(self, role: str) -> list[str]:
-        """Kinds of a role that have records (`elements.kind`), sorted."""
-        return registry.of_role(self.records, role)
-
-    def banks(self, role: str) -> list[NDArray[np.void]]:
-        """Records of all kinds of a role; what is written into them goes to the system."""
-        return [self.records[kind] for kind in self.kinds(role)]
-
-    def rows(self, role: str) -> list[np.void]:
-        """The same, record by record."""
-        return [record for bank in self.banks(role) for record in bank]
-
     def spin(self, body: str) -> int:
         """Index of the spin coordinate of a body by name, or of that which it is fixed to."""
         found = spin_of(self.program["body"], self.layout.bodies.index(body))
@@ -228,10 +215,10 @@ def assemble(
     _check_bodies(bodies, named)
     records = body_records(bodies)
     ordered = _ordered({**banks, **(constraints or {})}, records)
-    framed = (traits.FRAME, traits.FRICTION, traits.CONSTRAINT)
+    framed = (registry.FRAME, registry.FRICTION, registry.CONSTRAINT)
     joined: set[tuple[int, int]] = set().union(*(pairs(ordered, c) for c in framed))
     _check_depth(records, named, products(records, joined))
-    program, pair_index, parts = structure(records, joined, pairs(ordered, traits.COORDINATE))
+    program, pair_index, parts = structure(records, joined, pairs(ordered, registry.COORDINATE))
     for name, bank in ordered.items():
         fill(registry.find(name), bank, records, pair_index, parts)
     channels, events, rows, row_bodies = number(ordered, names or {})
@@ -311,8 +298,8 @@ def _ordered(given: Mapping[str, NDArray[np.void]], records: NDArray[np.void]) -
     banks = {n: bank for n, bank in banks.items() if bank.size}
     for name, bank in banks.items():
         kind = registry.find(name)
-        if kind.body_fixed:
-            for end in kind.ends:
+        if getattr(kind.load(), "BODY_FIXED", False):
+            for end in {f for pair in kind.pairs for f in pair}:
                 records["fixed_axes"][bank[end]] = 1
     return banks
 

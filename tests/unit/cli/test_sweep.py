@@ -9,12 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pitchpoint.cli import sweep as command
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.sweep_store import read_sweep
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.sweep.speed import plan_sweep
-from pitchpoint.system.compile import compile_model
 from tests.support.cli_files import TORSION, json_of, written
 
 SMALL = TORSION.replace("points: 81", "points: 4").replace(
@@ -117,8 +116,7 @@ def test_ctrl_c_keeps_the_finished_points(
 
 def test_plan_by_speed(tmp_path: Path) -> None:
     text = SMALL.replace("mesh_frequency: [1000 Hz, 5000 Hz]", "speed: [600 rpm, 1200 rpm]")
-    model = load_model(written(tmp_path, text))
-    plan = plan_sweep(compile_model(model, "sweep"), model.scenarios["sweep"])
-    assert (plan.mesh, plan.directions) == ("stage", ("up", "down"))
-    assert plan.speeds * 60 / (2 * np.pi) == pytest.approx([600, 800, 1000, 1200])
-    assert plan.frequencies == pytest.approx([500, 2000 / 3, 2500 / 3, 1000])
+    mesh, directions, speeds, frequencies = command.plan(load_model(written(tmp_path, text)), "sweep")
+    assert (mesh, directions) == ("stage", ["up", "down"])
+    assert [s * 60 / (2 * 3.141592653589793) for s in speeds] == pytest.approx([600, 800, 1000, 1200])
+    assert frequencies == pytest.approx([500, 2000 / 3, 2500 / 3, 1000])

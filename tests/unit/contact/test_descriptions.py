@@ -9,7 +9,7 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.contact.stiffness import law_function
+from pitchpoint.contact.stiffness import REGISTRY
 from pitchpoint.contact.stiffness.constant import constant
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.contact.stiffness.energy import energy
@@ -20,7 +20,6 @@ from pitchpoint.contact.stiffness.user import user
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
-from pitchpoint.model.components.stiffness import LAWS, OF_PAIRS
 
 PAIR = GearPair(CylindricalGear(z=50, m_n=3e-3), CylindricalGear(z=50, m_n=3e-3), 0.15)
 
@@ -107,8 +106,18 @@ def test_sine_and_cosine_of_unequal_length():
     assert law.sine.tolist() == [0.0, 0.0, 0.2]
 
 
-def test_every_law_of_model_files_has_its_function():
-    for name in LAWS:
-        function = law_function(name)
-        assert function.__name__ == name
-        assert function.__annotations__["return"] == ("PairShape" if name in OF_PAIRS else "PhaseStiffness")
+def test_registry_is_complete_and_lazy():
+    assert set(REGISTRY) == {
+        "din3990",
+        "energy",
+        "hertz",
+        "constant",
+        "rectangular",
+        "fourier",
+        "table",
+        "user",
+    }
+    for name, source in REGISTRY.items():
+        assert source.function.__name__ == name
+        assert source.returns == source.function.__annotations__["return"]
+        assert source.summary

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import textwrap
 
-from pitchpoint.core import companion, machine_code, notices
+from pitchpoint.core import companion, machine_code
 
 
 def test_an_entry_that_nobody_was_asked_for_is_not_waited_for():
@@ -22,10 +22,9 @@ def test_a_failing_companion_does_no_harm(monkeypatch):
     assert not companion._pending
 
 
-def test_the_first_start_is_explained_once(monkeypatch):
+def test_people_are_told_once():
     heard = []
-    monkeypatch.setattr(notices, "_listeners", [])
-    notices.listen(heard.append)
+    companion.listen(heard.append)
     companion.announce()
     companion.announce()
     assert len(heard) == 1

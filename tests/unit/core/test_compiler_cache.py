@@ -3,6 +3,10 @@
 
 from __future__ import annotations
 
+import os
+import shutil
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from threading import Barrier
 
@@ -50,3 +54,64 @@ def test_other_stamps_keys_and_damage_are_no_code(tmp_path):
     for damaged in (b"", b"\n", whole[:-1], whole[:70], whole.replace(b"\n", b"\nx", 1)):
         file.write_bytes(damaged)
         assert new.load("a") is None
+
+
+KERNELS = """
+import numpy as np
+from pitchpoint.core.kernel import kernel, view
+MASS = np.dtype([("value", "f8")], align=True)
+SPRING = np.dtype([("rest", "f8"), ("value", "f8")], align=True)
+
+@kernel
+def value(one):
+    return one["value"]
+
+@kernel
+def twice(one):
+    return 2.0 * value(one)
+
+@kernel
+def mass(a, rec, n):
+    return int(twice(view(rec, n, MASS)[0]))
+
+@kernel
+def spring(a, rec, n):
+    return int(twice(view(rec, n, SPRING)[0]))
+"""
+ASK = """
+import sys
+import numpy as np
+from pitchpoint.core.kernel import invoke
+import kinds
+for name in sys.argv[1:]:
+    record = np.zeros(1, getattr(kinds, name.upper()))
+    record["value"] = 21.0
+    assert invoke(getattr(kinds, name), 0, record.ctypes.data, 1) == 42
+for each in kinds.value, kinds.twice:
+    print(*(f"{args[0].size}:{made.library.symbol}" for args, made in each.dispatcher.overloads.items()))
+"""
+
+
+@pytest.mark.slow
+def test_parts_of_different_processes_fit_each_other(tmp_path):
+    """Numba names code by numbers of records and by the order of a set, others in each process."""
+    (tmp_path / "kinds.py").write_text(KERNELS)
+
+    def ask(seed, cache, *order):
+        """Names of the parts of a process with a cache of its own."""
+        env = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path / cache), "PYTHONPATH": str(tmp_path)}
+        call = [sys.executable, "-c", ASK, *order]
+        done = subprocess.run(call, env={**env, "PYTHONHASHSEED": seed}, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+        return sorted(done.stdout.split())
+
+    # these two seeds print {"contract", "nsz"} in different orders
+    names = ask("1", "first", "mass", "spring")
+    assert len(names) == 4
+    assert ask("5", "second", "spring", "mass") == names
+    (folder,) = {f.parent.relative_to(tmp_path / "second") for f in (tmp_path / "second").rglob("*.nbc")}
+    for file in (tmp_path / "second" / folder).glob("value*"):
+        assert (tmp_path / "first" / folder / file.name).exists()
+        shutil.copy(file, tmp_path / "first" / folder)
+    shutil.rmtree(tmp_path / "first" / "entries")  # they are linked anew, of parts of both
+    assert ask("1", "first", "mass", "spring") == names

@@ -38,7 +38,7 @@ number = 3
 """
 
 
-pytestmark = [pytest.mark.nojit, pytest.mark.stock]
+pytestmark = pytest.mark.nojit
 
 
 @kernel

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
@@ -37,16 +35,6 @@ def end(name):
     return NUMBER[body], POINTS.get(marker, np.zeros(3)), np.eye(3)
 
 
-def places(**sections):
-    """What rules of a model with these sections read."""
-    return SimpleNamespace(end=end, model=SimpleNamespace(**sections))
-
-
-def surfaces(parts):
-    """Banks of surface contacts."""
-    return surface_banks(places(surface_contacts=parts))
-
-
 def system_of(bank, apart):
     """Two free bodies with the bank of one rule."""
     bodies = [
@@ -76,7 +64,7 @@ def test_a_cam_with_and_without_lift_off():
         "open": CamContact(ends=("a.pin", "b"), curve=CIRCLE, radius=0.01, law=LAW),
         "held": CamContact(ends=("a.pin", "b"), curve=CIRCLE, radius=0.01, permanent=True),
     }
-    one, two = cam_banks(places(cam_contacts=parts))
+    one, two = cam_banks(parts, end)
     assert (one.names, two.names) == (("open",), ("held",))
     assert force(one, (0.0, -1e-4, 0.0)) == pytest.approx(1000.0, rel=1e-9)  # 0.1 mm at 1000 N
     system = system_of(two, (0.0, 0.0, 0.0))
@@ -94,10 +82,9 @@ def test_curves():
         (CIRCLE, 0.0599),
     ):
         parts = {"c": CurveContact(ends=("a", "b"), first=CIRCLE, second=curve, law=LAW)}
-        assert force(
-            curve_banks(places(curve_contacts=parts))[0],
-            (apart, 0.02 if curve.shape == "polygon" else 0.0, 0.0),
-        ) == (pytest.approx(1000.0, rel=1e-6))
+        assert force(curve_banks(parts, end)[0], (apart, 0.02 if curve.shape == "polygon" else 0.0, 0.0)) == (
+            pytest.approx(1000.0, rel=1e-6)
+        )
     involute = ContactCurve(shape="involute", radius=0.05, roll=(0.1, 0.5), hand="right")
     assert curve_of(involute, "x").length == pytest.approx(0.5 * 0.05 * (0.25 - 0.01))
 
@@ -113,21 +100,19 @@ def test_surfaces(tmp_path):
         (BALL, ContactSurface(shape="cylinder", radius=0.03, hollow=True), (0.0201, 0, 0)),
     ):
         one, two, _ = surface_banks(
-            places(
-                surface_contacts={"s": SurfaceContact(ends=("a", "b"), first=first, second=second, law=LAW)}
-            )
+            {"s": SurfaceContact(ends=("a", "b"), first=first, second=second, law=LAW)}, end
         )
         assert two.records.size == 0
         assert force(one, apart) == pytest.approx(1000.0, rel=1e-6)
     swapped = SurfaceContact(ends=("b", "a"), first=ContactSurface(shape="plane"), second=BALL, law=LAW)
-    one, _, _ = surfaces({"s": swapped})
+    one, _, _ = surface_banks({"s": swapped}, end)
     assert (one.records["i"], one.records["j"]) == (1, 2)
     ring = ContactSurface(shape="torus", radius=0.05, tube=0.01)
     part = SurfaceContact(ends=("a", "b"), first=ring, second=ContactSurface(shape="plane"), law=LAW)
-    assert force(surfaces({"s": part})[1], (0, 0, 0.0099)) == pytest.approx(1000.0, rel=1e-6)
+    assert force(surface_banks({"s": part}, end)[1], (0, 0, 0.0099)) == pytest.approx(1000.0, rel=1e-6)
     both = SurfaceContact(ends=("a", "b"), first=triangles, second=triangles, law=LAW)
     # 1000 N per square metre at 0.1 mm, on a side of 36 cm^2 less what hangs over
-    assert force(surfaces({"s": both})[1], (1e-3, 1e-3, 0.0599)) == pytest.approx(3.6, rel=0.07)
+    assert force(surface_banks({"s": both}, end)[1], (1e-3, 1e-3, 0.0599)) == pytest.approx(3.6, rel=0.07)
 
 
 def test_laws():
@@ -136,7 +121,7 @@ def test_laws():
     part = SurfaceContact(
         ends=("a", "ground"), first=BALL, second=ContactSurface(shape="plane"), law=bounce, friction=rough
     )
-    record = surfaces({"s": part})[0].records[0]
+    record = surface_banks({"s": part}, end)[0].records[0]
     assert record["x"] == pytest.approx(1.432751 / 2.0, rel=1e-6)
     assert (record["mu_s"], record["mu_d"], record["v_s"], record["v_d"]) == (0.1, 0.08, 1e-3, 1e-2)
 
@@ -145,7 +130,7 @@ def test_laws():
     ("make", "text"),
     [
         (
-            lambda: cam_banks(places(cam_contacts={"c": CamContact(ends=("a", "b"), curve=CIRCLE)})),
+            lambda: cam_banks({"c": CamContact(ends=("a", "b"), curve=CIRCLE)}, end),
             "cam_contacts.c: .* need a law",
         ),
         (lambda: curve_of(ContactCurve(shape="circle"), "x.curve"), r"x.curve.radius: this shape needs it"),
@@ -156,7 +141,7 @@ def test_laws():
             "overlap",
         ),
         (
-            lambda: surfaces(
+            lambda: surface_banks(
                 {
                     "s": SurfaceContact(
                         ends=("a", "b"),
@@ -164,12 +149,13 @@ def test_laws():
                         second=ContactSurface(shape="plane"),
                         law=LAW,
                     )
-                }
+                },
+                end,
             ),
             "a cone against a plane is not known",
         ),
         (
-            lambda: surfaces(
+            lambda: surface_banks(
                 {
                     "s": SurfaceContact(
                         ends=("a", "b"),
@@ -177,12 +163,13 @@ def test_laws():
                         second=ContactSurface(shape="triangles", file="/nowhere.npy"),
                         law=LAW,
                     )
-                }
+                },
+                end,
             ),
             "surface_contacts.s.file: .*nowhere",
         ),
         (
-            lambda: surfaces(
+            lambda: surface_banks(
                 {
                     "s": SurfaceContact(
                         ends=("a", "b"),
@@ -190,7 +177,8 @@ def test_laws():
                         second=ContactSurface(shape="plane"),
                         law=ContactLaw(force=1.0, depth=1.0, damping=1.0, restitution=0.5),
                     )
-                }
+                },
+                end,
             ),
             "give one",
         ),

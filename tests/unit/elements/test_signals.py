@@ -404,7 +404,7 @@ def test_acceleration_feedback_is_added_inertia():
     net.linear("u", {"acc": -2.0}, 6.0)
     net.torque("m", "u", 1)
     system = assemble_controlled(net, {})
-    assert list(system.records) == ["signal_flow"]
+    assert list(system.records) == ["signal"]
     assert reach(system, 0.5, "rk").v[system.spin("rotor")] == pytest.approx(0.75, rel=1e-9)
 
 
@@ -522,7 +522,7 @@ def test_a_law_that_fails_is_named(what):
 
 
 def test_both_kinds_are_the_same_code():
-    assert registry.find("signal_flow").module == registry.find("signal_of_loads").module
+    assert registry.find("signal").module == registry.find("signal_of_loads").module
 
 
 def test_frames_of_the_oracle_are_those_of_the_engine():

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import load_model, loads_model
-from pitchpoint.model.sections import GROUPS
+from pitchpoint.model.model import GROUPS
 from pitchpoint.report import scene_shapes as shapes
 from pitchpoint.report.scene_rest import rest_scene
 from pitchpoint.report.scene_supports import covers

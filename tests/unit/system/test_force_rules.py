@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
@@ -54,11 +51,6 @@ def world(name):
 PLACES = Places(end, world, lambda name: end(name)[2], {"m": 3}.__getitem__)
 
 
-def places(**sections):
-    """What rules of a model with these sections read."""
-    return replace(PLACES, model=SimpleNamespace(**sections))
-
-
 def system_of(bank, states=()):
     """A system with the bank of one rule."""
     given = {bank.kind: bank.records}
@@ -81,17 +73,17 @@ def moved(system, **coordinates):
 
 def test_springs():
     part = Spring(ends=("a.eye", "ground"), stiffness=50.0, damping=2.0)
-    bank = spring_bank(places(springs={"s": part}))
+    bank = spring_bank({"s": part}, PLACES)
     assert bank.records["free"][0] == pytest.approx(np.hypot(0.3, 0.1))
     assert not np.any(np.abs(moved(system_of(bank))) > 1e-15)
-    bank = spring_bank(places(springs={"s": Spring(ends=("a", "ground"), stiffness=50.0, free_length=0.0)}))
+    bank = spring_bank({"s": Spring(ends=("a", "ground"), stiffness=50.0, free_length=0.0)}, PLACES)
     np.testing.assert_allclose(moved(system_of(bank))[:3], [0.0, 0.0, -5.0], atol=1e-15)
 
 
 def test_springs_with_a_law_of_their_own(tmp_path):
     (tmp_path / "law.py").write_text("def tension(t, x, p):\n    return p[0] * x + 3.0 * p[1]\n")
     law = PythonLaw(str(tmp_path / "law.py"), "tension", (7.0,))
-    bank = spring_bank(places(springs={"s": Spring(ends=("a", "ground"), free_length=0.0, force=law)}))
+    bank = spring_bank({"s": Spring(ends=("a", "ground"), free_length=0.0, force=law)}, PLACES)
     found = moved(system_of(bank), a__z=0.1, v_a__z=0.5)
     assert found[2] == pytest.approx(-(7.0 * 0.2 + 1.5))
 
@@ -108,14 +100,14 @@ def test_springs_with_a_law_of_their_own(tmp_path):
 )
 def test_torsion_springs(law, torque):
     part = TorsionSpring(bodies=("a", "b"), stiffness=2.0, angle=0.5, torque=law)
-    system = system_of(torsion_spring_bank(places(torsion_springs={"s": part})))
+    system = system_of(torsion_spring_bank({"s": part}, PLACES))
     assert moved(system, a__spin=2.5, b__spin=-1.0, v_a__spin=0.5)[5] == pytest.approx(torque)
 
 
 def test_bushings():
     K = Stiffness6(radial=100.0, axial=50.0, torsion=7.0)
     part = Bushing(ends=("a", "b"), stiffness=K, damping=Damping6(axial=3.0))
-    system = system_of(bushing_bank(places(bushings={"b": part})))
+    system = system_of(bushing_bank({"b": part}, PLACES))
     found = moved(system, a__x=0.1, a__spin=0.2, v_b__z=1.0)
     np.testing.assert_allclose(found[[0, 1, 2, 5]], [-10.0, 0.0, 3.0, -1.4], atol=1e-14)
 
@@ -125,14 +117,14 @@ BALLS = {"ends": ("a", "b"), "elements": 9, "element_diameter": 12.7e-3, "pitch_
 
 def test_rolling_bearings():
     part = RollingBearing(grooves=(0.52, 0.52), clearance=20e-6, **BALLS)
-    record = rolling_bearing_bank(places(rolling_bearings={"r": part})).records[0]
+    record = rolling_bearing_bank({"r": part}, PLACES).records[0]
     steel = 2.0 * (1.0 - 0.3**2) / 206e9
     wanted = ball_bearing_stiffness(12.7e-3, 65e-3, (0.52, 0.52), 0.0, steel)
     assert record["stiffness"] == pytest.approx(wanted)
     assert record["gap"] == 10e-6
     assert record["grooves"] == pytest.approx(0.04 * 12.7e-3)
     roller = RollingBearing(type="roller", effective_length=12e-3, **BALLS)
-    record = rolling_bearing_bank(places(rolling_bearings={"r": roller})).records[0]
+    record = rolling_bearing_bank({"r": roller}, PLACES).records[0]
     assert record["exponent"] == pytest.approx(10.0 / 9.0)
     # Palmgren, two contacts: delta = 2 * 3.84e-5 Q^0.9/l^0.8 in N and mm for steel (E 206: 3.85)
     assert 1e3 * (1000.0 / record["stiffness"]) ** 0.9 == pytest.approx(
@@ -140,16 +132,16 @@ def test_rolling_bearings():
     )
     given = RollingBearing(stiffness=1e9, **BALLS | {"ends": ("a.turned", "b")})
     np.testing.assert_allclose(
-        rolling_bearing_bank(places(rolling_bearings={"r": given})).records["A_i"][0], np.eye(3), atol=1e-15
+        rolling_bearing_bank({"r": given}, PLACES).records["A_i"][0], np.eye(3), atol=1e-15
     )
-    assert rolling_bearing_bank(places(rolling_bearings={"r": given})).records["stiffness"][0] == 1e9
+    assert rolling_bearing_bank({"r": given}, PLACES).records["stiffness"][0] == 1e9
     with pytest.raises(CompileError, match=r"rolling_bearings\.r: give grooves, or stiffness"):
-        rolling_bearing_bank(places(rolling_bearings={"r": RollingBearing(**BALLS)}))
+        rolling_bearing_bank({"r": RollingBearing(**BALLS)}, PLACES)
 
 
 def test_plain_bearings():
     part = PlainBearing(ends=("a", "b"), clearance=2e-3, stiffness=1e6)
-    system = system_of(plain_bearing_bank(places(plain_bearings={"p": part})))
+    system = system_of(plain_bearing_bank({"p": part}, PLACES))
     assert not np.any(moved(system, a__x=0.9e-3))
     assert moved(system, a__x=3e-3)[0] == pytest.approx(-2000.0)
 
@@ -159,7 +151,7 @@ def test_clutches():
         "m": Clutch(bodies=("a", "b"), capacity=TableLaw((0.0, 1.0), (5.0, 9.0)), wind_up=1e-2),
         "n": Clutch(bodies=("a",), capacity=Constant(3.0), law="smooth", slip_speed=0.5),
     }
-    bank = clutch_bank(places(clutches=clutches))
+    bank = clutch_bank(clutches, PLACES)
     assert bank.records["k"].tolist() == [3, 0]
     assert bank.records["stiffness"][0] == pytest.approx(100.0)
     system = system_of(bank, ["m"])
@@ -169,14 +161,12 @@ def test_clutches():
 
 
 def test_maxwell_elements():
-    line = maxwell_bank(places(maxwells={"m": Maxwell(ends=("a", "ground"), stiffness=10.0, damping=2.0)}))
+    line = maxwell_bank({"m": Maxwell(ends=("a", "ground"), stiffness=10.0, damping=2.0)}, PLACES)
     system = system_of(line, ["m"])
     state = system.initial_state()
     state.v[system.spin("m.state")] = 4.0
     np.testing.assert_allclose(wrenches(system, state)[1, :3], [0.0, 0.0, -4.0])
-    turn = torsion_maxwell_bank(
-        places(torsion_maxwells={"m": TorsionMaxwell(bodies=("a", "b"), stiffness=10.0, damping=2.0)})
-    )
+    turn = torsion_maxwell_bank({"m": TorsionMaxwell(bodies=("a", "b"), stiffness=10.0, damping=2.0)}, PLACES)
     system = system_of(turn, ["m"])
     state = system.initial_state()
     state.v[system.spin("m.state")] = 4.0

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-from types import SimpleNamespace
 
 import pytest
 
@@ -18,7 +17,7 @@ def at(table: str, over: str, *, t: float = 0.0, angle: float = 0.0, turns: int 
     """Value and slope over the angle of the table of one load."""
     body = "bodies: {b: {motion: torsion, inertia: 1 kg m^2}}\n"
     load = f"loads: {{l: {{body: b, torque: {{table: {table}, over: {over}}}}}}}\n"
-    bank = load_banks(SimpleNamespace(model=loads_model(SPARE + body + load)))[0]
+    bank = load_banks(loads_model(SPARE + body + load))[0]
     assert bank.pool is not None
     bank.records["pool"] = bank.pool.ctypes.data
     return signal(bank.records[0], t, angle, turns, 0.0, 1)[:2]

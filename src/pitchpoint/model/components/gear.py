@@ -230,14 +230,3 @@ class Gear:
         from pitchpoint.geometry.materials import Material, material
 
         return self.material if isinstance(self.material, Material) else material(self.material)
-
-    @property
-    def blank_factor(self) -> float:
-        """Factor C_R of the gear blank for the stiffness by ISO 6336-1; 1 without rim and web."""
-        from pitchpoint.contact.stiffness.din3990 import blank_factor
-
-        if self.rim_thickness is None and self.web_thickness is None:
-            return 1.0
-        web = 1.0 if self.web_thickness is None else self.web_thickness / self.face_width
-        rim = 1.0 if self.rim_thickness is None else self.rim_thickness / self.normal_module
-        return blank_factor(web, rim)

@@ -1,20 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness laws of a mesh as a user names them; the numbers are computed in `contact/stiffness`.
-
-A new law is a class of this file, listed in `LAWS`, and a function of its name in `contact/stiffness`.
-"""
+"""Stiffness laws of a mesh as a user names them; the numbers are computed in `contact/stiffness`."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
+from typing import ClassVar, TypeAlias
 
 from pitchpoint.model.components.law import PythonLaw
-from pitchpoint.model.keys import choice, key, keys_of, positive, quantities, quantity
-
-if TYPE_CHECKING:
-    from pitchpoint.model.components.gear import Gear
+from pitchpoint.model.keys import choice, key, positive, quantities, quantity
 
 
 def _ratio() -> float:
@@ -39,42 +32,11 @@ def _relief() -> float:
     return value
 
 
-class StiffnessLaw:
-    """A stiffness law of a model file: its name, and what the function of that name is called with."""
-
-    law: ClassVar[str]
-    """Name in model files, of the module in `contact.stiffness`, and of the function in it."""
-    of_pairs: ClassVar[bool] = False
-    """Whether it describes one tooth pair; all others prescribe the stiffness of the whole mesh."""
-
-    def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function next to the pair, for two gears: its keys, unless a law says more."""
-        return {name: getattr(self, name) for name in keys_of(type(self))}
-
-
-def standard_options(gears: Sequence[Gear], virtual_teeth: str = "iso") -> dict[str, Any]:
-    """Blank factor, moduli and virtual numbers of teeth for the single stiffness by DIN 3990 / ISO 6336-1."""
-    return {
-        "C_R": min(gear.blank_factor for gear in gears),
-        "moduli": tuple(gear.material_data.youngs_modulus for gear in gears),
-        "virtual_teeth_formula": virtual_teeth,
-    }
-
-
-def _moduli(gears: Sequence[Gear]) -> dict[str, Any]:
-    materials = [gear.material_data for gear in gears]
-    return {
-        "moduli": tuple(m.youngs_modulus for m in materials),
-        "poisson": tuple(m.poisson_ratio for m in materials),
-    }
-
-
 @dataclass(frozen=True, kw_only=True)
-class BevelDin3990(StiffnessLaw):
+class BevelDin3990:
     """Single tooth stiffness by DIN 3990 of the virtual cylindrical gears, with a parabola along the path."""
 
     law: ClassVar[str] = "din3990"
-    of_pairs: ClassVar[bool] = True
     stiffness_ratio: float = _ratio()
     tip_relief_factor: float = _relief()
     single_stiffness: float | None = positive(
@@ -92,31 +54,17 @@ class Din3990(BevelDin3990):
 
     virtual_teeth: str = choice(("iso", "cos3"), "z_n = z/(cos^2 beta_b cos beta), or z/cos^3 beta", "iso")
 
-    def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function, with the factors of the gears."""
-        return {
-            "S_R": self.stiffness_ratio,
-            "T_R": self.tip_relief_factor,
-            "c_prime": self.single_stiffness,
-            "low_load": self.low_load,
-            **standard_options(gears, self.virtual_teeth),
-        }
-
 
 @dataclass(frozen=True, kw_only=True)
-class ConstantStiffness(StiffnessLaw):
+class ConstantStiffness:
     """The same total mesh stiffness at every phase."""
 
     law: ClassVar[str] = "constant"
     value: float = positive("stiffness", "total mesh stiffness along the base tangent")
 
-    def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function."""
-        return {"mean": self.value}
-
 
 @dataclass(frozen=True, kw_only=True)
-class Rectangular(StiffnessLaw):
+class Rectangular:
     """Total mesh stiffness that jumps between two values once per base pitch."""
 
     law: ClassVar[str] = "rectangular"
@@ -133,7 +81,7 @@ class Rectangular(StiffnessLaw):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Fourier(StiffnessLaw):
+class Fourier:
     """Total mesh stiffness as a Fourier series over the mesh phase."""
 
     law: ClassVar[str] = "fourier"
@@ -143,7 +91,7 @@ class Fourier(StiffnessLaw):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Table(StiffnessLaw):
+class Table:
     """Total mesh stiffness as a table over one base pitch, linear between its equally spaced points."""
 
     law: ClassVar[str] = "table"
@@ -157,11 +105,10 @@ class Table(StiffnessLaw):
 
 
 @dataclass(frozen=True, kw_only=True)
-class PairTable(StiffnessLaw):
+class PairTable:
     """Stiffness of one pair as a table along the path of contact from A to E."""
 
     law: ClassVar[str] = "pair_table"
-    of_pairs: ClassVar[bool] = True
     single_stiffness: float = positive("stiffness_per_width", "single tooth stiffness c' per face width")
     values: tuple[float, ...] = quantities(
         "dimensionless",
@@ -173,33 +120,22 @@ class PairTable(StiffnessLaw):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Energy(StiffnessLaw):
+class Energy:
     """Stiffness from bending, shear, axial, Hertz and body compliance of the real tooth form."""
 
     law: ClassVar[str] = "energy"
-    of_pairs: ClassVar[bool] = True
     tip_relief_factor: float = _relief()
     body: bool = key("boolean", "include the compliance of the gear body", True)
 
-    def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function, with materials and bores of the gears."""
-        return {
-            "T_R": self.tip_relief_factor,
-            "bores": tuple(gear.bore_diameter or None for gear in gears),
-            "body": "load_line" if self.body else "rigid",
-            **_moduli(gears),
-        }
-
 
 @dataclass(frozen=True, kw_only=True)
-class Hertz(StiffnessLaw):
+class Hertz:
     """One tooth pair as an impact force K u^e over the overlap u, the same all along its path.
 
     K by Hertz from the curvatures at the pitch point, or from a force at a depth.
     """
 
     law: ClassVar[str] = "hertz"
-    of_pairs: ClassVar[bool] = True
     diameter: str = choice(
         ("reference", "operating"),
         "diameter of gear 1 in the formula of its curvature; reference is exact, operating too large by "
@@ -215,20 +151,9 @@ class Hertz(StiffnessLaw):
     depth: float | None = positive("length", "overlap normal to the flanks at which it is `force`", None)
     tip_relief_factor: float = _relief()
 
-    def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function, with the materials of the gears."""
-        given = self.force is not None and self.depth is not None
-        return {
-            "diameter": self.diameter,
-            "constant": self.force / self.depth**self.exponent if given else None,  # type: ignore[operator]
-            "exponent": self.exponent,
-            "T_R": self.tip_relief_factor,
-            **_moduli(gears),
-        }
-
 
 @dataclass(frozen=True, kw_only=True)
-class UserStiffness(StiffnessLaw):
+class UserStiffness:
     """Total mesh stiffness k(t, psi) by a user's Python function; needs --allow-code."""
 
     law: ClassVar[str] = "user"
@@ -237,7 +162,10 @@ class UserStiffness(StiffnessLaw):
     )
 
 
-LAWS: dict[str, type[StiffnessLaw]] = {
+StiffnessLaw: TypeAlias = (
+    Din3990 | ConstantStiffness | Rectangular | Fourier | Table | PairTable | Energy | Hertz | UserStiffness
+)
+LAWS: dict[str, type] = {
     c.law: c
     for c in (
         Din3990,
@@ -256,5 +184,5 @@ BevelStiffnessLaw: TypeAlias = BevelDin3990 | ConstantStiffness
 BEVEL_LAWS: dict[str, type] = {c.law: c for c in (BevelDin3990, ConstantStiffness)}
 """Laws of bevel meshes."""
 
-OF_PAIRS = tuple(sorted(name for name, found in LAWS.items() if found.of_pairs))
-"""Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh."""
+#: Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh.
+OF_PAIRS = ("din3990", "energy", "hertz", "pair_table")

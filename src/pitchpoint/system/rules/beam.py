@@ -54,9 +54,18 @@ def beam_stations(model: Model, places: Places) -> list[Body]:
     return found
 
 
-def beam_bank(places: Places) -> Bank:
-    """Pieces of all beams."""
-    model, first = places.model, places.first_station
+def beam_bank(model: Model, places: Places, first: int) -> Bank:
+    """Pieces of all beams.
+
+    Parameters
+    ----------
+    model
+        The model.
+    places
+        How its ends are found.
+    first
+        Number of the first station in the records.
+    """
     rows, names, station = [np.zeros(0, RECORD)], [], first
     for name, part in model.beams.items():
         root, tip, axes = _line(model, part)

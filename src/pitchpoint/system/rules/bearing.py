@@ -17,19 +17,17 @@ from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.multibody.bodies import FIXED, Body
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import count_of, frame_at, seat_at
-from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
-def bearing_bank(places: Places) -> Bank:
+def bearing_bank(model: Model) -> Bank:
     """All bearings that sit tight (body to ground or housing) and couplings (body to body).
 
     The markers lie on the spin axes, so that the springs do not turn with the gears; a model has no x and y
     in their positions. The springs act along the axes of the (first) body.
     """
-    model = places.model
     rows, names = [], []
     seats = housing_numbers(model)
     parts: list[tuple[str, Bearing | Coupling, tuple[str, ...]]] = [

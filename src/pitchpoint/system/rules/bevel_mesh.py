@@ -27,8 +27,7 @@ from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.model.shafts import middle_of
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
-from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses
-from pitchpoint.system.rules.places import Places
+from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses, put_losses
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_pair import BevelPair
@@ -122,7 +121,7 @@ def _assembly(row: Any, pair: BevelPair, place: Placement, backlash: float) -> N
 
 
 def _stiffness(row: Any, pair: BevelPair, stiffness: Description) -> None:
-    row["power"] = 1.0
+    row["contact"]["power"] = 1.0
     if isinstance(stiffness, PairShape):
         row["source"] = layout.PROFILE
         row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
@@ -156,12 +155,8 @@ def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float
     _cones(row, pair, place)
     _assembly(row, pair, place, pair.R_m * pair.sigma_j if backlash is None else backlash)
     _stiffness(row, pair, laws.stiffness)
-    row["k_ref"] = row["k_step"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
-    for name in ("d_in", "d_out", "s_0", "smooth", "chi", "d_gap", "mu", "v_eps"):
-        row[name] = getattr(laws, name)
-    row["rubs"] = laws.mu > 0.0
-    row["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
-    row["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
+    row["contact"]["k_ref"] = row["k_step"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
+    put_losses(row, laws)
     return row
 
 
@@ -252,9 +247,8 @@ def own_teeth(row: Any, pair: BevelPair, gears: Sequence[BevelGear], keep: Calla
         row["sep_min"] -= np.abs(table[:, 2]).max()
 
 
-def bevel_bank(places: Places) -> Bank:
+def bevel_bank(model: Model) -> Bank:
     """All bevel meshes."""
-    model = places.model
     rows, names, pool = [], [], Pool()
     for name, mesh in model.bevel_meshes.items():
         if None in [model.body_of(g) for g in mesh.gears]:
@@ -274,7 +268,7 @@ def bevel_bank(places: Places) -> Bank:
             gears = [model.bevel_gears[g] for g in mesh.gears]
             own_teeth(row, model.bevel_pairs[name], gears, pool.add)
         # the checks of the model have found out that some gear rides on a carrier, or none
-        row["carried"] = carrying(model, *(str(model.body_of(g)) for g in mesh.gears)) or 0
+        row["carried"] = carrying(model, *(str(model.body_of(g)) for g in mesh.gears)) or 0  # type: ignore[arg-type]
         rows.append(row)
         names.append(name)
     return pack("bevel_mesh", layout.RECORD, rows, names, pool=pool.array())

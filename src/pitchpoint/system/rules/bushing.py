@@ -3,17 +3,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from pitchpoint.elements import bushing as element
+from pitchpoint.model.components.bushing import Bushing
 from pitchpoint.model.frames import GROUND
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.places import Places
 
 
-def bushing_bank(places: Places) -> Bank:
+def bushing_bank(bushings: Mapping[str, Bushing], places: Places) -> Bank:
     """All bushings; on ground they end where their other end is drawn."""
-    bushings = places.model.bushings
     rows = []
     for part in bushings.values():
         row = np.zeros(1, element.RECORD)[0]

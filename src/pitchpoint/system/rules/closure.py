@@ -14,15 +14,13 @@ from pitchpoint.elements.closure_rows import cut_joint, rod
 from pitchpoint.model.frames import joint_axes, joint_place, split
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bodies import CODES, bodies, end_of, frame_at, world_place
-from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
-    pass
+    from pitchpoint.model.model import Model
 
 
-def closure_bank(places: Places) -> Bank:
+def closure_bank(model: Model) -> Bank:
     """Rows of all cut joints and rods, named JOINT.x, JOINT.xy and the like by what they hold fast."""
-    model = places.model
     tree = bodies(model) if model.mechanism.cut or model.rods else []
     records, names = [np.zeros(0, element.RECORD)], []
     for name in model.mechanism.cut:

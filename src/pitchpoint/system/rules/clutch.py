@@ -3,18 +3,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from pitchpoint.elements import friction_clutch as element
 from pitchpoint.elements import signal as sig
+from pitchpoint.model.components.clutch import Clutch
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.load import set_signal
 from pitchpoint.system.rules.places import Places
 
 
-def clutch_bank(places: Places) -> Bank:
+def clutch_bank(clutches: Mapping[str, Clutch], places: Places) -> Bank:
     """All clutches and brakes."""
-    clutches = places.model.clutches
     pool, rows, laws = sig.Pool(), [], []
     for name, part in clutches.items():
         row = np.zeros(1, element.RECORD)[0]

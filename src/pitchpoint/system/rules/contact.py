@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TypeAlias
 
 import numpy as np
@@ -34,7 +34,6 @@ from pitchpoint.model.components.contact import (
     SurfaceContact,
 )
 from pitchpoint.system.rules.bank import Bank, pack
-from pitchpoint.system.rules.places import Places
 
 Array = NDArray[np.float64]
 
@@ -42,22 +41,30 @@ Array = NDArray[np.float64]
 End: TypeAlias = Callable[[str], tuple[int, Array, Array]]
 
 
-def cam_banks(places: Places) -> tuple[Bank, Bank]:
-    """Cams and followers: those with a force, and those that never part (a constraint)."""
+def cam_banks(contacts: Mapping[str, CamContact], end: End) -> tuple[Bank, Bank]:
+    """Cams and followers: those with a force, and those that never part (a constraint).
+
+    Parameters
+    ----------
+    contacts
+        By name.
+    end
+        Places of the names of bodies and markers.
+    """
     pool, rows, names = Pool(), [], []
     held_pool, held, held_names = Pool(), [], []
-    for name, part in places.model.cam_contacts.items():
+    for name, part in contacts.items():
         where = f"cam_contacts.{name}"
         curve = curve_of(part.curve, f"{where}.curve")
         if part.permanent:
             row = np.zeros(1, point_on_curve.RECORD)[0]
-            row["i"], row["pi"], _ = places.end(part.ends[0])
-            row["j"], row["pj"], row["Bj"] = places.end(part.ends[1])
+            row["i"], row["pi"], _ = end(part.ends[0])
+            row["j"], row["pj"], row["Bj"] = end(part.ends[1])
             point_on_curve.set_point_on_curve(row, held_pool, curve, part.radius)
             held.append(row)
             held_names.append(name)
             continue
-        row = _marked(part.ends, places.end)
+        row = _marked(part.ends, end)
         point_curve.set_cam(row, pool, curve, part.radius, part.depth)
         _forces(row, _law_of(part, where), part.friction, where)
         rows.append(row)
@@ -68,12 +75,12 @@ def cam_banks(places: Places) -> tuple[Bank, Bank]:
     )
 
 
-def curve_banks(places: Places) -> tuple[Bank, Bank]:
+def curve_banks(contacts: Mapping[str, CurveContact], end: End) -> tuple[Bank, Bank]:
     """Curves against curves: those with a force, and those that never part."""
     pools, rows, names = (Pool(), Pool()), ([], []), ([], [])  # type: ignore[var-annotated]
-    for name, part in places.model.curve_contacts.items():
+    for name, part in contacts.items():
         where = f"curve_contacts.{name}"
-        row = _marked(part.ends, places.end)
+        row = _marked(part.ends, end)
         both = curve_of(part.first, f"{where}.first"), curve_of(part.second, f"{where}.second")
         which = 1 if part.permanent else 0
         if part.permanent:
@@ -95,15 +102,15 @@ def _law_of(part: CamContact | CurveContact | SurfaceContact, where: str) -> Con
     return part.law
 
 
-def surface_banks(places: Places) -> tuple[Bank, Bank, Bank]:
+def surface_banks(contacts: Mapping[str, SurfaceContact], end: End) -> tuple[Bank, Bank, Bank]:
     """Surfaces against surfaces: those with a sphere, all others, and spheres that never part."""
     pools, rows, names = (Pool(), Pool()), ([], [], []), ([], [], [])  # type: ignore[var-annotated]
-    for name, part in places.model.surface_contacts.items():
+    for name, part in contacts.items():
         where = f"surface_contacts.{name}"
         first, second, ends = part.first, part.second, part.ends
         if not _in_order(first, second):
             first, second, ends = second, first, (ends[1], ends[0])
-        row = _marked(ends, places.end)
+        row = _marked(ends, end)
         which = 2 if part.permanent else 0 if _is_ball(first) else 1
         if which == 1:
             _pair(row, pools[1], first, second, part, where)

@@ -33,7 +33,6 @@ from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.multibody.matrix_market import read_parts
 from pitchpoint.multibody.structure import Structure, check_mass, check_speed, turned_stiffening
 from pitchpoint.system.rules.bank import Bank
-from pitchpoint.system.rules.places import Places
 from pitchpoint.system.source import with_lines
 
 if TYPE_CHECKING:
@@ -189,9 +188,16 @@ def _spinning_frame(model: Model, name: str) -> Body:
     return Body(motion=FREE, position=origin, axes=axes_of(model, name), inertia=np.zeros((3, 3)), name=name)
 
 
-def elastic_bank(places: Places) -> Bank:
-    """All elastic bodies."""
-    model, numbers = places.model, places.numbers
+def elastic_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
+    """All elastic bodies.
+
+    Parameters
+    ----------
+    model
+        The model.
+    numbers
+        Number of every body in the records.
+    """
     parts = [elastic_of(model, name, numbers[name]).flexible for name in model.elastic_bodies]
     return Bank("flexible_body", np.concatenate([np.zeros(0, RECORD), *parts]), tuple(model.elastic_bodies))
 

@@ -18,16 +18,15 @@ from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.drive import value_of_law
 from pitchpoint.system.rules.elastic_body import elastic_of
-from pitchpoint.system.rules.places import Places
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
-    pass
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
 
 
-def guide_bank(places: Places) -> Bank:
+def guide_bank(model: Model, scenario: Scenario | None) -> Bank:
     """Functions of all joints that have some; Python functions are followed over the scenario's duration."""
-    model, scenario = places.model, places.scenario
     number = body_numbers(model)
     duration = (scenario.duration if scenario is not None else None) or 1.0
     pool = Pool()

@@ -13,16 +13,15 @@ from pitchpoint.model.frames import joint_axes, joint_place, split
 from pitchpoint.model.mechanism import Seat, rows_of, seat_frame
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers, frame_at
-from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.model import Model
+    from pitchpoint.multibody.bodies import Body
 
 
-def friction_bank(places: Places) -> Bank:
-    """Friction of all joints that have some."""
-    model, bodies = places.model, places.tree
+def friction_bank(model: Model, bodies: list[Body]) -> Bank:
+    """Friction of all joints that have some; `bodies` are those of the tree."""
     number = body_numbers(model)
     pool = Pool()
     rows, names = [], []

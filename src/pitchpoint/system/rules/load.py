@@ -18,7 +18,6 @@ from pitchpoint.model.frames import GROUND, body_frame
 from pitchpoint.model.shafts import place_of_load
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import end_of, frame_at, seat_at
-from pitchpoint.system.rules.places import Places
 from pitchpoint.system.rules.stiffness import user_law
 
 if TYPE_CHECKING:
@@ -56,9 +55,9 @@ def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:
     return None
 
 
-def load_banks(places: Places) -> list[Bank]:
+def load_banks(model: Model) -> list[Bank]:
     """All torques and forces."""
-    return [_torques(places.model), _forces(places.model)]
+    return [_torques(model), _forces(model)]
 
 
 def _torques(model: Model) -> Bank:

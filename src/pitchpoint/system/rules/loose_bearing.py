@@ -13,10 +13,9 @@ from pitchpoint.model.frames import body_frame
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bearing import damping_matrix, housing_numbers
 from pitchpoint.system.rules.bodies import seat_at
-from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
-    pass
+    from pitchpoint.model.model import Model
 
 SEAT = 0.1
 """Share of the radial play over which the seat gives way before its ring is firm."""
@@ -24,9 +23,8 @@ TILTS = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 """Axial displacement and turns about x and y, over axial displacement and x, y of the axis of the shaft."""
 
 
-def loose_bearing_bank(places: Places) -> Bank:
+def loose_bearing_bank(model: Model) -> Bank:
     """All bearings with play in their seat; those without are linear and stand in `bearing_bank`."""
-    model = places.model
     rows, names = [], []
     seats = housing_numbers(model)
     for name, part in model.bearings.items():

@@ -1,19 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What rules read: the model, where its names are found in records, and hidden bodies that hold states."""
+"""What rules of force elements ask about names in a model, and the hidden bodies that hold states."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.multibody.bodies import Body
-
-if TYPE_CHECKING:
-    from pitchpoint.model.scenario import Scenario
 
 Array = NDArray[np.float64]
 
@@ -33,25 +30,12 @@ class Places:
         Of the same: the axes in the world then, columns.
     state
         Of an element with a state: number of its hidden body.
-    model, scenario
-        What is compiled.
-    numbers
-        Number of every body of the model.
-    tree
-        Bodies of the model and stations of its beams, in the order of their numbers, from 1.
-    first_station
-        Number of the first station of beams.
     """
 
     end: Callable[[str], tuple[int, Array, Array]]
     world: Callable[[str], Array]
     axes: Callable[[str], Array]
     state: Callable[[str], int]
-    model: Any = None
-    scenario: Scenario | None = None
-    numbers: Mapping[str, int] = field(default_factory=dict)
-    tree: Sequence[Body] = ()
-    first_station: int = 0
 
     def mark(self, row: Any, ends: Iterable[str]) -> None:
         """Write bodies, points and, where the record has them, axes of two ends."""

@@ -12,15 +12,13 @@ from pitchpoint.elements import ratio as element
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
-from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
-    pass
+    from pitchpoint.model.model import Model
 
 
-def ratio_bank(places: Places) -> Bank:
+def ratio_bank(model: Model) -> Bank:
     """All ratios; each keeps the value that its sum has at the start values of the joints."""
-    model = places.model
     number = body_numbers(model)
     rows, names = [], []
     for name, part in model.ratios.items():

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -14,15 +15,14 @@ from pitchpoint.elements import clearance_bearing, rolling_bearing
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.materials import Material, material
 from pitchpoint.model.components.bearing_fault import play
-from pitchpoint.model.components.rolling_bearing import RollingBearing
+from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bearing_fault import put_faults
 from pitchpoint.system.rules.places import Array, Places
 
 
-def rolling_bearing_bank(places: Places) -> Bank:
+def rolling_bearing_bank(bearings: Mapping[str, RollingBearing], places: Places) -> Bank:
     """All rolling bearings; the first end is the inner ring."""
-    bearings = places.model.rolling_bearings
     rows = []
     pool = Pool()
     for name, part in bearings.items():
@@ -70,9 +70,8 @@ def _stiffness(name: str, part: RollingBearing) -> float:
     raise CompileError(f"rolling_bearings.{name}: give {missing}, or stiffness")
 
 
-def plain_bearing_bank(places: Places) -> Bank:
+def plain_bearing_bank(bearings: Mapping[str, PlainBearing], places: Places) -> Bank:
     """All plain bearings with clearance; the first end is the journal."""
-    bearings = places.model.plain_bearings
     rows = []
     for part in bearings.values():
         row = np.zeros(1, clearance_bearing.RECORD)[0]

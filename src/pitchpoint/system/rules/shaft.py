@@ -23,7 +23,6 @@ from pitchpoint.model.shafts import cut, middle_of, on_shaft, section_at, statio
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system.rules.bank import Bank
-from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.shaft import Shaft
@@ -175,9 +174,16 @@ def shaft_of(model: Model, name: str, first: int) -> ShaftParts:
     )
 
 
-def shaft_bank(places: Places) -> Bank:
-    """Pieces of all shafts between their stations."""
-    model, numbers = places.model, places.numbers
+def shaft_bank(model: Model, numbers: Mapping[str, int]) -> Bank:
+    """Pieces of all shafts between their stations.
+
+    Parameters
+    ----------
+    model
+        The model.
+    numbers
+        Number of every body in the records.
+    """
     parts = [shaft_of(model, name, numbers[name]) for name in model.shafts]
     records = [np.zeros(0, RECORD), *(p.beams for p in parts)]
     return Bank("shaft_beam", np.concatenate(records), tuple(n for p in parts for n in p.names))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,8 @@ import numpy as np
 from pitchpoint.elements import coupling, maxwell, spring_damper, torsion_maxwell
 from pitchpoint.elements import signal as sig
 from pitchpoint.model.components.law import Law
+from pitchpoint.model.components.spring import Maxwell, Spring
+from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bank import Law as Function
 from pitchpoint.system.rules.load import set_signal
@@ -18,9 +21,8 @@ from pitchpoint.system.rules.places import Places
 TURN = 2.0 * np.pi
 
 
-def spring_bank(places: Places) -> Bank:
+def spring_bank(springs: Mapping[str, Spring], places: Places) -> Bank:
     """Springs and dampers along lines; without a free length as long as they are placed."""
-    springs = places.model.springs
     pool, rows = sig.Pool(), []
     laws: list[Function | None] = []
     for name, part in springs.items():
@@ -44,9 +46,8 @@ def _further(row: Any, pool: sig.Pool, law: Law | None, where: str) -> Function 
     return function
 
 
-def maxwell_bank(places: Places) -> Bank:
+def maxwell_bank(elements: Mapping[str, Maxwell], places: Places) -> Bank:
     """Maxwell elements along lines."""
-    elements = places.model.maxwells
     rows = []
     for name, part in elements.items():
         row = np.zeros(1, maxwell.RECORD)[0]
@@ -57,9 +58,8 @@ def maxwell_bank(places: Places) -> Bank:
     return pack("maxwell", maxwell.RECORD, rows, list(elements))
 
 
-def torsion_spring_bank(places: Places) -> Bank:
+def torsion_spring_bank(springs: Mapping[str, TorsionSpring], places: Places) -> Bank:
     """Torsion springs and dampers; only a table over a whole turn repeats, others go on constant."""
-    springs = places.model.torsion_springs
     pool, rows, laws = sig.Pool(), [], []
     for name, part in springs.items():
         row = np.zeros(1, coupling.RECORD)[0]
@@ -72,9 +72,8 @@ def torsion_spring_bank(places: Places) -> Bank:
     return pack("coupling", coupling.RECORD, rows, list(springs), pool=pool.array(), laws=tuple(laws))
 
 
-def torsion_maxwell_bank(places: Places) -> Bank:
+def torsion_maxwell_bank(elements: Mapping[str, TorsionMaxwell], places: Places) -> Bank:
     """Maxwell elements in torsion."""
-    elements = places.model.torsion_maxwells
     rows = []
     for name, part in elements.items():
         row = np.zeros(1, torsion_maxwell.RECORD)[0]

@@ -1,2 +1,0 @@
-# SPDX-License-Identifier: Apache-2.0
-"""Magnetic couplings for pitchpoint: a package of its own, installed next to it."""
