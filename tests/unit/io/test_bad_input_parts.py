@@ -57,7 +57,7 @@ def test_a_tip_diameter_that_points_the_tooth_is_named_with_the_largest_one_that
     assert problem.limit == "usually 0.2 m_n, at 80.60 mm"
     assert problem.remedy == "use at most 80.60 mm"
     assert loads_model(text % "80.60").gears["a"].tip_diameter == pytest.approx(0.0806)
-    assert problems(text % "80.62")[0].where == "gears.a.tip_diameter"
+    assert loads_model(text % "80.62").gears["a"].tip_diameter > 0.0806, "a thin tip can be made"
 
 
 def test_without_a_tip_diameter_the_profile_shift_is_named() -> None:
