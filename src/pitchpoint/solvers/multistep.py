@@ -55,6 +55,9 @@ NEWTON_SHARE = 0.02
 """Error that the Newton iteration may leave, as a share of the tolerance of the step."""
 ROUND_OFF = 2e-15
 """Least tolerance over the size of what is iterated: some units of rounding."""
+RADIUS = 0.1
+"""Size at which forces round [m, rad] without rows: a travel of teeth is an angle times a radius. Tolerances
+of methods with control of errors cover it, those of constant steps do not."""
 FIRST_SHARE = 0.5
 """Error of the first step of order 1 as a share of the tolerance."""
 LADDER = 1.0 / 1024.0
@@ -162,7 +165,11 @@ def _predict(at, where, h):
         q[i] = ahead[i]
         v[i] = slope[i]
         a[i] = slope[nd + i] + cd * (slope[i] - ahead[nd + i])
-        floor = ROUND_OFF * (abs(q[i]) + (1.0 if nc > 0 else 0.0))  # rows round at the size of the machine
+        # rows round at the size of the machine, forces at that of gears
+        size = 1.0 if nc > 0 else RADIUS if b["kind"] == CONSTANT else 0.0
+        floor = ROUND_OFF * (
+            abs(q[i]) + size
+        )  # rows round at the size of the machine, forces at that of gears
         per_q[i] = 1.0 / max(NEWTON_SHARE * allowed[i], floor)
         per_v[i] = 0.0
         if b["rates"] != 0:

@@ -162,7 +162,7 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], harvest: Harvest)
         first = int(np.argmax(~(np.abs(kept) < GREATEST).all(axis=1)))
         kept, lost = kept[:first], kept[first].copy()
     if lost is not None or not (bounded(sums[:, SUM]) and bounded(sums[:, LEAST : MOST + 1])):
-        status = UNBOUNDED if status == OK else status
+        status = UNBOUNDED  # whatever else stopped the loop then, it is a consequence
     return Chunk(status, steps, kept, found[: min(events, len(found))], lost)
 
 

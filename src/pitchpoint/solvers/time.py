@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
@@ -267,10 +267,11 @@ class _Loop:
         Statistics of a chunk in which the solution has left all bounds are dropped.
         """
         self.steps += chunk.steps
-        if chunk.status == OK and fastest(self.system)[2]:
+        if chunk.status in (OK, NOT_FINITE, INCONSISTENT) and fastest(self.system)[2]:
             chunk = replace(chunk, status=UNBOUNDED)
         if chunk.status == UNBOUNDED:
-            self.diverged = sentence_of(self.system, chunk, self.run_.t, self.channels)
+            taken = self.channels if self.more else np.zeros(0, np.int64)
+            self.diverged = sentence_of(self.system, chunk, self.run_.t, taken)
         elif sums is not None:
             self.sums = sums
         if self.sink is not None and len(chunk.rows):
