@@ -167,9 +167,7 @@ def _predict(at, where, h):
         a[i] = slope[nd + i] + cd * (slope[i] - ahead[nd + i])
         # rows round at the size of the machine, forces at that of gears
         size = 1.0 if nc > 0 else RADIUS if b["kind"] == CONSTANT else 0.0
-        floor = ROUND_OFF * (
-            abs(q[i]) + size
-        )  # rows round at the size of the machine, forces at that of gears
+        floor = ROUND_OFF * (abs(q[i]) + size)
         per_q[i] = 1.0 / max(NEWTON_SHARE * allowed[i], floor)
         per_v[i] = 0.0
         if b["rates"] != 0:
