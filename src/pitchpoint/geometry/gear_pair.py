@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.backlash import Backlash, backlash_at
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.involute import inv
@@ -115,9 +115,12 @@ class GearPair:
         >>> round(pair.a_w * 1e3, 4)
         56.4999
         """
-        g, x_sum = gear1, gear1.x + gear2.x
         a_w = center_distance_for_profile_shift(
-            z_sum=g.z + gear2.z, m_n=g.m_n, alpha_n=g.alpha_n, beta=g.beta, x_sum=x_sum
+            z_sum=gear1.z + gear2.z,
+            m_n=gear1.m_n,
+            alpha_n=gear1.alpha_n,
+            beta=gear1.beta,
+            x_sum=gear1.x + gear2.x,
         )
         return cls(gear1, gear2, a_w)
 
@@ -125,6 +128,7 @@ class GearPair:
         """The same gears at another (signed) centre distance [m]."""
         return replace(self, a_w=a)
 
+    # --- working geometry -----------------------------------------------------------------------------
     @property
     def _sign(self) -> int:
         return -1 if self.gear1.is_internal or self.gear2.is_internal else 1
@@ -217,6 +221,7 @@ class GearPair:
         """Transverse pitch on the path of contact [m]."""
         return self.gear1.p_bt
 
+    # --- path of contact ------------------------------------------------------------------------------
     @cached_property
     def T1T2(self) -> float:
         """Signed length of the common base tangent, a_w sin α_wt [m]; negative with an internal gear."""
@@ -226,7 +231,8 @@ class GearPair:
     def T1A(self) -> float:
         """Start of contact, where gear 2's tip enters the line of action [m].
 
-        The tips alone decide, as in the standard; for root form circles see `T1A_form` and `eps_alpha_form`.
+        The tips alone decide, as in the formula of the standard; where a root form circle ends the involute
+        sooner is in `T1A_form` and `eps_alpha_form`, and `warnings` reports this.
         """
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Fa, self.gear2.d_b)
 
@@ -283,8 +289,10 @@ class GearPair:
     @property
     def d_Nf2(self) -> float:
         """Root diameter of gear 2's active profile [m], signed."""
-        leg = self.T1T2 - self.T1E if self.is_internal else max(0.0, self.T1T2 - self.T1E)
-        return self.gear2.sign * math.hypot(self.gear2.d_b, 2.0 * leg)
+        leg = self.T1T2 - self.T1E
+        return self.gear2.sign * math.hypot(
+            self.gear2.d_b, 2.0 * (leg if self.is_internal else max(0.0, leg))
+        )
 
     @property
     def d_Na1(self) -> float:
@@ -296,6 +304,7 @@ class GearPair:
         """Tip diameter of gear 2's active profile [m], signed."""
         return self.gear2.sign * math.hypot(self.gear2.d_b, 2.0 * (self.T1T2 - self.T1A))
 
+    # --- contact ratios -------------------------------------------------------------------------------
     @property
     def eps_alpha(self) -> float:
         """Transverse contact ratio g_α / p_et [-]."""
@@ -342,6 +351,7 @@ class GearPair:
         lost = n_alpha * n_beta if n_alpha + n_beta <= 1.0 else (1.0 - n_alpha) * (1.0 - n_beta)
         return self.b_w * (eps_alpha - lost / eps_beta) / math.cos(self.gear1.beta_b)
 
+    # --- clearances -----------------------------------------------------------------------------------
     def backlash(self, a: float) -> Backlash:
         """Backlash at another centre distance, signed like `a_w` [m]; see `backlash_at`."""
         return backlash_at(self, a)
@@ -375,9 +385,10 @@ class GearPair:
         """Tip clearance of gear 2 against the root of gear 1 (nominal root diameter) [m]."""
         return self.a_w - 0.5 * (self.gear2.d_a + self.gear1.d_f)
 
+    # --- judgement ------------------------------------------------------------------------------------
     def problems(
         self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2"), gears: bool = True
-    ) -> list[Problem]:
+    ) -> list[Message]:
         """Everything that makes this pair impossible, each with value, limit and remedy.
 
         Parameters
@@ -393,7 +404,7 @@ class GearPair:
 
         return pair_problems(self, where, names, gears)
 
-    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
+    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Message]:
         """What runs, but not as the involute promises: tips that reach below the mate's root form circle."""
         from pitchpoint.geometry.problems import pair_warnings
 

@@ -121,15 +121,10 @@ def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
     try:
         found = read_triangles(part.file)
     except GeometryError as error:
-        fault = error.problem
-        report.problem(
-            (*at, "file"), fault.message, value=fault.value, limit=fault.limit, remedy=fault.remedy
-        )
+        report.hand_on((*at, "file"), error.problem.changed(where=""))
         return
     for wrong in triangle_faults(found, part.unit or 1.0, part.open, part.hollow):
-        report.problem(
-            (*at, "file"), wrong.message, value=wrong.value, limit=wrong.limit, remedy=wrong.remedy
-        )
+        report.hand_on((*at, "file"), wrong)
 
 
 def _bore(contact: SurfaceContact, at: Place, report: Reader) -> None:

@@ -176,7 +176,7 @@ CASES = {
         [(", unit: 1 mm", "")],
         ROUND,
         "surface_contacts.c.first.unit",
-        "does not tell its unit",
+        "does not contain its unit",
     ),
     "metres in millimetres": (
         PLATE,
@@ -194,7 +194,7 @@ CASES = {
     ),
     "turned": (PLATE, [], binary(TURNED), "surface_contacts.c.first.file", "are walked the same way"),
     "inside out": (PLATE, [], binary(BOX[:, ::-1]), "surface_contacts.c.first.file", "is inside out"),
-    "cut off": (PLATE, [], ROUND[:-9], "surface_contacts.c.first.file", "not a whole STL file"),
+    "cut off": (PLATE, [], ROUND[:-9], "surface_contacts.c.first.file", "no whole STL file"),
     "not there": (PLATE, [], None, "surface_contacts.c.first.file", "names a file that is not there"),
     "a file of a plane": (
         PLATE,
