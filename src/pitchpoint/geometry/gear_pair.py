@@ -115,12 +115,9 @@ class GearPair:
         >>> round(pair.a_w * 1e3, 4)
         56.4999
         """
+        g, x_sum = gear1, gear1.x + gear2.x
         a_w = center_distance_for_profile_shift(
-            z_sum=gear1.z + gear2.z,
-            m_n=gear1.m_n,
-            alpha_n=gear1.alpha_n,
-            beta=gear1.beta,
-            x_sum=gear1.x + gear2.x,
+            z_sum=g.z + gear2.z, m_n=g.m_n, alpha_n=g.alpha_n, beta=g.beta, x_sum=x_sum
         )
         return cls(gear1, gear2, a_w)
 
@@ -128,7 +125,6 @@ class GearPair:
         """The same gears at another (signed) centre distance [m]."""
         return replace(self, a_w=a)
 
-    # --- working geometry -----------------------------------------------------------------------------
     @property
     def _sign(self) -> int:
         return -1 if self.gear1.is_internal or self.gear2.is_internal else 1
@@ -221,7 +217,6 @@ class GearPair:
         """Transverse pitch on the path of contact [m]."""
         return self.gear1.p_bt
 
-    # --- path of contact ------------------------------------------------------------------------------
     @cached_property
     def T1T2(self) -> float:
         """Signed length of the common base tangent, a_w sin α_wt [m]; negative with an internal gear."""
@@ -231,8 +226,7 @@ class GearPair:
     def T1A(self) -> float:
         """Start of contact, where gear 2's tip enters the line of action [m].
 
-        The tips alone decide, as in the formula of the standard; where a root form circle ends the involute
-        sooner is in `T1A_form` and `eps_alpha_form`, and `warnings` reports this.
+        The tips alone decide, as in the standard; for root form circles see `T1A_form` and `eps_alpha_form`.
         """
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Fa, self.gear2.d_b)
 
@@ -289,10 +283,8 @@ class GearPair:
     @property
     def d_Nf2(self) -> float:
         """Root diameter of gear 2's active profile [m], signed."""
-        leg = self.T1T2 - self.T1E
-        return self.gear2.sign * math.hypot(
-            self.gear2.d_b, 2.0 * (leg if self.is_internal else max(0.0, leg))
-        )
+        leg = self.T1T2 - self.T1E if self.is_internal else max(0.0, self.T1T2 - self.T1E)
+        return self.gear2.sign * math.hypot(self.gear2.d_b, 2.0 * leg)
 
     @property
     def d_Na1(self) -> float:
@@ -304,7 +296,6 @@ class GearPair:
         """Tip diameter of gear 2's active profile [m], signed."""
         return self.gear2.sign * math.hypot(self.gear2.d_b, 2.0 * (self.T1T2 - self.T1A))
 
-    # --- contact ratios -------------------------------------------------------------------------------
     @property
     def eps_alpha(self) -> float:
         """Transverse contact ratio g_α / p_et [-]."""
@@ -351,7 +342,6 @@ class GearPair:
         lost = n_alpha * n_beta if n_alpha + n_beta <= 1.0 else (1.0 - n_alpha) * (1.0 - n_beta)
         return self.b_w * (eps_alpha - lost / eps_beta) / math.cos(self.gear1.beta_b)
 
-    # --- clearances -----------------------------------------------------------------------------------
     def backlash(self, a: float) -> Backlash:
         """Backlash at another centre distance, signed like `a_w` [m]; see `backlash_at`."""
         return backlash_at(self, a)
@@ -385,7 +375,6 @@ class GearPair:
         """Tip clearance of gear 2 against the root of gear 1 (nominal root diameter) [m]."""
         return self.a_w - 0.5 * (self.gear2.d_a + self.gear1.d_f)
 
-    # --- judgement ------------------------------------------------------------------------------------
     def problems(
         self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2"), gears: bool = True
     ) -> list[Message]:

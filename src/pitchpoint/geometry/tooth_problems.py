@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks common to cylindrical and bevel gears and their pairs: order, limits, messages.
 
-`problems` and `bevel_problems` bring numbers and remedies of their kind. Nothing here raises: a loader shows
-every problem of a file at once.
+`problems` and `bevel_problems` give numbers and remedies. Nothing here raises: a loader lists all problems.
 """
 
 from __future__ import annotations
@@ -14,15 +13,12 @@ from typing import Protocol
 from pitchpoint.core.errors import GeometryError, Message
 
 TIP_THICKNESS_LIMIT = 0.2
-"""Normal modules. Thinner tips break or burn through in hardening: a usual limit of design practice, not of
-what can be made."""
+"""Normal modules. Thinner tips break or burn through in hardening: a limit of design practice."""
 INTERFERENCE_TOLERANCE = 0.01
 """Modules along the path of contact: less than what tip diameters, cones and centre distances are made to."""
 USABLE_CONTACT_RATIO = 1.1
 """Below this a pair with undercut teeth does not reliably transfer load from one tooth pair to the next."""
-
 NO_PAIR_IN_CONTACT = "leaves moments without a tooth pair in contact"
-
 Found = tuple[str, str, str, str | None, str]
 """Key, message, value, limit and remedy."""
 
@@ -148,8 +144,7 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
 
     Notes
     -----
-    A pointed tooth cannot be made; a thin one can, and some are meant to be: gears of type A of the FZG test
-    (ISO 14635-1) have 0.13 m_n.
+    A pointed tooth cannot be made; a thin one can: FZG gears of type A (ISO 14635-1) have 0.13 m_n.
 
     Examples
     --------
@@ -387,8 +382,7 @@ def odd_contact(
     -----
     Where a tip reaches below the mate's root form circle or cone the geometry still follows the tips (as
     published contact ratios do), but the involute ends sooner, in a fillet or an undercut. It depends on the
-    tool, which is rarely known exactly, so it does not forbid the pair. A total contact ratio below one
-    leaves moments without any contact.
+    tool, which is rarely known exactly. A total contact ratio below one leaves moments without contact.
     """
     found = []
     for (missing, limit), mate, tip, name in zip(

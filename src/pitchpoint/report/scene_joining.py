@@ -61,7 +61,7 @@ def joining_parts(model: Model, at: Places) -> list[SceneSolid]:
 
 
 def drawn_sections(model: Model) -> list[tuple[str, str]]:
-    """Sections of a model with components that a schematic stands for, and its name, from their kinds."""
+    """Sections of a model with components that a schematic represents, and its name, from their kinds."""
     own = [section for section in groups_of(model) if getattr(model, section)]
     found = {}
     for name in registry.names(others=bool(model.others)):
@@ -318,5 +318,5 @@ SCHEMATICS: dict[str, Callable[[Places, str, Any], list[SceneSolid]]] = {
     "rod": _rod,
     "spring": _spring,
 }
-"""What stands for a component, by the name that its kind gives (`elements.kind.Kind.sections`). A coil, discs
+"""Symbol of a component, by the name that its kind gives (`elements.kind.Kind.sections`). A coil, discs
 and flanges need a component with the key `bodies`, all others one with `ends`."""

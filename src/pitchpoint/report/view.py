@@ -129,7 +129,7 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
 
 
 def _motion(model: Model, result: xr.Dataset, name: str, modes: int) -> Scene:
-    """Scene of a model that moves as a result says."""
+    """Scene of a model that moves as in a result."""
     from pitchpoint.report.scene import scene_of
 
     if "time" not in result.dims and "body_shape" not in result:

@@ -35,7 +35,7 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
         (["--train", "32/95"], "the speed is not known; give --speed"),
         (["--train", "31/95", "--speed", "10Hz"], "no mesh line at 310 Hz"),
         (["--train", "32/95", "--speed", "11Hz"], "strongest lines at 320 Hz"),
-        (["--train", "32-95", "--speed", "10Hz"], "is no pair of tooth counts"),
+        (["--train", "32-95", "--speed", "10Hz"], "is not a pair of tooth counts"),
         (["--train", "32/95", "--speed", "10Hz", "-c", "ac"], "no channel 'ac'; there are: acc"),
         (["--train", "32/95", "--tacho", "acc"], "--tacho needs --pulses N"),
         (

@@ -156,7 +156,7 @@ def test_constant_channels_are_left_out_and_told(tmp_path: Path, capsys: pytest.
     file = csv_of(tmp_path, {**table, "flat": flat})
     found = json_of(["diagnose", file, *TRAIN, "--speed", "10Hz"], capsys)
     assert [finding["gears"] for finding in found["findings"]] == [["Z1"]]
-    assert "flat: is constant; left out" in found["remarks"]
+    assert "flat: is constant; omitted" in found["remarks"]
     said = told([file, *TRAIN, "--speed", "10Hz", "-c", "flat"], capsys)
     assert "no channel can be used: flat: is constant" in said
 
@@ -239,7 +239,7 @@ def test_a_file_that_is_still_written_is_a_sentence(
     growing = Record(table["time"][:-100], {"acc": table["acc"]})
     monkeypatch.setattr(diagnosis_files, "read_record", lambda *_: growing)
     said = told([csv_of(tmp_path, only(table, "acc")), *TRAIN, "--speed", "10Hz"], capsys)
-    assert "if the run still goes on, wait for its end" in said
+    assert "if the run still continues, wait for its end" in said
 
 
 def test_a_tacho_among_the_channels_is_no_vibration(

@@ -84,7 +84,7 @@ def test_a_healthy_record_has_the_same_pictures_and_says_what_would_be_found(
 ) -> None:
     page, printed = page_of([rig_file(tmp_path, 0.0), *TRAIN], tmp_path, capsys)
     assert "Nothing found: none of 5 tests exceeds its limit" in page and "nothing found" in printed
-    assert "does not say that the machine is healthy" in page
+    assert "does not state that the machine is healthy" in page
     assert "What would have been found" in page and "line at the limit" in page
     assert "FM4" not in printed
     assert (

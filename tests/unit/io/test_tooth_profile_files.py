@@ -147,7 +147,7 @@ BAD: dict[str, tuple[list[str], str, list[str]]] = {
     "wrong unit": (
         ["x [m],y [m]", *tooth_lines()],
         "tooth: real.csv",
-        ["96000 mm", "tip diameter of another gear", "96 mm and 1.2 mm beside it", "check the unit"],
+        ["96000 mm", "tip diameter of another gear", "96 mm and 1.2 mm next to it", "check the unit"],
     ),
     "another number of teeth": (
         [HEAD, *tooth_lines(CylindricalGear(z=31, m_n=3e-3))],

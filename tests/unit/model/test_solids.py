@@ -266,7 +266,7 @@ def test_values_of_a_solid_can_be_replaced(folder: Path) -> None:
     [
         (
             {"GEAR_SOLID": ", part: shaft"},
-            r"gears.pinion.solid.part \(line 5\): 'shaft' is no solid of the file",
+            r"gears.pinion.solid.part \(line 5\): 'shaft' is not a solid of the file",
         ),
         (
             {"GEAR_SOLID": ", density: 1 g/cm^3, material: steel"},
@@ -303,12 +303,12 @@ def test_what_is_wrong_with_a_solid_is_told_with_its_line(folder: Path, parts: d
             "file: none.stl",
             "solid.file .line 5.: 'none.stl' names a file that is not there",
         ),
-        ("gear.stl, unit: 1 mm", "gear.stl", "solid.unit .line 4.: is missing: an STL file does not tell"),
+        ("gear.stl, unit: 1 mm", "gear.stl", "solid.unit .line 4.: is missing: an STL file does not contain"),
         ("gear.stl, unit: 1 mm", "gear.stl, unit: 1 km", "is an unlikely size"),
         ("file: gear.stl", "file: box.stl", "is not round about an axis"),
-        ("file: gear.stl", "file: model.yaml", "'model.yaml' is no kind of solid"),
+        ("file: gear.stl", "file: model.yaml", "'model.yaml' is not a kind of solid"),
         ("file: box.stl", "file: open.stl", "3 edges belong to one triangle only"),
-        ("file: box.stl", "file: cut.stl", "is no whole STL file"),
+        ("file: box.stl", "file: cut.stl", "is not a whole STL file"),
     ],
 )
 def test_what_is_wrong_with_a_file_is_told_alone(folder: Path, old: str, new: str, said: str) -> None:

@@ -196,7 +196,7 @@ def test_rolls_of_large_machines_have_fewer_points_and_the_page_says_which(monke
     assert counts[1] == {"first": 80 + 2, "second": 96 + 2}
     assert [n for n in said if n not in notes] == [
         "Slow rolls have 240 points at most instead of 960, as the machine has more than 1 coordinates: "
-        "first. A scenario with quasi_static has as many as it says."
+        "first. A scenario with quasi_static has its own number."
     ]
     assert told == sorted(told) and told[-1] == (4.0, 4), "two rolls, matrices, Campbell diagram"
 

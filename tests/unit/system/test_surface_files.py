@@ -194,7 +194,7 @@ CASES = {
     ),
     "turned": (PLATE, [], binary(TURNED), "surface_contacts.c.first.file", "are walked the same way"),
     "inside out": (PLATE, [], binary(BOX[:, ::-1]), "surface_contacts.c.first.file", "is inside out"),
-    "cut off": (PLATE, [], ROUND[:-9], "surface_contacts.c.first.file", "no whole STL file"),
+    "cut off": (PLATE, [], ROUND[:-9], "surface_contacts.c.first.file", "not a whole STL file"),
     "not there": (PLATE, [], None, "surface_contacts.c.first.file", "names a file that is not there"),
     "a file of a plane": (
         PLATE,

@@ -15,11 +15,11 @@ from pitchpoint.core.formula import Formula
 from pitchpoint.core.nomenclature import unit
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive, torque
-from pitchpoint.elements.damping import modal_damping
 from pitchpoint.elements.signal import OVER_ANGLE, OVER_SPEED, Pool, set_formula, set_law, set_table
 from pitchpoint.elements.speed_pieces import straight_pieces
 from pitchpoint.multibody.bodies import FREE, PLANAR, Body
 from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.model_damping import modal_damping
 from pitchpoint.system import evaluate
 from pitchpoint.system.layout import group
 from pitchpoint.system.perform import WRAP, ask
@@ -175,7 +175,7 @@ def test_modal_damping_gives_every_mode_its_ratio_and_leaves_the_spin_alone():
     plain = chain(inertias, springs)
     M, _, K = evaluate.linearize(plain, plain.initial_state())
     dofs = [(int(b["dof"]), int(b["joint"])) for b in plain.program["body"]]
-    records = damping_records(modal_damping(M, K, 0.03), dofs)
+    records = damping_records(modal_damping(M, K, np.eye(3), np.ones((1, 3)), 0.03), dofs)
     system = chain(inertias, springs, damping=records)
     _, D, _ = evaluate.linearize(system, system.initial_state())
     A = np.block([[np.zeros((3, 3)), np.eye(3)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]])
