@@ -7,8 +7,8 @@ from collections.abc import Iterable
 
 LISTED = 12
 """Most names that a hint lists."""
-_SIMILAR = 0.5
-"""Least similarity of a suggestion, from 0 to 1; a wrong suggestion costs less than a missing one."""
+_SIMILAR = 0.6
+"""Lowest similarity of a suggestion, from 0 to 1. At 0.5, `m9` suggests `m2` and `tacho` suggests `acc`."""
 
 
 def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:
@@ -56,7 +56,7 @@ def did_you_mean(name: object, names: Iterable[str], count: int = 1) -> str:
 
 
 def hint(name: object, names: Iterable[str], count: int = 1) -> str:
-    """The nearest names, else what there is.
+    """The nearest names and what there is; of many names only the nearest.
 
     Parameters
     ----------
@@ -70,13 +70,14 @@ def hint(name: object, names: Iterable[str], count: int = 1) -> str:
     Examples
     --------
     >>> hint("wheell", ["pinion", "wheel"]), hint("sun", ["pinion", "wheel"]), hint("sun", [])
-    ('did you mean wheel?', 'there are pinion, wheel', 'there are none')
+    ('did you mean wheel? there are pinion, wheel', 'there are pinion, wheel', 'there are none')
     """
     known = list(names)
+    guess = did_you_mean(name, known, count)
+    if guess and len(known) > LISTED:
+        return guess.strip()
     more = ", ..." if len(known) > LISTED else ""
-    return (
-        did_you_mean(name, known, count).strip() or f"there are {', '.join(known[:LISTED]) or 'none'}{more}"
-    )
+    return f"{guess}there are {', '.join(known[:LISTED]) or 'none'}{more}"
 
 
 def _plain(name: object) -> str:

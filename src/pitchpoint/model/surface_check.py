@@ -113,7 +113,9 @@ def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
     if part.file.lower().endswith(".stl") and part.unit is None:
         if (*at, "unit") not in report.tainted:
             report.problem(
-                (*at, "unit"), "is missing: an STL file does not tell its unit", remedy="add unit: 1 mm, say"
+                (*at, "unit"),
+                "is missing: an STL file does not contain its unit",
+                remedy="add unit: 1 mm, for example",
             )
         return
     from pitchpoint.geometry.triangle_file import read_triangles, triangle_faults

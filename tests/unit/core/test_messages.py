@@ -67,4 +67,6 @@ def test_nearest_names() -> None:
     assert did_you_mean("stel", names) == "did you mean steel? "
     assert did_you_mean("x", names) == ""
     assert hint("x", [f"n{k}" for k in range(20)]).endswith("n11, ...")
-    assert hint("speedd", ["speed", "speeds"], 2) == "did you mean speed or speeds?"
+    assert hint("speedd", ["speed", "speeds"], 2) == ("did you mean speed or speeds? there are speed, speeds")
+    assert hint("m9", ["m0", "m1", "m2"]) == "there are m0, m1, m2"
+    assert hint("tacho", ["acc"]) == "there are acc"
