@@ -86,7 +86,7 @@ def test_a_ctrl_c_that_is_lost_in_a_destructor_is_sent_again_and_is_no_second_on
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 def test_the_second_ctrl_c_ends_a_decomposition_at_once():
-    """LAPACK returns after a minute and the first Ctrl-C acts then; a line on stderr names what the second does."""
+    """LAPACK returns after a minute and the first Ctrl-C acts then; a line on stderr says so."""
     with subprocess.Popen(
         [sys.executable, "-c", IN_LAPACK], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     ) as child:
