@@ -75,8 +75,8 @@ class Container:
     header
         Provenance, stored as attributes of the file.
     variables, values
-        Number of variables and bytes of their values up to `begin`. Space for them is reserved, as HDF5 can
-        crash on a disk that is full before the structure of the file is complete.
+        Number of variables and bytes of their values up to `begin`. A disk without room for them is refused
+        here, as HDF5 can crash when it fills up before the structure of the file is complete.
     """
 
     def __init__(
@@ -89,11 +89,11 @@ class Container:
         self._flushed: dict[str, int] | None = None  # lengths at the last flush, None before the first
         room = _ROOM + _ROOM_OF_VARIABLE * variables + values + len(header.model_text.encode("utf-8"))
         with self.writing():
-            self._reserve(room)
+            self._check_room(room)
             self._describe_file(header)
 
-    def _reserve(self, size: int) -> None:
-        """Reserve bytes beyond the end of the file.
+    def _check_room(self, size: int) -> None:
+        """Claim bytes beyond the end of the file and give them back: HDF5 needs them next.
 
         Raises
         ------
@@ -102,7 +102,9 @@ class Container:
         """
         if hasattr(os, "posix_fallocate"):
             descriptor = self.file.id.get_vfd_handle()
-            os.posix_fallocate(descriptor, os.fstat(descriptor).st_size, size)
+            end = os.fstat(descriptor).st_size
+            os.posix_fallocate(descriptor, end, size)
+            os.ftruncate(descriptor, end)
 
     def _describe_file(self, header: Header) -> None:
         """Write provenance and status, so that a file that is cut off from here on says whose it is."""
@@ -360,8 +362,8 @@ class MemoryContainer(Container):
             self.path, "w", driver="core", backing_store=False, libver="latest", rdcc_nbytes=_CHUNK_CACHE
         )
 
-    def _reserve(self, size: int) -> None:
-        """Memory is not reserved."""
+    def _check_room(self, size: int) -> None:
+        """Files in memory have room."""
 
     def _flush(self) -> None:
         self.file.flush()

@@ -104,6 +104,7 @@ def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
     folder = Path(model.file).parent if model.file else Path()
 
     def key_of(case: PlannedCase) -> str:
+        """Hash the inputs of one case."""
         changes = dict(case.changes)
         inputs = {"base": base, "changes": changes, "seed": case.seed, "files": _files(changes, folder)}
         return content_hash(inputs)
