@@ -22,6 +22,13 @@ MAKEFILE = PACKAGE.parents[1] / "Makefile"
 LAYERS = ("geometry", "contact", "analysis", "core")
 FILES = [p for p in python_files("src") if p.relative_to(PACKAGE).parts[0] in LAYERS]
 _ARRAYS = re.compile(r"Array|ndarray")
+_TERMS = (ast.Mult, ast.Div, ast.Pow, ast.MatMult)
+_FORMULA = 3
+"""Products, quotients and powers from which on a function counts as a formula."""
+_SOURCE = re.compile(
+    r"\b(?:ISO|DIN|VDI|AGMA|IEC|BS)(?:/TR|/TS)? ?\d|\b(?:1[6-9]|20)\d\d\b|References\n---|Derivation: "
+)
+_DERIVATION = re.compile(r'Derivation:\s+(\S+\.md),\s+"([^"]+)"')
 _SECTION = re.compile(r"^(\w[\w ]*)\n-{3,}\n", re.MULTILINE)
 
 
@@ -116,3 +123,33 @@ def test_raised_errors_are_listed():
         if any(isinstance(n, ast.Raise) and n.exc for n in ast.walk(f))
     )
     assert not [name for name, doc in raising if "\nRaises\n------" not in doc]
+
+
+def formulas() -> Iterator[tuple[str, str]]:
+    """Public functions of geometry, contact and analysis with a formula: name, and docstrings around it."""
+    for path in FILES:
+        around = {n.name: ast.get_docstring(n) or "" for n in tree(path).body if isinstance(n, ast.ClassDef)}
+        whole = ast.get_docstring(tree(path)) or ""
+        for name, function in functions(path) if path.relative_to(PACKAGE).parts[0] != "core" else ():
+            terms = [n for n in ast.walk(function) if isinstance(n, ast.BinOp) and isinstance(n.op, _TERMS)]
+            if is_public(name) and len(terms) >= _FORMULA:
+                docs = (ast.get_docstring(function) or "", around.get(name.split(".")[0], ""), whole)
+                yield f"{name_of(path)}: {name}", "\n".join(docs)
+
+
+def test_formulas_name_their_source():
+    """A standard, a publication with its year, or the section of the theory that derives them."""
+    assert not [name for name, doc in formulas() if not _SOURCE.search(doc)]
+
+
+def test_derivations_are_where_docstrings_say():
+    wrong = []
+    for name, doc in formulas():
+        for page, heading in _DERIVATION.findall(doc):
+            text = (PACKAGE.parents[1] / page).read_text(encoding="utf-8")
+            section = re.search(
+                rf"^#+ {re.escape(' '.join(heading.split()))}\n(.*?)(?=^#|\Z)", text, re.M | re.S
+            )
+            if not section or name.split(": ")[0].removeprefix("src/pitchpoint/") not in section[1]:
+                wrong.append(name)
+    assert not wrong

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chance that noise alone looks like a comb of lines."""
+"""The chance that noise alone looks like a comb of lines.
+
+Source: Fisher (1932); limit and groups are own.
+"""
 
 from __future__ import annotations
 

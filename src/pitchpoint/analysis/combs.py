@@ -5,6 +5,8 @@ Something that happens once per period T, however short, has lines at all multip
 exactly N periods these fall on every N-th line of the Fourier transform, and what lies on the N - 1 lines
 between them is not periodic in T: it measures the noise there. Each line of the comb gives an F test on its
 own. The tests are joined so that no single line can decide: a strong line is a tone, not a repeated impact.
+
+Source: Thomson, Proc. IEEE 70 (1982) 1055.
 """
 
 from __future__ import annotations

@@ -3,6 +3,8 @@
 
 The filter is a sinc under a Kaiser window, symmetric about its middle: it delays nothing. Up to 0.4 of the
 new rate signals pass unchanged, from 0.5 of it on they are stopped by 80 dB.
+
+Source: Oppenheim and Schafer, Discrete-Time Signal Processing (1989), 7.5.3.
 """
 
 from __future__ import annotations

@@ -3,6 +3,8 @@
 
 A spectrum has lines 1/T apart. A steady tone between two of them is read exactly all the same, because the
 shape that the window gives it is known.
+
+Source: Grandke, IEEE Trans. Instrum. Meas. 32 (1983) 350.
 """
 
 from __future__ import annotations

@@ -10,6 +10,8 @@ frequency, and only if most of them are there.
 What is assumed: constant speed over the record (resample over the angle first where it is not, periods are
 then in revolutions); noise that is Gaussian, with a density that does not change over the distance of two
 lines 1/T. White noise of any strength is, and so is what a filter or a wavelet level makes of it.
+
+Source: Quinn and Hannan, The Estimation and Tracking of Frequency (2001).
 """
 
 from __future__ import annotations

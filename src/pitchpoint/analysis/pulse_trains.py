@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Channels that hold the pulses of a tacho: two levels, steep edges, even intervals."""
+"""Channels that hold the pulses of a tacho: two levels, steep edges, even intervals.
+
+Derivation: docs/theory/signals.md, "Angle".
+"""
 
 from __future__ import annotations
 

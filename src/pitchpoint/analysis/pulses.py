@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pulses that a shaft makes as it turns, as a tacho gives them."""
+"""Pulses that a shaft makes as it turns, as a tacho gives them.
+
+Derivation: docs/theory/signals.md, "Angle".
+"""
 
 from __future__ import annotations
 

@@ -3,6 +3,8 @@
 
 Measured and simulated signals enter the analysis as plain arrays. What they must fulfil is written once,
 here, so that the functions themselves contain nothing but the mathematics.
+
+Derivation: docs/theory/signals.md, "Signals".
 """
 
 from __future__ import annotations

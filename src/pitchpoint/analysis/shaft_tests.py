@@ -7,6 +7,8 @@ of balance) changes slowly over the turn: it raises few orders and few sidebands
 the
 orders are the measure of both. With a whole ratio of shafts, all orders of the faster one are orders of the
 slower one too: the measure then also is the other orders of that one.
+
+Source: van Elteren (1960) for the rank sum within blocks.
 """
 
 from __future__ import annotations

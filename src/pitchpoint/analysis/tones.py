@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sines of any frequency in a sampled record: how much of them there is, and the record without them."""
+"""Sines of any frequency in a sampled record: how much of them there is, and the record without them.
+
+Source: Stoica and Moses, Spectral Analysis of Signals (2005), 4.3.
+"""
 
 from __future__ import annotations
 

@@ -3,6 +3,9 @@
 
 All is per unit of normal load or torque capacity; the capacity is the friction of fast sliding. Speeds are
 those of sliding, of points [m/s] or of discs [rad/s].
+
+Source: Stribeck, Z. VDI 46 (1902); Dupont, Hayward, Armstrong, Altpeter, IEEE Trans. Autom. Control 47
+(2002).
 """
 
 from __future__ import annotations

@@ -9,6 +9,8 @@ A row has 16 numbers: form, centre and radius of a circle around the piece [m], 
 arc length at which the piece begins and its length [m], mean direction of the piece and how far it turns to
 either side of it [rad]. The parameter of a piece runs from 0 to 1; along the
 curve one counts by arc length, within a cubic piece in proportion to its parameter.
+
+Derivation: docs/theory/contacts.md, "Curves".
 """
 
 from __future__ import annotations

@@ -6,6 +6,8 @@ of B, and d. Pieces are taken two by two. Where one of them is an arc, the neare
 closed form or one equation; else two equations in the parameters s of A and t of B are solved by Newton,
 starting from the best of 25 places: r1 = (x_A - x_B) . tau_B, r2 = tau_A . n_B. Everything starts afresh each
 time, so equal places give equal bits.
+
+Derivation: docs/theory/contacts.md, "Curves".
 """
 
 from __future__ import annotations

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kernels on planar curves: place, direction and curvature at a parameter, nearest place to a point."""
+"""Kernels on planar curves: place, direction and curvature at a parameter, nearest place to a point.
+
+Derivation: docs/theory/contacts.md, "Curves".
+"""
 
 from __future__ import annotations
 

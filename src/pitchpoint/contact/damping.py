@@ -4,6 +4,8 @@
 A flank can only damp while it is in contact, and a damper that is fully on at zero penetration would pull or
 hit like a step. So the rate fades in over the penetration s_0 (full damping at s_0), and compression and
 decompression may have different rates.
+
+Source: Mauer, SIMPACK User Meeting (2006).
 """
 
 from __future__ import annotations

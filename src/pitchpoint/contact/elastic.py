@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic force over the deflection: power law, compliance in series, softer teeth at low load, energies."""
+"""Elastic force over the deflection: power law, compliance in series, softer teeth at low load, energies.
+
+Source: ISO 6336-1 for low loads. Derivation: docs/theory/stiffness.md, "One pair of teeth".
+"""
 
 from __future__ import annotations
 

@@ -4,6 +4,8 @@
 At the pitch point of two flanks the sliding velocity changes its sign; a true sign function would make the
 force jump there and stop every implicit integrator. The regularisation velocity v_eps sets where full
 friction is reached.
+
+Derivation: docs/theory/contacts.md, "Friction".
 """
 
 from __future__ import annotations

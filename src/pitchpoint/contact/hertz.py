@@ -2,6 +2,8 @@
 """Hertzian line contact of two flanks: half width, pressure, and how far the flanks approach each other.
 
 All per unit length of the contact line, in SI. Arrays broadcast.
+
+Source: Johnson, Contact Mechanics (1985), 4.2; approach Weber and Banaschek (1953).
 """
 
 from __future__ import annotations

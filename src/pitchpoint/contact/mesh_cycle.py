@@ -4,6 +4,8 @@
 The sum over all pairs, averaged over the contact lines of a helical gear, is a piecewise polynomial of the
 mesh phase of at most degree four. Each piece is found exactly from five points; extremes follow from the
 roots of its derivative and from the one-sided limits at its ends. Plain NumPy, independent of the kernels.
+
+Derivation: docs/theory/stiffness.md, "The mesh".
 """
 
 from __future__ import annotations

@@ -4,6 +4,8 @@
 Scalar kernels that the mesh element calls in its inner loop. Positions along the path are counted in base
 pitches from point A (start of contact), so that a pair carries for 0 <= p <= eps_alpha and the neighbours sit
 at p - 1 and p + 1. Results are ratios: to c' for a pair, to the mean for a prescribed wave.
+
+Source: Mauer, SIMPACK User Meeting (2006).
 """
 
 from __future__ import annotations

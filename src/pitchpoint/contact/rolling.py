@@ -2,6 +2,8 @@
 """Load and deflection of balls and rollers between two raceways: Q = K delta^n.
 
 n is 3/2 for balls and 10/9 for rollers; delta is the approach of the two raceways.
+
+Source: Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 6; rollers Palmgren (1959).
 """
 
 from __future__ import annotations

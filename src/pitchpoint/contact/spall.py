@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How deep a rolling element drops into a spall, and over which distance."""
+"""How deep a rolling element drops into a spall, and over which distance.
+
+Derivation: docs/theory/contacts.md, "Rolling elements".
+"""
 
 from __future__ import annotations
 

@@ -5,6 +5,8 @@ Axes are those of the marker: the plane is z = 0 with the material below, sphere
 about the z axis, the cone opens downwards from its tip at the origin. `sense` 1 has the material inside, -1
 outside (a bore, a ball cup, a groove). The Hessian of the distance, W, is the curvature of the surface
 through the point: the normal n = grad phi changes by W dy with the point.
+
+Derivation: docs/theory/contacts.md, "Surfaces".
 """
 
 from __future__ import annotations

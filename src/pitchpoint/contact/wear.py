@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the flanks of a pair wear: load of the contact line times sliding, after Archard."""
+"""Where the flanks of a pair wear: load of the contact line times sliding, after Archard.
+
+Source: Archard, J. Appl. Phys. 24 (1953) 981.
+"""
 
 from __future__ import annotations
 

@@ -5,6 +5,8 @@ Along a contact line the path position changes linearly over the face width, p(z
 stiffness is a piecewise polynomial of p, at most cubic, so that z^0..z^2 times it is at most of degree five:
 three Gauss points on every piece between two kinks integrate it without error. Nothing is divided by lam
 except to find the kinks, which makes the limit of a spur gear harmless.
+
+Derivation: docs/theory/stiffness.md, "The mesh".
 """
 
 from __future__ import annotations

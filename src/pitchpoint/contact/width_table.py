@@ -3,6 +3,8 @@
 
 The same idea as `width_integral`, with the nodes of the table as further kinks: between two of them the
 stiffness is linear times a linear ramp, so the three-point rule stays exact for the tabulated law.
+
+Derivation: docs/theory/stiffness.md, "The mesh".
 """
 
 from __future__ import annotations

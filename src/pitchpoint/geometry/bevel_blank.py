@@ -3,6 +3,8 @@
 
 Frame of the gear: apex at the origin, third axis into the gear. The teeth end on cones perpendicular to the
 pitch cone, the back cone at R_e and its like at R_i.
+
+Derivation: docs/theory/bevel_gears.md, "Solid and mass".
 """
 
 from __future__ import annotations

@@ -6,6 +6,8 @@ both base cones. Its rays are described by the angle σ from the ray where it to
 from A, the tip cone of gear 2, to E, the tip cone of gear 1. Straight teeth touch along rays, spiral ones
 along logarithmic spirals, σ = σ₀ ± tan β_b1 ln(R/R_m): + on the left (counter-clockwise) flanks of gear 1,
 − on the right ones.
+
+Derivation: docs/theory/bevel_gears.md, "A pair".
 """
 
 from __future__ import annotations

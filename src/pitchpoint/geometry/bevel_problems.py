@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What makes a bevel gear or a pair of them impossible or odd, listed completely: where, value, limit,
-remedy."""
+remedy.
+
+Derivation: docs/theory/bevel_gears.md, "A pair".
+"""
 
 from __future__ import annotations
 

@@ -3,6 +3,8 @@
 
 Points of the flanks are chosen by how far the chords between them lie off the exact tooth at the outer end,
 where it is largest. Frame of the gear: apex at the origin, third axis into the gear, tooth 0 on the x axis.
+
+Derivation: docs/theory/bevel_gears.md, "Solid and mass".
 """
 
 from __future__ import annotations

@@ -3,6 +3,8 @@
 
 Every other file asks here for α_t and β_b: at least five public code bases got this conversion wrong
 somewhere, so it exists once and is property-tested.
+
+Source: ISO 21771; inverse by Newton's method.
 """
 
 from __future__ import annotations

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mass and moments of inertia of a gear from its real tooth profile, its blank and its density."""
+"""Mass and moments of inertia of a gear from its real tooth profile, its blank and its density.
+
+Derivation: docs/theory/geometry.md, "Mass and inertia".
+"""
 
 from __future__ import annotations
 

@@ -5,6 +5,8 @@ Amounts are measured normal to the flank, as drawings state them; `base_tangent`
 transverse base-tangent direction in which the contact laws count. Positive results are removed material.
 Along the profile the coordinate is the roll length L = √(r² − r_b²); along the face width it is z, from
 −b/2 to b/2.
+
+Source: ISO 21771.
 """
 
 from __future__ import annotations

@@ -2,6 +2,8 @@
 """How far points are from the outline of a gear, and on which side of it.
 
 Points are complex numbers x + iy [m] in the transverse plane of the gear, tooth 0 on the +x axis.
+
+Derivation: docs/theory/geometry.md, "A pair".
 """
 
 from __future__ import annotations

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pits and spalls: elliptic hollows in a flank, given one by one or as a random pattern."""
+"""Pits and spalls: elliptic hollows in a flank, given one by one or as a random pattern.
+
+Derivation: docs/theory/geometry.md, "Micro-geometry, deviations, damage".
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two gears drawn in mesh: where their outlines are at given rotation angles."""
+"""Two gears drawn in mesh: where their outlines are at given rotation angles.
+
+Derivation: docs/theory/geometry.md, "What the tool leaves".
+"""
 
 from __future__ import annotations
 

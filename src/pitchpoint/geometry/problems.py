@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What makes a cylindrical gear or a pair of them impossible or odd, listed completely: where, value, limit,
-remedy."""
+remedy.
+
+Source: ISO 21771. Derivation: docs/theory/geometry.md, "A pair".
+"""
 
 from __future__ import annotations
 

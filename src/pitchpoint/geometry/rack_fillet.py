@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The exact root fillet that a rack-type tool (hob) with rounded tips generates on an external gear."""
+"""The exact root fillet that a rack-type tool (hob) with rounded tips generates on an external gear.
+
+Source: Litvin and Fuentes, Gear Geometry and Applied Theory, 2nd ed. (2004), ch. 6.
+"""
 
 from __future__ import annotations
 

@@ -2,6 +2,8 @@
 """A stepped, hollow shaft as a solid: its mass in closed form, its outline, its triangles.
 
 Sections are (length, diameter, bore) [m] in the order in which they follow along the z axis from z = 0.
+
+Derivation: docs/theory/geometry.md, "Mass and inertia".
 """
 
 from __future__ import annotations

@@ -2,6 +2,8 @@
 """How the flanks slide on each other: specific sliding, sliding factors, the tooth loss factor H_V.
 
 Gear 1 drives; path coordinates T1Y run along the line of action from the foot of gear 1's base tangent.
+
+Source: ISO 21771; tooth loss factor Ohlendorf (1958) as used by Niemann and Winter.
 """
 
 from __future__ import annotations

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gear as a closed triangulated solid: exact section, twisted along the face width, with its blank."""
+"""The gear as a closed triangulated solid: exact section, twisted along the face width, with its blank.
+
+Derivation: docs/theory/geometry.md, "What the tool leaves".
+"""
 
 from __future__ import annotations
 

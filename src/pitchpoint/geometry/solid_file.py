@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Volume, centre of mass and inertia of solids from files of CAD programs: STL, and STEP through OCC."""
+"""Volume, centre of mass and inertia of solids from files of CAD programs: STL, and STEP through OCC.
+
+Derivation: docs/theory/geometry.md, "Mass and inertia".
+"""
 
 from __future__ import annotations
 

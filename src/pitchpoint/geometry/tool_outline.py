@@ -3,6 +3,8 @@
 
 Frame: the axis of the gear in the origin, the middle of the space on the +x axis, points x + iy [m] in the
 transverse section. Turning the gear by φ, the tool moves with it as given by `ToolTooth.at`.
+
+Derivation: docs/theory/geometry.md, "A pair".
 """
 
 from __future__ import annotations

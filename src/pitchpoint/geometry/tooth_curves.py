@@ -2,6 +2,8 @@
 """The exact tooth as Bezier curves, from which CAD programs make smooth faces.
 
 Frame as in `pitchpoint.geometry.tooth_form`; points of the transverse plane are complex numbers x + iy.
+
+Derivation: docs/theory/geometry.md, "What the tool leaves".
 """
 
 from __future__ import annotations

@@ -4,6 +4,8 @@
 Where a level is positive it is the gap that the damage leaves along the base tangent; its zero line is the
 edge of the damage. Places on the flank are z along the face width, −b/2 to b/2, and roll lengths as in
 `geometry.modifications`; heights count radially.
+
+Derivation: docs/theory/geometry.md, "Micro-geometry, deviations, damage".
 """
 
 from __future__ import annotations

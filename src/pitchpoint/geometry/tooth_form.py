@@ -3,6 +3,8 @@
 
 Frame: z axis = gear axis, tooth 0 on the +x axis, counter-clockwise positive. Lengths are positive also
 for internal gears, whose outline is the boundary of the hole.
+
+Source: ISO 21771. Derivation: docs/theory/geometry.md, "What the tool leaves".
 """
 
 from __future__ import annotations

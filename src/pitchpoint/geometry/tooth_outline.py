@@ -2,6 +2,8 @@
 """The tooth of a gear as points: its outline, and what its flanks lack against the nominal involute.
 
 Frame as in `pitchpoint.geometry.tooth_form`: the tooth is on the +x axis, its left flank has y > 0.
+
+Derivation: docs/theory/geometry.md, "Micro-geometry, deviations, damage".
 """
 
 from __future__ import annotations

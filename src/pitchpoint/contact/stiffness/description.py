@@ -2,6 +2,8 @@
 """What a stiffness source hands over: the stiffness of one tooth pair, or the whole mesh over its phase.
 
 Plain data without kernels, so that a model can be described and checked without a compiler.
+
+Derivation: docs/theory/stiffness.md, "The mesh".
 """
 
 from __future__ import annotations

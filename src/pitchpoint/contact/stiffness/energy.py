@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness of one tooth pair by the energy method: teeth as cantilevers, Hertz contact, gear bodies."""
+"""Stiffness of one tooth pair by the energy method: teeth as cantilevers, Hertz contact, gear bodies.
+
+Source: Ma, Song, Pang, Wen, Eng. Fail. Anal. 44 (2014) 179.
+"""
 
 from __future__ import annotations
 

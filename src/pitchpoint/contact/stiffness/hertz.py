@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tooth pair as two rounded bodies: force K delta^1.5 with the curvatures at the pitch point."""
+"""Tooth pair as two rounded bodies: force K delta^1.5 with the curvatures at the pitch point.
+
+Source: Hertz's theory in Johnson, Contact Mechanics (1985), 4.2.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rectangular-wave mesh stiffness, the simplest law that varies: two values in turn, as pairs come and go."""
+"""Rectangular-wave mesh stiffness, the simplest law that varies: two values in turn, as pairs come and go.
+
+Derivation: docs/theory/stiffness.md, "The mesh".
+"""
 
 from __future__ import annotations
 

@@ -3,6 +3,9 @@
 
 The tooth is a cantilever from its root circle with the true section of `geometry.tooth_form`. All integrals
 over the height run cumulatively from the root, so that every point of the path of contact costs one step.
+
+Source: Ma, Song, Pang, Wen, Eng. Fail. Anal. 44 (2014) 179; gear body Sainsot, Velex, Duverger, J. Mech. Des.
+126 (2004) 748.
 """
 
 from __future__ import annotations
