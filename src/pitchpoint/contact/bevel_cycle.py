@@ -35,7 +35,7 @@ def bevel_cycle(
     eps_alpha
         Transverse contact ratio [-].
     rate
-        Base pitches that a contact line goes on per ln R: tan β_b1 / σ_p on front flanks, the negative of it
+        Base pitches by which a contact line advances per ln R: tan β_b1 / σ_p on front flanks, the negative of it
         on back flanks [-]; 0 for straight teeth.
     face
         Inner and outer end of the common face, R_i/R_m and R_e/R_m [-].

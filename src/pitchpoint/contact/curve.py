@@ -294,7 +294,7 @@ def spline(points: ArrayLike, closed: bool = True) -> Curve:
     points
         Points [m], shape (n, 2), in the order they are walked; a closed one names its first point once.
     closed
-        Whether it goes on from the last point to the first.
+        Whether the last point is joined to the first.
 
     Raises
     ------

@@ -249,7 +249,7 @@ def _deep_contact(A, B, M, d, reach, best, hits):
     """Whether the nearest place of all is an overlap; it goes into row 0. `best` is the gap found so far.
 
     Of a point inside an outline the sides of the outline are nearer or farther; outside of it the near side
-    is nearer than the far one. So the place where the curves without offset are nearest tells which it is.
+    is nearer than the far one. So the closest points of the curves without offset show which case it is.
     """
     offset = reach[0]
     near = False
@@ -275,9 +275,8 @@ def contacts(A, B, M, d, reach, hits):
 
     reach = (offset of A [m], deepest overlap that counts [m], largest gap that is looked for [m], x, y and
     radius of the circle around B, deepest overlap of all [m]). Row 0 holds the nearest place even without
-    contact; its last number is -1 if there is none within the largest gap, which is then returned. If there
-    is no contact that counts, the nearest place of all counts up to the deepest overlap of all: one body is
-    then far inside the other one.
+    contact; its last number is -1 if there is none within the largest gap, which is then returned. If none
+    is found, the closest points count up to the deepest overlap: one body is then far inside the other.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle

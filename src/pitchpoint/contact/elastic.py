@@ -66,7 +66,7 @@ def low_load(load, limit):
 def stored_energy(x, k, power, limit):
     """Energy of a spring k x^power [N] pressed by x [m], and its derivative by k at the same x.
 
-    Below the force `limit` [N] a linear spring softens as `low_load` says (force proportional to x^(4/3));
+    Below the force `limit` [N] a linear spring softens as in `low_load` (force proportional to x^(4/3));
     limit 0 is none.
 
     >>> energy, slope = stored_energy(2.0, 3.0, 1.0, 0.0)

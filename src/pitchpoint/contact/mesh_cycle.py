@@ -52,7 +52,7 @@ class Piece:
         return np.asarray(self.polynomial(s))
 
     def extremes(self) -> tuple[float, float]:
-        """Least and greatest value, one-sided limits at the ends included.
+        """Minimum and maximum, one-sided limits at the ends included.
 
         >>> low, high = Piece(0.0, 1.0, Polynomial([1.0, 0.0, -1.0])).extremes()
         >>> abs(low) < 1e-12, abs(high - 1.0) < 1e-12
@@ -133,7 +133,7 @@ def _spur(line: _Line, start: float, tau: Array) -> Array:
 def _helical(line: _Line, eps_beta: float, anchor: tuple[float, float, int], tau: Array) -> Array:
     """Sum over pairs of the mean along the contact line, tau after the phase of the anchor.
 
-    The anchor (kink, side, n) stands for the phase kink + side eps_beta/2 + n. Distances of kinks from the
+    The anchor (kink, side, n) is the phase kink + side eps_beta/2 + n. Distances of kinks from the
     line's middle are formed from differences of kinks first, so that a tiny overlap loses no digits.
     """
     kink, side, n = anchor
@@ -219,9 +219,9 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
     (1.075, 1.0, 1.333333333)
     """
     if not (math.isfinite(eps_alpha) and eps_alpha > 0.0):
-        raise refuse("eps_alpha", "is no contact ratio", eps_alpha, "> 0", "give a positive number")
+        raise refuse("eps_alpha", "is not a contact ratio", eps_alpha, "> 0", "give a positive number")
     if not (math.isfinite(eps_beta) and eps_beta >= 0.0):
-        raise refuse("eps_beta", "is no overlap ratio", eps_beta, ">= 0", "give 0 or a positive number")
+        raise refuse("eps_beta", "is not an overlap ratio", eps_beta, ">= 0", "give 0 or a positive number")
     line = _line(shape, eps_alpha)
     pieces = _pieces(line, eps_beta)
     extremes = [piece.extremes() for piece in pieces]

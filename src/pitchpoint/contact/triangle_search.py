@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Kernels on triangle surfaces: nearest place to a point, its sign, and all places where a sphere touches.
 
-Inside or outside is told by the normal of the face, the sum of both at an edge, the sum weighted by angles at
+Inside or outside is decided by the normal of the face, the sum of both at an edge, the sum weighted by angles at
 a corner: J. A. Baerentzen and H. Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243-253.
 """
 
@@ -291,7 +291,7 @@ def _straight(W, faces, k, c, curvature):
 
 @kernel
 def is_nearest_around(where, y, face, feature, qx, qy, qz):
-    """Whether a place on a face is the nearest one in its neighbourhood, and this face is the one to say so.
+    """Whether a point of a face is the nearest one in its neighbourhood and belongs to this face.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a stiffness source hands over: the stiffness of one tooth pair, or the whole mesh over its phase.
+"""What a stiffness law provides: the stiffness of one tooth pair, or the whole mesh over its phase.
 
 Plain data without kernels, so that a model can be described and checked without a compiler.
 
@@ -37,8 +37,8 @@ def refuse(where: str, message: str, value: object, limit: str, remedy: str) -> 
 
     Examples
     --------
-    >>> str(refuse("stiffness.mean", "is no stiffness", -1.0, "> 0", "give N/m")).splitlines()[1].strip()
-    'stiffness.mean: -1.0 is no stiffness (limit > 0); give N/m'
+    >>> str(refuse("stiffness.mean", "is not a stiffness", -1.0, "> 0", "give N/m")).splitlines()[1].strip()
+    'stiffness.mean: -1.0 is not a stiffness (limit > 0); give N/m'
     """
     return ModelError([Message(where, message, str(value), limit, remedy)])
 
@@ -66,7 +66,7 @@ def positive(where: str, value: float, unit: str) -> float:
     400000000.0
     """
     if isinstance(value, bool) or not (math.isfinite(value) and value > 0.0):
-        raise refuse(where, "is no stiffness", value, "> 0", f"give a positive number in {unit}")
+        raise refuse(where, "is not a stiffness", value, "> 0", f"give a positive number in {unit}")
     return float(value)
 
 
@@ -91,7 +91,7 @@ def share(where: str, value: float) -> float:
     0.8
     """
     if isinstance(value, bool) or not 0.0 <= value <= 1.0:
-        raise refuse(where, "is no share", value, "0 to 1", "give a ratio between 0 and 1")
+        raise refuse(where, "is out of range", value, "0 to 1", "give a ratio between 0 and 1")
     return float(value)
 
 
@@ -120,7 +120,7 @@ def frozen_array(where: str, values: ArrayLike, least: int = 0) -> Array:
     try:
         array = np.array(values, dtype=np.float64, order="C", ndmin=1)
     except (TypeError, ValueError):
-        raise refuse(where, "is no list of numbers", values, "numbers", "give a flat list") from None
+        raise refuse(where, "is not a list of numbers", values, "numbers", "give a flat list") from None
     if array.ndim != 1 or array.size < least or not np.all(np.isfinite(array)):
         text = f"at least {least} finite numbers" if least else "finite numbers"
         raise refuse(where, "is not usable", values, text, "give a flat list")
@@ -165,10 +165,12 @@ class PairShape:
         if self.table is not None:
             table = frozen_array("stiffness.table", self.table, 2)
             if table.min() < 0.0:
-                raise refuse("stiffness.table", "is no stiffness", table.min(), ">= 0", "check the table")
+                raise refuse("stiffness.table", "is not a stiffness", table.min(), ">= 0", "check the table")
             object.__setattr__(self, "table", table)
         if not 1.0 <= self.power <= 5.0:
-            raise refuse("stiffness.exponent", "is no exponent", self.power, "1 to 5", "1.5 is that of Hertz")
+            raise refuse(
+                "stiffness.exponent", "is not a valid exponent", self.power, "1 to 5", "1.5 is that of Hertz"
+            )
 
     def ramp_length(self, eps_alpha: float) -> float:
         """Length of the ramp at both ends, L = T_R frac(eps_alpha) [base pitches]; 0 if below 1e-12.

@@ -59,7 +59,7 @@ def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> flo
     Notes
     -----
     q' = C1 + C2/z_n1 + C3/z_n2 + C4 x1 + C5 x1/z_n1 + C6 x2 + C7 x2/z_n2 + C8 x1^2 + C9 x2^2 [1]_. The
-    standard states x1 >= x2 and -0.5 <= x1 + x2 <= 2; a ValidityWarning tells when this is left.
+    standard states x1 >= x2 and -0.5 <= x1 + x2 <= 2; a ValidityWarning reports values outside this range.
 
     References
     ----------
@@ -152,7 +152,13 @@ def virtual_teeth(gear: CylindricalGear, formula: str = "iso") -> float:
     (18.9051, 19.0822)
     """
     if formula not in ("iso", "cos3"):
-        raise refuse("stiffness.virtual_teeth", "is no formula", formula, "iso or cos3", "use iso")
+        raise refuse(
+            "stiffness.virtual_teeth",
+            "is not a formula for the virtual numbers of teeth",
+            formula,
+            "iso or cos3",
+            "use iso",
+        )
     if gear.z < 0:
         return math.inf
     if formula == "cos3":
@@ -183,7 +189,7 @@ def single_stiffness(
     moduli
         Young's moduli of the two gears [Pa]; None means steel on steel.
     modulus_steel
-        The modulus that the polynomial stands for [Pa].
+        Young's modulus for which the polynomial holds [Pa].
     virtual_teeth_formula
         See `virtual_teeth`.
 

@@ -20,7 +20,7 @@ from pitchpoint.geometry.tooth_form import tooth_form
 
 @dataclass(frozen=True)
 class PairCompliance:
-    """Everything that gives way in one pair, at equal steps of the path from A to E.
+    """All compliances of one tooth pair, at equal steps of the path from A to E.
 
     Parameters
     ----------
@@ -91,7 +91,11 @@ def energy_compliance(
     """
     if body not in ("load_line", "contact_point", "rigid"):
         raise refuse(
-            "stiffness.body", "is no model of the body", body, "load_line, contact_point, rigid", "choose"
+            "stiffness.body",
+            "is not a model of the gear body",
+            body,
+            "load_line, contact_point, rigid",
+            "choose",
         )
     if points < 2:
         raise refuse("stiffness.points", "make no table", points, ">= 2", "use 129")

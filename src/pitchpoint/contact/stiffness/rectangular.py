@@ -47,7 +47,9 @@ def rectangular(
     positive("stiffness.low", low, "N/m")
     if duty is None:
         if pair is None:
-            raise refuse("stiffness.duty", "is no duty", duty, "0 to 1", "give the share of the high value")
+            raise refuse(
+                "stiffness.duty", "is not a duty cycle", duty, "0 to 1", "give the share of the high value"
+            )
         duty = pair.eps_alpha - math.floor(pair.eps_alpha)
     if not 0.0 < duty < 1.0:
         raise refuse(

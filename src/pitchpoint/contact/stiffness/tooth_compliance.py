@@ -170,8 +170,8 @@ def body_coefficients(theta_f: float, radius_ratio: float) -> tuple[float, float
     Notes
     -----
     X* = A/theta_f^2 + B h^2 + C h/theta_f + D/theta_f + E h + F. P. Sainsot, P. Velex and O. Duverger,
-    "Contribution of gear body to tooth deflections", J. Mech. Des. 126 (2004) 748. A ValidityWarning tells
-    when an argument leaves its range.
+    "Contribution of gear body to tooth deflections", J. Mech. Des. 126 (2004) 748. A ValidityWarning reports
+    arguments outside their range.
 
     Examples
     --------
