@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Kernels on triangle surfaces: nearest place to a point, its sign, and all places where a sphere touches.
 
-Inside or outside is decided by the normal of the face, the sum of both at an edge, the sum weighted by angles at
-a corner: J. A. Baerentzen and H. Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243-253.
+The normal decides on inside and outside: of the face, the sum of both at an edge, the sum weighted by angles
+at a corner: J. A. Baerentzen and H. Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243-253.
 """
 
 from __future__ import annotations
