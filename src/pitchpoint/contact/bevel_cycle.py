@@ -35,8 +35,8 @@ def bevel_cycle(
     eps_alpha
         Transverse contact ratio [-].
     rate
-        Base pitches by which a contact line advances per ln R: tan β_b1 / σ_p on front flanks, its negative on
-        back flanks [-]; 0 for straight teeth.
+        Base pitches by which a contact line advances per ln R: tan β_b1 / σ_p on front flanks, its negative
+        on back flanks [-]; 0 for straight teeth.
     face
         Inner and outer end of the common face, R_i/R_m and R_e/R_m [-].
     n

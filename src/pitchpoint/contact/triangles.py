@@ -3,9 +3,9 @@
 
 A surface becomes one float array: a header of 8, the tree of the faces, the faces, the tree of their middle
 points, these points with the areas of the faces, the nodes, and the neighbours of each node. A point
-represents its face alone, so that the area of one side of a sharp edge never presses on the other. Trees are walked
-without a stack: their boxes are stored depth first, each with the index of the box that follows if
-it is skipped.
+represents its face alone, so that the area of one side of a sharp edge never presses on the other. Trees are
+walked without a stack: their boxes are stored depth first, each with the index of the box that follows if it
+is skipped.
 """
 
 from __future__ import annotations
