@@ -15,7 +15,7 @@ import numpy as np
 from pitchpoint.core.kernel import address
 from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import entry
-from pitchpoint.elements.mesh_apart import apart
+from pitchpoint.elements.mesh_pairs import apart
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row

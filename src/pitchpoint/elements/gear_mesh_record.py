@@ -9,6 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from pitchpoint.contact.flank_law import FLANK_LAW
+from pitchpoint.elements.mesh_sums import scratch_of_sums
+
 #: Sources of the stiffness, field `source`.
 PROFILE = 0  # one tooth pair over its path of contact, superposed over all pairs (parabola or table)
 PHASE = 1  # prescribed total stiffness over the mesh phase
@@ -16,15 +19,10 @@ PHASE = 1  # prescribed total stiffness over the mesh phase
 #: Form of a prescribed stiffness given by a user law; the others are those of `contact.pair_shape`.
 USER = 3
 
-#: Sums over the nodes of one flank. With y = z + f tan(beta_b) xi, the lever of the normal force: 0-1 normal
-#: force (times 1, y), 2-4 friction force (times 1, z, xi), 5-7 normal tangent (1, y, yy), 8-13 tangent of
-#: friction over displacement (rows 1, z, xi; columns 1, y), 14-19 of friction over velocity (1, z, xi, zz,
-#: z xi, xi xi), 20 stiffness, 21 friction power, 22 damping power, 23 parametric power, 24 energy, from ROLL
-#: on tangent over the rate of the path position (of normal force times 1, y, of friction times 1, z, xi). No
-#: sum is NEAREST: the largest force over stiffness of a node [m], below zero where it would pull or is open.
-N_ACC = 31
-ROLL = 25
-NEAREST = 30
+ROWS = 5
+"""Rows of the wrench basis: normal force times 1 and y, friction times 1, z and xi. With the lever
+y = z + f tan(beta_b) xi of the normal force: axial force times path and transverse force times width turn the
+gears about the same axis."""
 
 #: What the table of a gear holds for a tooth: row of its gap, of its added compliance and of its level, -1
 #: where it has none; first and last station between which gap and compliance, and the level, change over z.
@@ -69,7 +67,6 @@ _STIFFNESS = [
     ("source", "i8"),
     ("slices", "i8"),  # 0: exact width integral
     ("c_prime", "f8"),  # PROFILE: of one pair per face width [N/m^(power + 1)]; PHASE: mean total [N/m]
-    ("power", "f8"),  # PROFILE: exponent of the elastic force over the penetration; 1 is linear
     ("S_R", "f8"),
     ("T_R", "f8"),
     ("n_table", "i8"),
@@ -78,26 +75,17 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
-    ("apart", "i8"),  # address of `mesh_apart.apart`, where some teeth have grids of their own
+    ("apart", "i8"),  # address of `mesh_pairs.apart`, where some teeth have grids of their own
     ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are asked for
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
-    ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m^power]
     ("k_step", "f8"),  # usual slope of the force, from which time steps are guessed [N/m]
 ]
 
 _LOSSES = [
-    ("d_in", "f8"),
-    ("d_out", "f8"),  # contact damping at k_ref [N s/m]
-    ("s_0", "f8"),  # penetration of full damping
-    ("smooth", "i8"),  # 0: the damping grows in proportion up to s_0, 1: by a smooth cubic
-    ("chi", "f8"),  # instead: share of the elastic force per speed of approach [s/m], 0: none
+    ("contact", FLANK_LAW),
     ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
-    ("mu", "f8"),
-    ("v_eps", "f8"),  # dynamic coefficient of friction and the sliding velocity from which on it holds [m/s]
-    ("mu_s", "f8"),
-    ("v_s", "f8"),  # static coefficient and its sliding velocity, 0 < v_s < v_eps [m/s]
 ]
 
 _EXCITATION = [
@@ -170,18 +158,16 @@ _SCRATCH = [
     ("per_z", "f8", 4),
     ("per_roll", "f8", 4),  # steps of the grids per metre
     ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
-    ("line", "f8", 3),  # a contact line for `mesh_apart`: path position and penetration at z = 0, its force
+    (
+        "line",
+        "f8",
+        3,
+    ),  # a contact line for `mesh_pairs.apart`: path position and penetration at z = 0, its force
     ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width
     ("lo_slope", "f8"),
     ("hi_slope", "f8"),  # their change per axial offset of the gears
-    ("rate", "f8", 5),  # normal rate at the pitch point and its slope over y; sliding likewise over z and xi
-    ("acc", "f8", N_ACC),
-    ("basis_i", "f8", (5, 6)),
-    ("basis_j", "f8", (5, 6)),  # wrench basis on both bodies: 1, y of the normal force; 1, z, xi of friction
-    ("here", "i8"),
-    ("control", "i8"),  # addresses of this record and of the control, for calls through an address
     ("moved", "f8", (2, 12)),  # exact tangents: change of its first rows with one motion of one body
     ("slope", "f8", (2, 12)),  # and of the normal rates with each motion of both bodies
 ]
@@ -193,7 +179,9 @@ RECORD = np.dtype(
         *_STIFFNESS,
         *_LOSSES,
         *_EXCITATION,
-        *_SCRATCH,
+        ("now", np.dtype(_SCRATCH, align=True)),
+        *scratch_of_sums(ROWS),
+        ("here", "i8"),  # address of this record, for calls through an address
         ("n_pair", "i8"),
         ("rubs", "i8"),  # 1: torques of friction are observed
         ("pool", "i8"),  # address of the float array that holds all tables

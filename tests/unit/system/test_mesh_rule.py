@@ -74,7 +74,7 @@ def test_partly_overlapping_gears_touch_over_the_same_width(law, helical, shift)
         machine(law, motion, internal=False, helical=helical, shift=shift) for motion in ("torsion", "free")
     )
     one, six = (solve_equilibrium(system) for system in (spins, all_six))
-    low, high = (spins.records["gear_mesh"][key][0] for key in ("z_lo", "z_hi"))
+    low, high = (spins.records["gear_mesh"]["now"][key][0] for key in ("z_lo", "z_hi"))
     assert high - low == pytest.approx(min(20e-3, 22.5e-3 - abs(shift) * 1e-3), abs=1e-12)
     for channel in ("transmission_error[stage]", "mesh_force[stage]"):
         assert float(one[channel]) == pytest.approx(float(six[channel]), rel=1e-6)
