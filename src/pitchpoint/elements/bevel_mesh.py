@@ -30,7 +30,7 @@ from pitchpoint.elements.bevel_mesh_record import EVENTS, N_OUT, OUTPUTS, PHASE,
 from pitchpoint.elements.bevel_mesh_sums import sum_flank
 from pitchpoint.elements.bevel_mesh_turning import turning
 from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
-from pitchpoint.elements.mesh_line import countable, flank_phase
+from pitchpoint.elements.mesh_line import begin_flank, countable, flank_phase
 from pitchpoint.elements.mesh_observed import (
     add_flank,
     add_friction_torques,
@@ -69,12 +69,7 @@ def bends(record: np.void) -> tuple[str, ...]:
 def _begin(b, flank, x):
     """Phase, contact lines and penetration of one flank, into the scratch; its rows of the basis."""
     now = b["now"]
-    now["flank"] = flank
-    psi = flank_phase(b, flank)
-    whole = math.floor(psi)
-    now["psi"] = psi - whole
-    now["tooth"] = int(whole) + flank * now["turn"]
-    now["lam"] = flank * b["tan_b"] * b["R_m"] / b["p_bt"]
+    begin_flank(b, flank, b["R_m"])
     normal_rows(b, flank)
     d = triple(now["d"], 0)
     for k in range(2):

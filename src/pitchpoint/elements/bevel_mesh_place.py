@@ -9,7 +9,7 @@ sigma from p is r = cos(sigma) p + sin(sigma) e0 with e0 = N x p, and the line o
 e = N x r. Gears whose apexes coincide roll exactly, whatever their shaft angle is: base cones stay, working
 pitch cones and backlash follow, as with the centre distance of cylindrical gears.
 
-Apexes that lie d apart open the flanks by the part of d along their normal, so that the penetration along the
+Apexes at a distance d open the flanks by the part of d along their normal, so that the penetration along the
 base tangent at the cone distance R is
 
     x = R (f u - gap/2)/R_m + (e - f tan(beta_b) r) . d

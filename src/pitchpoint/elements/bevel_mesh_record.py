@@ -26,10 +26,7 @@ ROWS = 6
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
-    (
-        "carried",
-        "i8",
-    ),  # gear whose carrier takes the plane of the axes round, 0: both hang on one base
+    ("carried", "i8"),  # gear whose carrier turns the plane of the axes, 0: both hang on one base
     ("z1", "i8"),
     ("z2", "i8"),  # numbers of teeth, signed by the side that the cone opens to
     ("r_b1", "f8"),
@@ -51,7 +48,7 @@ _GEOMETRY = [
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
     ("n_sep", "i8"),  # 1: some teeth have a face or a place of their own
-    ("n_t", "i8", 2),  # teeth that the tables of both gears tell apart, 0: none
+    ("n_t", "i8", 2),  # teeth that the tables of both gears distinguish, 0: none
     ("teeth", "i8", 2),  # offsets of these tables in the pool [tooth, N_OWN]
     ("sep_min", "f8"),  # smallest sum of both gaps, at R_m
 ]
@@ -70,7 +67,7 @@ _LAW = [
     ("k_step", "f8"),
     ("contact", FLANK_LAW),  # power 1
     ("d_gap", "f8"),
-    ("turning", "i8"),  # address of `bevel_mesh_turning.turning`, where exact tangents are asked for
+    ("turning", "i8"),  # address of `bevel_mesh_turning.turning`, where exact tangents are required
 ]
 
 #: Scratch: filled and read within one call, carries nothing from call to call.

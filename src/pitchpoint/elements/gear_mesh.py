@@ -33,7 +33,7 @@ from pitchpoint.elements.gear_mesh_record import (
 from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
 from pitchpoint.elements.mesh_eccentric import begin_displaced, damping_alone, end_displaced, whole
 from pitchpoint.elements.mesh_gradient import friction_directions, normal_directions, travel_direction
-from pitchpoint.elements.mesh_line import excitation, flank_phase, line_of_action, pooled
+from pitchpoint.elements.mesh_line import begin_flank, excitation, flank_phase, line_of_action, pooled
 from pitchpoint.elements.mesh_motion import motion, spin_motion
 from pitchpoint.elements.mesh_nodes import phase_flank
 from pitchpoint.elements.mesh_observed import (
@@ -44,7 +44,7 @@ from pitchpoint.elements.mesh_observed import (
     write_events,
     write_mesh,
 )
-from pitchpoint.elements.mesh_pairs import apart, profile_flank
+from pitchpoint.elements.mesh_pairs import deviating_line, profile_flank
 from pitchpoint.elements.mesh_separation import (
     add_roll_tangent,
     begin_separation,
@@ -93,19 +93,6 @@ def bends(record: np.void) -> tuple[str, ...]:
 
 
 @kernel
-def _begin(b, flank):
-    """Phase and contact-line slope of one flank, into the scratch; empty sums."""
-    now = b["now"]
-    now["flank"] = flank
-    psi = flank_phase(b, flank)
-    whole = math.floor(psi)
-    now["psi"] = psi - whole
-    now["tooth"] = int(whole) + flank * now["turn"]
-    now["lam"] = flank * b["tan_b"] / b["p_bt"]
-    begin_sums(b)
-
-
-@kernel
 def _user_ratio(b, t, psi):
     """k(t, psi)/mean by a user's law."""
     if b["c_prime"] == 0.0:  # solvers take the spring of a mesh out like this
@@ -135,7 +122,8 @@ def _stiffness_ratio(b, t, watch):
 def _flank(b, f, g, flank, x_0, spins, rate):
     """Sum one flank; `spins` 1: the gears only spin and their travel rate is `rate`."""
     now = b["now"]
-    _begin(b, flank)
+    begin_flank(b, flank, 1.0)
+    begin_sums(b)
     now["kappa"] = 0.0
     rates = b["rate"]
     if spins == 1:
@@ -348,7 +336,7 @@ KIND = Kind(
     events=EVENTS,
     bends=bends,
     exact={"turning": turning},
-    some={"apart": (apart, "n_sep")},
+    some={"deviating": (deviating_line, "n_sep")},
     role=MESH,
     massless=True,
     spins=GEARED,

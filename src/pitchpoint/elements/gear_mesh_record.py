@@ -33,7 +33,7 @@ _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 _GEOMETRY = [
     ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
     ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both stand on one base
-    ("displaced", "i8"),  # 1: a gear sits beside the axis of its body or askew on it
+    ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body
     ("askew", "i8"),  # where they sit, offset in the pool; see `mesh_eccentric`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
@@ -75,8 +75,8 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
-    ("apart", "i8"),  # address of `mesh_pairs.apart`, where some teeth have grids of their own
-    ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are asked for
+    ("deviating", "i8"),  # address of `mesh_pairs.deviating_line`, where some teeth have grids of their own
+    ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are required
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
@@ -99,7 +99,7 @@ _EXCITATION = [
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
     ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh_separation`
-    ("n_t", "i8", 2),  # teeth that the tables of both gears tell apart
+    ("n_t", "i8", 2),  # teeth that the tables of both gears distinguish
     ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
     ("n_sz", "i8", 4),
     ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
@@ -158,11 +158,7 @@ _SCRATCH = [
     ("per_z", "f8", 4),
     ("per_roll", "f8", 4),  # steps of the grids per metre
     ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
-    (
-        "line",
-        "f8",
-        3,
-    ),  # a contact line for `mesh_pairs.apart`: path position and penetration at z = 0, its force
+    ("line", "f8", 3),  # of a contact line for `deviating_line`: path position, penetration at z = 0, force
     ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width
@@ -217,7 +213,7 @@ FRICTION = (
     ("friction_torque_2", "N m", "friction of the flanks on gear 2 about its axis"),
 )
 
-#: Event functions of one mesh: they change sign at the instants that users ask for. Those of contact are
+#: Event functions of one mesh: they change sign at the instants that users request. Those of contact are
 #: positive exactly where the forces of a flank add up to more than zero, as `contact_state` has it; perfect
 #: flanks without contact damping give their penetration [m]. Those of pairs rise where the mesh phase goes on
 #: and fall where it goes back: a pair that passes A backwards leaves there. Each wraps round from 1/2 to -1/2

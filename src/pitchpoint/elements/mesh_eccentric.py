@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears that sit beside the axis of their body or askew on it: the frames a mesh sees in place of theirs.
+"""Eccentric and wobbling gears: the frames that a mesh sees in place of those of their bodies.
 
 The centre of such a gear is displaced in its mid-face and its axis leans, both fixed to the turning body. Its
 own frame has the same spin phi: with B the small turn that leans the axis in the axes of the body, the body
@@ -15,7 +15,7 @@ back by its transpose,
 where rho turns with the body: the last term, and v' that changes by w x (theta x rho) at a constant twist,
 make exact tangents whole. The latter needs the damping part of the tangent alone, which the mesh sums again.
 
-The transmission error is told as if the gears sat well: what their bodies do.
+The transmission error is reported as for centred gears: it is that of the bodies.
 """
 
 from __future__ import annotations
@@ -136,7 +136,7 @@ def damping_alone(b):
 
 @kernel
 def whole(b, own):
-    """Where the sum that was asked for puts its tangents; forces of an earlier one are dropped."""
+    """Where the requested sum puts its tangents; forces of an earlier one are dropped."""
     for side in range(2):
         for r in range(6):
             own[side]["F"][r] = 0.0

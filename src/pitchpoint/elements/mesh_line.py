@@ -211,6 +211,21 @@ def flank_phase(b, flank):
 
 
 @kernel
+def begin_flank(b, flank, width):
+    """Phase of a flank and slope of its contact lines over `width` [m], into the scratch.
+
+    `width`: 1 m for lines straight over the face width, the mean cone distance for lines over its logarithm.
+    """
+    now = b["now"]
+    now["flank"] = flank
+    psi = flank_phase(b, flank)
+    whole = math.floor(psi)
+    now["psi"] = psi - whole
+    now["tooth"] = int(whole) + flank * now["turn"]
+    now["lam"] = flank * b["tan_b"] * width / b["p_bt"]
+
+
+@kernel
 def excitation(b, f, g, psi):
     """Static transmission error e(psi, phi1, phi2) and its rate, into the scratch."""
     now = b["now"]

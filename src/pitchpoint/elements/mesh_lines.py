@@ -18,7 +18,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.gear_mesh_record import PROFILE, RECORD, ROWS
 from pitchpoint.elements.mesh_gradient import flank_tilt
-from pitchpoint.elements.mesh_line import countable, flank_phase
+from pitchpoint.elements.mesh_line import begin_flank, countable
 from pitchpoint.elements.mesh_pairs import pair_line, pair_node, pair_teeth
 from pitchpoint.elements.mesh_separation import begin_separation, find_rows
 from pitchpoint.elements.mesh_sums import begin_sums
@@ -47,12 +47,7 @@ _INSIDE = 1e-9
 def _begin(b, flank, deflection):
     """What the nodes of a flank read, into the scratch, for bodies at rest; gives its penetration."""
     now = b["now"]
-    now["flank"] = flank
-    psi = flank_phase(b, flank)
-    whole = math.floor(psi)
-    now["psi"] = psi - whole
-    now["tooth"] = int(whole) + flank * now["turn"]
-    now["lam"] = flank * b["tan_b"] / b["p_bt"]
+    begin_flank(b, flank, 1.0)
     now["kappa"] = 0.0
     if b["fixed"] == 0:
         flank_tilt(b, flank)
@@ -68,7 +63,7 @@ def _begin(b, flank, deflection):
 
 
 @kernel
-def _loads(b, p_0, x_q, apart, loads):
+def _loads(b, p_0, x_q, deviating, loads):
     """Loads per width at even places on the part of a contact line that lies on the flanks."""
     now = b["now"]
     a = now["z_lo"]
@@ -82,7 +77,7 @@ def _loads(b, p_0, x_q, apart, loads):
     n = loads.size
     for s in range(n):
         share = _INSIDE + (1.0 - 2.0 * _INSIDE) * s / (n - 1)
-        loads[s] = pair_node(b, None, p_0, x_q, a + share * (end - a), 1.0, apart)
+        loads[s] = pair_node(b, None, p_0, x_q, a + share * (end - a), 1.0, deviating)
 
 
 @kernel

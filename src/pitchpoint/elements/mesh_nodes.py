@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Nodes of one flank of a cylindrical mesh: levers and rates of a place, and a prescribed total stiffness.
 
-The nodes of single tooth pairs are placed by `mesh_pairs`; what a node does is said by `mesh_sums.add_node`.
+`mesh_pairs` places the nodes of single tooth pairs; `mesh_sums.add_node` applies the flank law to a node.
 The normal force at (z, xi) has the moment y tau about the pitch point, y = z + f tan(beta_b) xi: axial force
 times path and transverse force times width turn the gears about the same axis tau = m x n_f. Penetration and
 its rate therefore change with y too.

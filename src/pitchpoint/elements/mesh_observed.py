@@ -2,9 +2,9 @@
 """Observations and event functions of a mesh, cylindrical or bevel, written from the sums of its flanks.
 
 A normal force F along the base tangent turns both gears by -r_b F. Friction has no such radius: it acts along
-the tooth, at the distance of the contact from where the line of action touches each base circle, and it turns
-round at the pitch point. What it takes from one gear and gives to the other is reported as two torques about
-the axes of the gears.
+the tooth, at the distance of the contact from where the line of action touches each base circle, and reverses
+at the pitch point. What it takes from one gear and gives to the other is reported as two torques about the
+axes of the gears.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def add_flank(b, flank, force, parts, fed):
     """Add the sums of one flank to the observations; forces of pairs are there already.
 
     `force` along the base tangent [N]; `parts` of it on gear 2: circumferential, radial, axial [N]; `fed`:
-    parametric power besides that of the nodes [W].
+    parametric power in addition to that of the nodes [W].
     """
     out = observed(b)
     sums = b["sums"]

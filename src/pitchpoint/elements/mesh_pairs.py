@@ -9,8 +9,8 @@ that has grids of its own (`mesh_separation`) get more pieces: between the stati
 of what is broken out, and where the flanks lift off. Slices are the same sum with one node in the middle of
 each slice; gears with modified flanks are computed so.
 
-`apart` is 1 for a pair with such a tooth, None for a nominal pair, whose kernels are compiled without it; the
-former are summed behind an address (`apart`), compiled where a mesh has such teeth.
+`deviating` is 1 for a pair with such a tooth, None for a nominal pair, whose kernels are compiled without it;
+the former are summed through an address (`deviating_line`), compiled only where a mesh has such teeth.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _TRIES = 60
 
 
 @kernel
-def pair_node(b, watch, p_0, x_q, z, weight, apart):
+def pair_node(b, watch, p_0, x_q, z, weight, deviating):
     """One node of the pair whose contact line is p_0 + lam z; `x_q` is its penetration at z = 0 [m]."""
     now = b["now"]
     p = p_0 + now["lam"] * z
@@ -63,7 +63,7 @@ def pair_node(b, watch, p_0, x_q, z, weight, apart):
     x_rate = 0.0
     z_rate = 0.0
     xi_rate = 0.0
-    if watch is not None or (apart is not None and runs_damped(b)):
+    if watch is not None or (deviating is not None and runs_damped(b)):
         z_rate = now["lo_rate"] + (z - now["z_lo"]) * now["growth"]  # as `width_rate`
         p_rate = now["phase_rate"][0 if now["flank"] > 0 else 1] + now["lam"] * z_rate
         xi_rate = now["xi_A_rate"] + p_rate * b["p_bt"]
@@ -72,7 +72,7 @@ def pair_node(b, watch, p_0, x_q, z, weight, apart):
         x_rate = -now["kappa"] * (drift(b, z) + now["flank"] * b["tan_b"] * xi_rate)
     limit = b["load_limit"] * weight
     set_levers(b, z, xi)
-    if apart is None:
+    if deviating is None:
         return add_node(b, watch, x, c * scale, limit, (k_rate, x_rate, now["growth"]), None, 1.0)
     if weight <= 0.0:  # a piece between two edges that fall together
         return 0.0
@@ -95,14 +95,14 @@ def _shape_rate(b, p, p_rate):
 
 
 @kernel
-def _gauss(b, watch, p_0, x_q, z_a, z_c, apart):
+def _gauss(b, watch, p_0, x_q, z_a, z_c, deviating):
     """Three Gauss points on the piece from z_a to z_c of a contact line."""
     z = 0.5 * (z_a + z_c)
     half = 0.5 * (z_c - z_a)
     r = GAUSS * half
-    f = pair_node(b, watch, p_0, x_q, z - r, half * (5.0 / 9.0), apart)
-    f += pair_node(b, watch, p_0, x_q, z, half * (8.0 / 9.0), apart)
-    return f + pair_node(b, watch, p_0, x_q, z + r, half * (5.0 / 9.0), apart)
+    f = pair_node(b, watch, p_0, x_q, z - r, half * (5.0 / 9.0), deviating)
+    f += pair_node(b, watch, p_0, x_q, z, half * (8.0 / 9.0), deviating)
+    return f + pair_node(b, watch, p_0, x_q, z + r, half * (5.0 / 9.0), deviating)
 
 
 @kernel
@@ -157,7 +157,7 @@ def _split(b, gear, p_0, a, c):
 
 
 @kernel
-def _carried(b, watch, p_0, x_q, a, c, x_a, x_c):
+def _touching_piece(b, watch, p_0, x_q, a, c, x_a, x_c):
     """The part of a smooth piece on which the flanks touch; one open at both ends and in the middle is open.
 
     `x_a` and `x_c` are the penetrations at its ends.
@@ -179,7 +179,7 @@ def _carried(b, watch, p_0, x_q, a, c, x_a, x_c):
 
 
 @kernel
-def _torn(b, watch, p_0, x_q, a, c, x_a):
+def _deviating_piece(b, watch, p_0, x_q, a, c, x_a):
     """The piece from a to c of a pair with a tooth of its own, split at its edges; and x at c."""
     x_c = _over(b, 2, p_0, x_q, c)
     f = 0.0
@@ -189,10 +189,10 @@ def _torn(b, watch, p_0, x_q, a, c, x_a):
         for m in (min(m_1, m_2), max(m_1, m_2)):
             if m > a and m < c:
                 x_m = _over(b, 2, p_0, x_q, m)
-                f += _carried(b, watch, p_0, x_q, a, m, x_a, x_m)
+                f += _touching_piece(b, watch, p_0, x_q, a, m, x_a, x_m)
                 a = m
                 x_a = x_m
-    return f + _carried(b, watch, p_0, x_q, a, c, x_a, x_c), x_c
+    return f + _touching_piece(b, watch, p_0, x_q, a, c, x_a, x_c), x_c
 
 
 @kernel
@@ -210,7 +210,7 @@ def _next_point(b, p_0, a, end):
 
 
 @kernel
-def exact_line(b, watch, p_0, x_q, apart):
+def exact_line(b, watch, p_0, x_q, deviating):
     """Sum over one contact line, split at its kinks."""
     now = b["now"]
     lam = now["lam"]
@@ -224,10 +224,10 @@ def exact_line(b, watch, p_0, x_q, apart):
         u = -p_0 / lam
         v = (eps - p_0) / lam
         if watch is not None and now["L"] == 0.0:
-            _moving_ends(b, x_q, u, v, apart)
+            _moving_ends(b, x_q, u, v, deviating)
         z_1 = (L - p_0) / lam
         z_2 = (eps - L - p_0) / lam
-        if b["contact"]["mu"] > 0.0 or apart is not None:  # there sliding turns round, and wear has its kink
+        if b["contact"]["mu"] > 0.0 or deviating is not None:  # sliding reverses, wear has a kink
             z_4 = (-now["xi_A"] / b["p_bt"] - p_0) / lam
         a = max(a, min(u, v))
         end = min(end, max(u, v))
@@ -237,23 +237,23 @@ def exact_line(b, watch, p_0, x_q, apart):
     if now["tilt"] != 0.0:
         z_3 = x_q / now["tilt"]
     f = 0.0
-    x_a = _over(b, 2, p_0, x_q, a) if apart is not None and a < end else 0.0
+    x_a = _over(b, 2, p_0, x_q, a) if deviating is not None and a < end else 0.0
     while a < end:
         c = nearer(a, nearer(a, nearer(a, nearer(a, end, z_1), z_2), z_3), z_4)
         if split:
             c = _next_point(b, p_0, a, c)
-        if apart is None:
+        if deviating is None:
             f += _gauss(b, watch, p_0, x_q, a, c, None)
         else:
             c = next_station(b, a, c)
-            part, x_a = _torn(b, watch, p_0, x_q, a, c, x_a)
+            part, x_a = _deviating_piece(b, watch, p_0, x_q, a, c, x_a)
             f += part
         a = c
     return f
 
 
 @kernel
-def _moving_ends(b, x_q, u, v, apart):
+def _moving_ends(b, x_q, u, v, deviating):
     """Energy fed in where a contact line without relief ramp grows at A and shrinks at E.
 
     The stiffness per length jumps at both ends, u and v, which travel at 1/lam per base pitch.
@@ -266,20 +266,20 @@ def _moving_ends(b, x_q, u, v, apart):
         first = table[0]
         last = table[b["n_table"] - 1]
     if u > now["z_lo"] and u < now["z_hi"]:
-        energy = _line_energy(b, x_q, u, now["xi_A"], first, apart)
+        energy = _line_energy(b, x_q, u, now["xi_A"], first, deviating)
         b["sums"]["parametric_power"] += energy * line_rate(b, u) / abs(now["lam"])
     if v > now["z_lo"] and v < now["z_hi"]:
         leaves = line_rate(b, v) - now["eps_rate"]
-        energy = _line_energy(b, x_q, v, now["xi_A"] + now["eps"] * b["p_bt"], last, apart)
+        energy = _line_energy(b, x_q, v, now["xi_A"] + now["eps"] * b["p_bt"], last, deviating)
         b["sums"]["parametric_power"] -= energy * leaves / abs(now["lam"])
 
 
 @kernel
-def _line_energy(b, x_q, z, xi, c, apart):
+def _line_energy(b, x_q, z, xi, c, deviating):
     """Energy per length of a contact line [J/m] at its end (z, xi), with the stiffness ratio `c`."""
     x = x_q - b["now"]["tilt"] * z
     k = b["c_prime"] * c
-    if apart is None:
+    if deviating is None:
         if x <= 0.0 or c <= 0.0:
             return 0.0
         return flank_energy(b["contact"], x, x, k, b["load_limit"], None)[0]
@@ -302,31 +302,31 @@ def pair_teeth(b, q):
 
 
 @kernel
-def sliced_line(b, watch, p_0, x_q, apart):
+def sliced_line(b, watch, p_0, x_q, deviating):
     """Sum over one contact line with one node in the middle of each slice."""
     now = b["now"]
     n = b["slices"]
     step = (now["z_hi"] - now["z_lo"]) / n
     f = 0.0
     for s in range(n):
-        f += pair_node(b, watch, p_0, x_q, now["z_lo"] + (s + 0.5) * step, step, apart)
+        f += pair_node(b, watch, p_0, x_q, now["z_lo"] + (s + 0.5) * step, step, deviating)
     return f
 
 
 @kernel
-def pair_line(b, watch, p_0, x_q, apart):
+def pair_line(b, watch, p_0, x_q, deviating):
     """Sum over one contact line."""
     if b["slices"] == 0:
-        return exact_line(b, watch, p_0, x_q, apart)
-    return sliced_line(b, watch, p_0, x_q, apart)
+        return exact_line(b, watch, p_0, x_q, deviating)
+    return sliced_line(b, watch, p_0, x_q, deviating)
 
 
 @kernel
-def apart(record, watch, _):
+def deviating_line(record, watch, _):
     """Sum over the contact line that begins at line[0] with the penetration line[1]; its force to line[2].
 
-    For a pair with a tooth that has grids of its own, through an address: most meshes have none, and their
-    kernel compiles in three quarters of the time without these. `watch` 1: something is observed.
+    For a pair with a tooth that deviates from the nominal flank, called through an address: most meshes have
+    none, and their kernel compiles in three quarters of the time without these. `watch` 1: observed.
     """
     b = view(record, 1, RECORD)[0]
     line = b["now"]["line"]
@@ -352,7 +352,7 @@ def profile_flank(b, watch, x_0):
         if b["n_sep"] > 0 and find_rows(b, pair_teeth(b, q)):
             now["line"][0] = p_0
             now["line"][1] = x_q
-            call(b["apart"], b["here"], 1 if watch is not None else 0, 0)
+            call(b["deviating"], b["here"], 1 if watch is not None else 0, 0)
             f = now["line"][2]
         else:
             f = pair_line(b, watch, p_0, x_q, None)

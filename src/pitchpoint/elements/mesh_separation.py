@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What flanks have of their own besides the involute: grids of both gears, read at the point of contact.
+"""Deviations of flanks from the involute: grids of both gears, read at the point of contact.
 
 Of every gear there are two stacks of grids over its width and its length of roll. The first holds gaps along
 the base tangent and added compliances, both from station to station; the second, finer where it has to be,
