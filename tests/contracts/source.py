@@ -67,3 +67,52 @@ def modules(*layers: str) -> Iterator[ModuleType]:
         yield package
         for info in pkgutil.walk_packages(package.__path__, f"{package.__name__}."):
             yield importlib.import_module(info.name)
+
+
+def imports_that_run(path: Path) -> Iterator[ast.Import | ast.ImportFrom]:
+    """Import statements of a file at any depth, those inside functions too; not those for type checkers."""
+    stack: list[ast.AST] = [tree(path)]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            yield node
+        elif isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
+            stack += node.orelse
+        else:
+            stack += ast.iter_child_nodes(node)
+
+
+def import_graph() -> dict[str, set[str]]:
+    """Modules of the package by module that imports them at any time."""
+    places = {p: ".".join(p.relative_to(PACKAGE.parent).with_suffix("").parts) for p in PACKAGE.rglob("*.py")}
+    names = {p: name.removesuffix(".__init__") for p, name in places.items()}
+    modules = set(names.values())
+    graph: dict[str, set[str]] = {}
+    for path, name in names.items():
+        found: set[str] = set()
+        for node in imports_that_run(path):
+            if isinstance(node, ast.Import):
+                found |= {alias.name for alias in node.names}
+            elif node.module is not None:
+                members = {f"{node.module}.{alias.name}" for alias in node.names}
+                found |= (members & modules) or {node.module}
+        graph[name] = (found & modules) - {name}
+    return graph
+
+
+def circles(graph: dict[str, set[str]]) -> list[set[str]]:
+    """Groups of modules of which each reaches all others of its group, largest first."""
+    reached: dict[str, set[str]] = {}
+    for name in graph:
+        seen: set[str] = set()
+        stack = [name]
+        while stack:
+            new = graph[stack.pop()] - seen
+            seen |= new
+            stack += new
+        reached[name] = seen
+    found: list[set[str]] = []
+    for name, seen in reached.items():
+        if name in seen and not any(name in group for group in found):
+            found.append({other for other in seen if name in reached[other]})
+    return sorted(found, key=lambda group: (-len(group), min(group)))

@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import contextlib
+import copy
 import io
+from pathlib import Path
 from typing import Any
 
 from hypothesis import given
@@ -20,6 +22,11 @@ from pitchpoint.model.read import Reader
 from pitchpoint.system.compile import compile_model
 from tests.support.model_files import CONTROLLED_PAIR, ISO_EXAMPLE, TORSIONAL_PAIR
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
+SHIPPED = {
+    name: (EXAMPLES / name / "model.yaml").read_text(encoding="utf-8")
+    for name in ("flyball-governor", "phm-2009-rig", "speed-control", "squeezing-mechanism")
+}
 SIGNALS = ("sensors", "blocks", "controllers", "actuators")
 KEYS = sorted({name for _, _, name, _ in walk(Model)} | {"law"})
 UNITS = ["", " mm", " deg", " kg", " N m", " rpm", " Hz", " N/m", " s", " N/(mm um)", " furlong", " °", "²"]
@@ -86,6 +93,12 @@ def places(data: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
     return out
 
 
+def at(data: Any, path: tuple[Any, ...]) -> Any:
+    for step in path:
+        data = data[step]
+    return data
+
+
 def put(data: Any, path: tuple[Any, ...], value: Any) -> None:
     for step in path[:-1]:
         data = data[step]
@@ -113,6 +126,27 @@ def test_valid_files_with_some_values_changed(text: str, data: st.DataObject) ->
     for _ in range(data.draw(st.integers(1, 3))):
         path = data.draw(st.sampled_from(places(tree)))
         put(tree, path, data.draw(st.one_of(SCALARS, TREES)))
+    load_or_refuse(tree)
+
+
+@given(st.sampled_from(sorted(SHIPPED)), st.data())
+def test_shipped_files_with_parts_moved(name: str, data: st.DataObject) -> None:
+    """Parts deleted, doubled, copied or renamed: what names something that is gone is refused."""
+    tree = yaml_data(SHIPPED[name])
+    for _ in range(data.draw(st.integers(1, 3))):
+        path, other = (data.draw(st.sampled_from(places(tree))) for _ in range(2))
+        parent = at(tree, path[:-1])
+        how = data.draw(st.sampled_from(["delete", "name", "copy", "double"]))
+        if how == "delete":
+            del parent[path[-1]]
+        elif how == "name":
+            parent[path[-1]] = data.draw(st.sampled_from(["nobody", "ground", "nobody.m", str(other[-1])]))
+        elif how == "copy" and other != path[: len(other)]:
+            parent[path[-1]] = copy.deepcopy(at(tree, other))
+        elif how == "double" and isinstance(parent, dict):
+            parent[f"{path[-1]}_2"] = copy.deepcopy(parent[path[-1]])
+        if not places(tree):
+            return
     load_or_refuse(tree)
 
 

@@ -85,7 +85,7 @@ def test_type_a_is_thin_at_the_tip_and_can_be_made():
     assert tip_thickness(g1) / g1.m_n == pytest.approx(0.13, abs=0.01)
     (thin,) = g1.warnings("pinion")
     assert thin.where == "pinion.profile_shift_coefficient" and thin.limit == "0.2 m_n"
-    assert "tip thickness of 0.13 m_n" in thin.message
+    assert "tip thickness of 0.13 m_n" in thin.text
     model = loads_model(
         "gears:\n"
         "  pinion: {number_of_teeth: 16, normal_module: 4.5 mm, face_width: 20 mm,\n"

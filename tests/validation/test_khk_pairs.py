@@ -69,7 +69,7 @@ def test_internal_contact_ratio_holds_for_the_tip_circles_only():
     pair = GearPair.at_distance(CylindricalGear(z=16, m_n=3e-3), ring, 13.1683e-3)
     assert pair.gear1.undercut and pair.gear1.x_min > 0.0
     assert pair.eps_alpha_form == pytest.approx(1.6452, abs=1e-4)
-    assert len(pair.warnings()) == 1 and "undercut" in pair.warnings()[0].message
+    assert len(pair.warnings()) == 1 and "undercut" in pair.warnings()[0].text
 
 
 def test_helical_pair_of_the_calculation_sheet():

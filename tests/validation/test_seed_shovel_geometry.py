@@ -61,5 +61,5 @@ def test_the_whole_shift_on_the_wheel_of_stage_one_leaves_an_undercut_pinion():
     wheel = CylindricalGear(z=z2, m_n=m_n * 1e-3, beta=-math.radians(beta), x=0.49579, b=0.12)
     pair = GearPair(pinion, wheel, a_w * 1e-3)
     assert not pair.problems()
-    assert ["undercut" in p.message for p in pair.warnings()] == [True]
+    assert ["undercut" in p.text for p in pair.warnings()] == [True]
     assert pair.eps_alpha_form < 1.22 < pair.eps_alpha

@@ -6,7 +6,6 @@ The functions themselves take arrays and know nothing of datasets; this module c
 
 from __future__ import annotations
 
-import difflib
 import inspect
 import json
 import operator
@@ -20,6 +19,7 @@ import numpy as np
 from pitchpoint.analysis.sampled import Array, SignalError, sample_rate_of
 from pitchpoint.analysis.tacho import angle_channel
 from pitchpoint.analysis.tools import SOURCES, TOOLS, Output, Tool
+from pitchpoint.core.nearest import did_you_mean, hint
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -128,9 +128,8 @@ def tool_options(tool: str) -> dict[str, inspect.Parameter]:
 
 def _row(tool: str) -> Tool:
     if tool not in TOOLS:
-        near = difflib.get_close_matches(str(tool), TOOLS, n=2)
-        hint = f"did you mean {' or '.join(near)}?" if near else f"there are {', '.join(TOOLS)}"
-        raise SignalError(f"tool: {tool!r} is unknown; {hint}")
+        guess = did_you_mean(tool, TOOLS, 2).strip() or f"there are {', '.join(TOOLS)}"
+        raise SignalError(f"tool: {tool!r} is unknown; {guess}")
     return TOOLS[tool]
 
 
@@ -147,10 +146,7 @@ def _wanted(names: Sequence[str], channel: Sequence[str] | None) -> list[str]:
 
 def _known(name: str, names: Sequence[str], what: str) -> None:
     if name not in names:
-        near = difflib.get_close_matches(str(name), names, n=3)
-        more = ", ..." if len(names) > 12 else ""
-        hint = f"did you mean {', '.join(near)}?" if near else f"there are {', '.join(names[:12])}{more}"
-        raise SignalError(f"{what}: {name!r} is not a channel of the record; {hint}")
+        raise SignalError(f"{what}: {name!r} is not a channel of the record; {hint(name, names, 3)}")
 
 
 def _options(tool: str, row: Tool, options: Mapping[str, Any]) -> dict[str, Any]:
@@ -158,10 +154,7 @@ def _options(tool: str, row: Tool, options: Mapping[str, Any]) -> dict[str, Any]
     known = tool_options(tool)
     for name in options:
         if name not in known:
-            near = difflib.get_close_matches(name, known, n=1)
-            listed = ", ".join(known) or "none"
-            hint = f"did you mean {near[0]}?" if near else f"there are {listed}"
-            raise SignalError(f"{tool}: has no option {name!r}; {hint}")
+            raise SignalError(f"{tool}: has no option {name!r}; {hint(name, known)}")
     missing = [n for n, p in known.items() if p.default is p.empty and n not in options]
     if missing:
         raise SignalError(f"{tool}: needs the option {' and '.join(missing)}; such as {missing[0]}=100")

@@ -14,13 +14,13 @@ energies add up exactly.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
+from pitchpoint.core.nearest import hint
 
 
 @dataclass(frozen=True)
@@ -256,10 +256,7 @@ def unknown(what: str, name: str, names: list[str]) -> SignalError:
     names
         Those that are known.
     """
-    # families are often written with capitals, Db5
-    near = get_close_matches(name.lower(), names, 1)
-    shown = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
-    return SignalError(f"{what}: {name!r} is unknown; use " + (repr(near[0]) if near else f"one of {shown}"))
+    return SignalError(f"{what}: {name!r} is unknown; {hint(name, names)}")
 
 
 def check_extension(name: str) -> None:

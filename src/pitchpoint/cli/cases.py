@@ -54,7 +54,7 @@ def with_settings(model: Model, settings: Sequence[str]) -> Model:
     """The model with the values of `--set`."""
     changes: dict[str, Any] = {}
     for text in settings:
-        path, sign, value = (part.strip() for part in text.partition("="))
+        path, sign, value = (part.strip() for part in split_at_path(text, model))
         if not sign or not path or not value:
             raise click.BadParameter(f"{text!r} is not of the form PATH=VALUE", param_hint="--set")
         if path in changes:
@@ -63,8 +63,26 @@ def with_settings(model: Model, settings: Sequence[str]) -> Model:
     return model.replace_all(changes) if changes else model
 
 
-def values_of(text: str) -> tuple[str, list[Any]]:
+def split_at_path(text: str, model: Model | None = None) -> tuple[str, str, str]:
+    """Split `PATH=VALUE` as `str.partition` does; names of the model may have an equals sign themselves."""
+    if model is not None:
+        from pitchpoint.model.numbers import has_path
+
+        for k, letter in enumerate(text):
+            if letter == "=" and has_path(model, text[:k].strip()):
+                return text[:k], "=", text[k + 1 :]
+    return text.partition("=")
+
+
+def values_of(text: str, model: Model | None = None) -> tuple[str, list[Any]]:
     """Read one `PATH=V1,V2`; commas inside brackets belong to a value.
+
+    Parameters
+    ----------
+    text
+        What follows `--vary`.
+    model
+        Its names decide where the path ends if one of them has an equals sign.
 
     Examples
     --------
@@ -73,7 +91,7 @@ def values_of(text: str) -> tuple[str, list[Any]]:
     >>> values_of("loads.input.torque=50 N m, 10 N m * min(t, 1)")[1]
     ['50 N m', '10 N m * min(t, 1)']
     """
-    path, sign, rest = text.partition("=")
+    path, sign, rest = split_at_path(text, model)
     parts, depth = [""], 0
     for letter in rest:
         depth += (letter in _OPEN) - (letter in _CLOSE)
@@ -116,7 +134,7 @@ def run_varied(
 
     paths: dict[str, list[Any]] = {}
     for text in vary:
-        path, values = values_of(text)
+        path, values = values_of(text, model)
         if path in paths:
             raise click.BadParameter(f"{path} is varied twice", param_hint="--vary")
         paths[path] = values
@@ -154,9 +172,9 @@ def run_varied(
 
 def refuse_the_impossible(model: Model, cases: Sequence[dict[str, Any]]) -> None:
     """Stop with all problems if no case can be run; single impossible cases only get a status."""
-    from pitchpoint.core.errors import ModelError, Problem
+    from pitchpoint.core.errors import Message, ModelError
 
-    problems: dict[Problem, None] = {}
+    problems: dict[Message, None] = {}
     for case in cases:
         try:
             model.replace_all(case)

@@ -42,14 +42,14 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """
     from pitchpoint.cli.failure import say
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.model.remarks import odd_shapes, warn_of_remarks
+    from pitchpoint.model.remarks import odd_shapes, remarks_of
 
     model = read_model(file, allow_code, quiet)
-    warn_of_remarks(model)
-    for text in odd_shapes(model):
-        say(f"warning: {text}")
+    messages = (*remarks_of(model), *odd_shapes(model))
+    for message in messages:
+        say(f"warning: {message}")
     if as_json:
-        emit_json(summary(model))
+        emit_json({**summary(model), "messages": [message.parts for message in messages]})
     elif not quiet:
         _print(model, file)
 

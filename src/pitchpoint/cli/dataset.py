@@ -114,14 +114,14 @@ def dataset(
 def checked(plan: DatasetPlan, allow_code: bool, quiet: bool) -> tuple[DatasetPlan, Model]:
     """Plan, checked against the model that it names, and the model."""
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.core.errors import ModelError, Problem
+    from pitchpoint.core.errors import Message, ModelError
     from pitchpoint.model.read_plan import check_plan
     from pitchpoint.system.compile import compile_model
 
     path = Path(str(plan.file)).parent / plan.model
     if not path.is_file():
         line = plan.lines.get(("model",))
-        problem = Problem(
+        problem = Message(
             "model", "there is no such file", str(path), None, "name it from the plan's folder", line
         )
         raise ModelError([problem], plan.file)

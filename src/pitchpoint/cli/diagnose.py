@@ -119,14 +119,14 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
 
 def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
     """The page to write, looked at before anything is computed."""
-    from pitchpoint.core.errors import Problem
+    from pitchpoint.core.errors import Message
     from pitchpoint.io.target import OutputError, check_target
 
     if path is None:
         return None
     if not path.lower().endswith(PAGE_ENDINGS):
         raise OutputError(
-            str(Problem("output", "is no HTML page", path, " or ".join(PAGE_ENDINGS), "name another file"))
+            str(Message("output", "is no HTML page", path, " or ".join(PAGE_ENDINGS), "name another file"))
         )
     return check_target(path, "page", [name for name in inputs if name])
 

@@ -75,11 +75,11 @@ def list_examples(as_json: bool) -> None:
 def copy_example(name: str, directory: str | None, force: bool) -> None:
     """Copy the example NAME into the folder DIRECTORY (./NAME if left out)."""
     if name not in example_names():
-        import difflib
+        from pitchpoint.core.nearest import did_you_mean
 
-        near = difflib.get_close_matches(name, example_names(), n=1)
-        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(example_names()) or 'none'}"
-        raise click.BadParameter(f"no example {name!r}; {hint}", param_hint="NAME")
+        known = example_names()
+        guess = did_you_mean(name, known).strip() or f"there are {', '.join(known) or 'none'}"
+        raise click.BadParameter(f"no example {name!r}; {guess}", param_hint="NAME")
     target = Path(directory if directory is not None else name)
     if target.exists() and any(target.iterdir()) and not force:
         raise click.BadParameter(f"{target} is not empty; use --force to overwrite", param_hint="DIRECTORY")

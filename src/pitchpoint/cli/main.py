@@ -69,11 +69,10 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """Find the command, or name the nearest spelling."""
         if args and not args[0].startswith("-") and args[0] not in COMMANDS:
-            import difflib
+            from pitchpoint.core.nearest import did_you_mean
 
-            near = difflib.get_close_matches(args[0], COMMANDS, n=1)
-            hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(COMMANDS)}"
-            ctx.fail(f"no command {args[0]!r}; {hint}")
+            guess = did_you_mean(args[0], COMMANDS).strip() or f"there are {', '.join(COMMANDS)}"
+            ctx.fail(f"no command {args[0]!r}; {guess}")
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

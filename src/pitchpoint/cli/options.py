@@ -105,10 +105,8 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
 def one_of(name: str | None, names: Sequence[str], what: str) -> str:
     """Find the name that an option gives, or say which ones there are."""
     if name is None or name not in names:
-        import difflib
+        from pitchpoint.core.nearest import hint
 
-        near = difflib.get_close_matches(name or "", names, n=1)
-        hint = f"did you mean {near[0]!r}?" if near else f"there are {', '.join(names) or 'none'}"
-        said = f"say which {what}" if name is None else f"no {what} {name!r}"
-        raise click.BadParameter(f"{said}; {hint}", param_hint=f"--{what}")
+        problem = f"select a {what}" if name is None else f"no {what} {name!r}"
+        raise click.BadParameter(f"{problem}; {hint(name or '', names)}", param_hint=f"--{what}")
     return name

@@ -111,18 +111,16 @@ def compute(
 
 def _check_names(system: System, keep: tuple[str, ...]) -> None:
     """Refuse names of what is to stay that nothing has."""
-    import difflib
-
+    from pitchpoint.core.nearest import did_you_mean
     from pitchpoint.solvers.reduction_choice import names_to_keep
 
     known = names_to_keep(system)
     for name in keep:
         if name not in known:
-            near = difflib.get_close_matches(name, known, n=1)
-            hint = f"did you mean {near[0]!r}? " if near else ""
             more = f" and {len(known) - LISTED} more" if len(known) > LISTED else ""
             raise click.BadParameter(
-                f"nothing to keep is called {name}; {hint}there are: {', '.join(known[:LISTED])}{more}",
+                f"nothing to keep is called {name}; {did_you_mean(name, known)}"
+                f"there are: {', '.join(known[:LISTED])}{more}",
                 param_hint="--keep",
             )
 

@@ -74,12 +74,11 @@ def choose_scenario(model: Model, name: str | None, *kinds: str) -> str:
 def known_scenario(model: Model, name: str) -> str:
     """Check that there is a scenario of this name."""
     if name not in model.scenarios:
-        import difflib
+        from pitchpoint.core.nearest import hint
 
-        near = difflib.get_close_matches(name, model.scenarios, n=1)
-        listed = ", ".join(model.scenarios) or "none"
-        hint = f"did you mean {near[0]!r}?" if near else f"there are: {listed}"
-        raise click.BadParameter(f"no scenario {name!r}; {hint}", param_hint="--scenario")
+        raise click.BadParameter(
+            f"no scenario {name!r}; {hint(name, model.scenarios)}", param_hint="--scenario"
+        )
     return name
 
 

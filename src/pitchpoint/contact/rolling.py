@@ -54,7 +54,13 @@ def ellipse(difference: float) -> tuple[float, float, float]:
     Parameters
     ----------
     difference
-        Curvature difference F(rho), 0 (circle) up to, but not, 1 (line).
+        Curvature difference F(rho), from 0 (circle) to below 1 (line). It is negative where the ellipse is
+        long in the rolling direction, as on a raceway without a groove; only the size of F matters here.
+
+    Raises
+    ------
+    ValueError
+        If the size of F is 1 or more.
 
     Raises
     ------
@@ -75,9 +81,10 @@ def ellipse(difference: float) -> tuple[float, float, float]:
     >>> ellipse(0.0)
     (1.0, 1.0, 1.0)
     """
-    if not 0.0 <= difference < 1.0:
-        raise ValueError(f"the curvature difference must be in [0, 1), not {difference!r}")
-    if difference < 1e-9:
+    size = abs(difference)
+    if not size < 1.0:
+        raise ValueError(f"the curvature difference must lie between -1 and 1, not {difference!r}")
+    if size < 1e-9:
         return 1.0, 1.0, 1.0
     from scipy.optimize import brentq
     from scipy.special import ellipe, ellipkm1
@@ -90,9 +97,10 @@ def ellipse(difference: float) -> tuple[float, float, float]:
         """Curvature difference of an ellipse with the axis ratio e^log_k, less the one wanted [-]."""
         first, second = integrals(log_k)
         squared = math.exp(2.0 * log_k)
-        return ((squared + 1.0) * second - 2.0 * first) / ((squared - 1.0) * second) - difference
+        return ((squared + 1.0) * second - 2.0 * first) / ((squared - 1.0) * second) - size
 
-    log_k = float(brentq(mismatch, 1e-4, 30.0, xtol=1e-13))
+    near_circle = size < 1e-4  # F = 3/4 ln k + O(ln^3 k), where the difference of the integrals cancels
+    log_k = size / 0.75 if near_circle else float(brentq(mismatch, 1e-4, 30.0, xtol=1e-13))
     first, second = integrals(log_k)
     k = math.exp(log_k)
     a = (2.0 * k * k * second / math.pi) ** (1.0 / 3.0)

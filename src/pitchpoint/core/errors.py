@@ -8,7 +8,6 @@ Nothing but a `PitchpointError` ever leaves the package on purpose. Messages hav
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 
@@ -16,28 +15,98 @@ class PitchpointError(Exception):
     """Base of all errors that the package raises on purpose."""
 
 
-@dataclass(frozen=True)
-class Problem:
-    """One thing wrong with a description: where it stands, what it says, what is allowed, what to do."""
+class Message(str):
+    """One thing that a user should know: a sentence that keeps its parts.
+
+    It is the sentence, so that it can be shown, joined and stored like any text.
+
+    Parameters
+    ----------
+    where
+        Place in the description, such as "gears.pinion.face_width"; '' if it concerns the whole.
+    text
+        What is wrong or notable.
+    value, limit
+        The value found, and what is allowed.
+    remedy
+        What to do about it.
+    line
+        Line of the file, from 1.
+    kind
+        "problem": nothing can be computed; "warning": outside a usual or stated range; "remark": probably not
+        what was meant; "note": an assumption or limitation of a result.
+
+    Examples
+    --------
+    >>> message = Message("gears.g1.face_width", "is out of range", "-1 mm", "> 0", "write 1 mm", line=4)
+    >>> print(message)
+    gears.g1.face_width (line 4): -1 mm is out of range (limit > 0); write 1 mm
+    >>> message.limit, message.kind
+    ('> 0', 'problem')
+    """
 
     where: str
-    message: str
-    value: str | None = None
-    limit: str | None = None
-    remedy: str | None = None
-    line: int | None = None
+    text: str
+    value: str | None
+    limit: str | None
+    remedy: str | None
+    line: int | None
+    kind: str
 
-    def __str__(self) -> str:
-        place = self.where if self.line is None else f"{self.where} (line {self.line})"
-        text = f"{place}: " if place else ""
-        if self.value is not None:
-            text += f"{self.value} "
-        text += self.message
-        if self.limit is not None:
-            text += f" (limit {self.limit})"
-        if self.remedy is not None:
-            text += f"; {self.remedy}"
-        return text
+    def __new__(
+        cls,
+        where: str,
+        text: str,
+        value: str | None = None,
+        limit: str | None = None,
+        remedy: str | None = None,
+        line: int | None = None,
+        kind: str = "problem",
+    ) -> Message:
+        """Put the sentence together."""
+        place = where if line is None else f"{where} (line {line})"
+        sentence = f"{place}: " if place else ""
+        sentence += text if value is None else f"{value} {text}"
+        sentence += "" if limit is None else f" (limit {limit})"
+        sentence += "" if remedy is None else f"; {remedy}"
+        self = super().__new__(cls, sentence)
+        self.where, self.text, self.value, self.limit = where, text, value, limit
+        self.remedy, self.line, self.kind = remedy, line, kind
+        return self
+
+    @property
+    def parts(self) -> dict[str, Any]:
+        """Its parts by name, in the order of the arguments."""
+        return dict(vars(self))
+
+    def changed(self, **parts: Any) -> Message:
+        """The same with some parts changed."""
+        return Message(**{**self.parts, **parts})
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Message, tuple(self.parts.values())
+
+
+def remark(where: str, text: str, remedy: str | None = None, line: int | None = None) -> Message:
+    """Something in a description that is allowed, but probably not what was meant.
+
+    Parameters
+    ----------
+    where, text, remedy, line
+        As for `Message`.
+    """
+    return Message(where, text, remedy=remedy, line=line, kind="remark")
+
+
+def note(text: str, where: str = "", remedy: str | None = None) -> Message:
+    """An assumption or limitation of a result.
+
+    Parameters
+    ----------
+    text, where, remedy
+        As for `Message`.
+    """
+    return Message(where, text, remedy=remedy, kind="note")
 
 
 class ModelError(PitchpointError, ValueError):
@@ -51,7 +120,7 @@ class ModelError(PitchpointError, ValueError):
         Name of the file they stand in, if any.
     """
 
-    def __init__(self, problems: Sequence[Problem], file: str | None = None) -> None:
+    def __init__(self, problems: Sequence[Message], file: str | None = None) -> None:
         self.problems = tuple(problems)
         self.file = file
         head = f"{file}: " if file else ""
@@ -79,7 +148,7 @@ class GeometryError(PitchpointError, ValueError):
         limit: str | None = None,
         remedy: str | None = None,
     ) -> None:
-        self.problem = Problem(where, message, value, limit, remedy)
+        self.problem = Message(where, message, value, limit, remedy)
         super().__init__(str(self.problem))
 
 

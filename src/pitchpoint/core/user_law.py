@@ -19,7 +19,7 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 
 
 @dataclass(frozen=True, eq=False)
@@ -184,4 +184,4 @@ def _positional(function: Any) -> list[inspect.Parameter]:
 
 
 def _refuse(where: str, value: str, message: str, remedy: str) -> NoReturn:
-    raise ModelError([Problem(where, message, value=value, remedy=remedy)])
+    raise ModelError([Message(where, message, value=value, remedy=remedy)])

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError
+from pitchpoint.core.nearest import hint
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.signal_record import (
     CHANNEL,
@@ -91,9 +91,7 @@ def evaluation_order(nodes: dict[str, Node]) -> list[Node]:
             trail.append((name, k + 1))
             wanted = needs[k]
             if wanted not in nodes:
-                near = get_close_matches(wanted, nodes, 1)
-                hint = f"; did you mean {near[0]!r}?" if near else ""
-                raise CompileError(f"signal {name!r}: no signal is called {wanted!r}{hint}")
+                raise CompileError(f"signal {name!r}: no signal is called {wanted!r}; {hint(wanted, nodes)}")
             on_trail = [n for n, _ in trail]
             if wanted in on_trail:
                 loop = [*on_trail[on_trail.index(wanted) :], wanted]

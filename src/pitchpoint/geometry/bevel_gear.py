@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.involute import transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
 
@@ -381,7 +381,7 @@ class BevelGear:
         """Half angle of the tooth between its involutes on the cone δ_y ≥ δ_b [rad]."""
         return self.psi_b - spherical_involute(self.sigma_at(delta_y), self.delta_b)
 
-    def problems(self, where: str = "") -> list[Problem]:
+    def problems(self, where: str = "") -> list[Message]:
         """Everything that makes this gear impossible, each with value, limit and remedy.
 
         Parameters
@@ -393,7 +393,7 @@ class BevelGear:
 
         return bevel_gear_problems(self, where)
 
-    def warnings(self, where: str = "") -> list[Problem]:
+    def warnings(self, where: str = "") -> list[Message]:
         """What is odd about this gear: a wide face, a root radius without room."""
         from pitchpoint.geometry.bevel_problems import bevel_gear_warnings
 

@@ -14,7 +14,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.bevel_gear import BevelGear
 
 
@@ -257,7 +257,7 @@ class BevelPair:
 
     def problems(
         self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2"), gears: bool = True
-    ) -> list[Problem]:
+    ) -> list[Message]:
         """Everything that makes this pair impossible, each with value, limit and remedy.
 
         Parameters
@@ -273,7 +273,7 @@ class BevelPair:
 
         return bevel_pair_problems(self, where, names, gears)
 
-    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
+    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Message]:
         """Pairs that run, but not as drawn: faces without overlap, tips below the mate's involute."""
         from pitchpoint.geometry.bevel_problems import bevel_pair_warnings
 

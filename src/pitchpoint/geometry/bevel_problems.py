@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import Problem
+from pitchpoint.core.errors import Message
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
     Found,
@@ -44,7 +44,7 @@ def _mm(length: float) -> str:
     return f"{1e3 * length:.6g} mm"
 
 
-def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
+def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Message]:
     """Everything that makes one bevel gear impossible.
 
     Parameters
@@ -56,7 +56,7 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Problem]:
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty for a gear that can be made.
 
     Examples
@@ -116,7 +116,7 @@ def _thin_tip(gear: BevelGear) -> Found | None:
     return thin_tip(tip_thickness(gear) / gear.m_mn, "m_mn", key, value, remedy)
 
 
-def bevel_gear_warnings(gear: BevelGear, where: str = "") -> list[Problem]:
+def bevel_gear_warnings(gear: BevelGear, where: str = "") -> list[Message]:
     """What is unusual about a bevel gear that can be made: wide face, thin tip, no room for the root radius.
 
     Parameters
@@ -128,7 +128,7 @@ def bevel_gear_warnings(gear: BevelGear, where: str = "") -> list[Problem]:
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty for most, and for impossible gears.
 
     Notes
@@ -157,7 +157,7 @@ distance); reduce it, or use more teeth or a larger module
     if gear.b > most * (1.0 + 1e-9):
         message, limit = "is a wide face for a bevel gear", f"{_mm(most)}, {which}"
         remedy = "reduce it, or use more teeth or a larger module"
-        found.append(Problem(at_key(where, "face_width"), message, _mm(gear.b), limit, remedy))
+        found.append(Message(at_key(where, "face_width"), message, _mm(gear.b), limit, remedy))
     # a tip with room for its radius may be made smaller by 1e-6 of it, so that its formulas hold
     room = crown_tool(gear).rho * gear.R_m / gear.m_mn * (1.0 + 1e-5)
     return found + full_rounding(where, gear.rack.rho_fP_star, room)
@@ -165,7 +165,7 @@ distance); reduce it, or use more teeth or a larger module
 
 def bevel_pair_problems(
     pair: BevelPair, where: str, names: tuple[str, str], gears: bool = True
-) -> list[Problem]:
+) -> list[Message]:
     """Everything that makes a pair of bevel gears impossible.
 
     Parameters
@@ -181,7 +181,7 @@ def bevel_pair_problems(
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty for a pair that can run.
 
     Examples
@@ -203,7 +203,7 @@ b 40.107 deg); correct pitch_cone_angle or shaft_angle
     )
 
 
-def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Problem]:
+def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Message]:
     """Two gears that cannot belong together."""
     from pitchpoint.geometry.bevel_pair import pitch_angles
 
@@ -216,7 +216,7 @@ def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Pro
             for cones in ((one.delta, two.delta), right)
         )
         message = "are not the pitch cone angles of this shaft angle"
-        found.append(Problem(place, message, value, limit, "correct pitch_cone_angle or shaft_angle"))
+        found.append(Message(place, message, value, limit, "correct pitch_cone_angle or shaft_angle"))
     alpha, beta = (one.alpha_n, two.alpha_n), (abs(one.beta_m), abs(two.beta_m))
     if abs(alpha[0] - alpha[1]) > ANGLE_TOLERANCE:
         what = "normal pressure angles"
@@ -228,7 +228,7 @@ def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Pro
     if not pair.b > 0.0:
         message, remedy = "have no face in common", f"{_modules(pair)}, or correct the face widths"
         limit = "cone distances that overlap"
-        found.append(Problem(place, message, _faces(pair, names), limit, remedy))
+        found.append(Message(place, message, _faces(pair, names), limit, remedy))
     return found
 
 
@@ -244,13 +244,13 @@ def _modules(pair: BevelPair) -> str:
     return f"give both the same outer_transverse_module ({m_et} now)"
 
 
-def _contact(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Problem]:
+def _contact(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Message]:
     """No contact, tips in roots."""
     one, two, words = pair.gear1, pair.gear2, _words()
     found = tips_in_roots(place, (two.theta_f - one.theta_a, one.theta_f - two.theta_a), names, words)
     if pair.eps_alpha <= 0.0:
         message, remedy = "leave no path of contact", words.lengths
-        return [*found, Problem(place, message, " and ".join(names), "tips that overlap", remedy)]
+        return [*found, Message(place, message, " and ".join(names), "tips that overlap", remedy)]
     beyond = (-pair.sigma_A, pair.sigma_E - pair.sigma_T)
     return found + interferences(pair, place, beyond, _slack(pair), names, words)
 
@@ -272,7 +272,7 @@ def _words() -> Words:
     )
 
 
-def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> list[Problem]:
+def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> list[Message]:
     """What is odd about a pair that can be built, as of cylindrical gears in `pitchpoint.geometry.problems`.
 
     Parameters
@@ -286,7 +286,7 @@ def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> 
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty where the involutes cover the whole path of contact, one pair always carries and the faces lie
         in each other, and for impossible pairs.
 
@@ -297,7 +297,7 @@ def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> 
     >>> gears = [
     ...     BevelGear.of_outer_module(z=z, m_et=3e-3, delta=delta, b=9e-3)
     ...     for z, delta in zip((13, 40), pitch_angles(13, 40, math.pi / 2))]
-    >>> [p.message for p in bevel_pair_warnings(BevelPair(*gears, math.pi / 2), "", ("p", "w"))]
+    >>> [p.text for p in bevel_pair_warnings(BevelPair(*gears, math.pi / 2), "", ("p", "w"))]
     ['reaches below the root form cone of p (undercut)']
     """
     if pair.problems():
@@ -307,7 +307,7 @@ def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> 
     if share < SHARED_FACE:
         message = f"share {100.0 * share:.3g} % of the narrower face"
         limit = f"{100.0 * SHARED_FACE:g} %"
-        found.append(Problem(place, message, _faces(pair, names), limit, _modules(pair)))
+        found.append(Message(place, message, _faces(pair, names), limit, _modules(pair)))
     one, two = pair.gear1, pair.gear2
     starts = (
         (one, one.sigma_Ff - pair.sigma_A, pair.sigma_A),

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.involute import base_helix_angle, inv, transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
@@ -366,7 +366,7 @@ class CylindricalGear:
         return self.s_t / self.d + inv(self.alpha_t)
 
     # --- judgement ------------------------------------------------------------------------------------
-    def problems(self, where: str = "") -> list[Problem]:
+    def problems(self, where: str = "") -> list[Message]:
         """Everything that makes this gear impossible, each with value, limit and remedy.
 
         Parameters
@@ -378,7 +378,7 @@ class CylindricalGear:
 
         return gear_problems(self, where)
 
-    def warnings(self, where: str = "") -> list[Problem]:
+    def warnings(self, where: str = "") -> list[Message]:
         """What is odd about this gear: a root radius without room."""
         from pitchpoint.geometry.problems import gear_warnings
 

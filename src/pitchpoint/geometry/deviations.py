@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.modifications import (
     FlankModifications,
     base_tangent,
@@ -96,7 +96,7 @@ def _refuse(where: str, message: str, value: object, limit: str) -> GeometryErro
     return GeometryError(message, where=where, value=f"{value}", limit=limit)
 
 
-def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str = "") -> list[Problem]:
+def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str = "") -> list[Message]:
     """Deviations that no tooth of a gear can have.
 
     Parameters

@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.backlash import Backlash, backlash_at
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.involute import inv
@@ -377,7 +377,7 @@ class GearPair:
 
     def problems(
         self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2"), gears: bool = True
-    ) -> list[Problem]:
+    ) -> list[Message]:
         """Everything that makes this pair impossible, each with value, limit and remedy.
 
         Parameters
@@ -393,7 +393,7 @@ class GearPair:
 
         return pair_problems(self, where, names, gears)
 
-    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Problem]:
+    def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Message]:
         """What runs, but not as the involute promises: tips that reach below the mate's root form circle."""
         from pitchpoint.geometry.problems import pair_warnings
 

@@ -11,11 +11,11 @@ temperature, and that of a polyamide with humidity: give measured values where i
 
 from __future__ import annotations
 
-import difflib
 import math
 from dataclasses import dataclass
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.nearest import did_you_mean
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -130,12 +130,11 @@ def material(name: str) -> Material:
     plain = {_plain(known): known for known in LIBRARY}
     found = plain.get(_plain(name))
     if found is None:
-        near = difflib.get_close_matches(_plain(name), list(plain), 1, 0.5)
         raise GeometryError(
             "is not a material of the library",
             where="material",
             value=repr(name),
-            remedy=(f"did you mean {plain[near[0]]}? " if near else "") + f"known are {', '.join(LIBRARY)}",
+            remedy=f"{did_you_mean(name, LIBRARY)}known are {', '.join(LIBRARY)}",
         )
     return LIBRARY[found]
 

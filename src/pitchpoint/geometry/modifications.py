@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel_gear import BevelGear
@@ -192,7 +192,7 @@ def base_tangent(normal: ArrayLike, gear: CylindricalGear) -> FloatArray:
 
 def modification_problems(
     modifications: FlankModifications, gear: CylindricalGear, where: str = ""
-) -> list[Problem]:
+) -> list[Message]:
     """Everything in the modifications that does not fit the flanks of a gear.
 
     Parameters
@@ -234,7 +234,7 @@ def modification_problems(
             continue
         if relief.length is not None and relief.length > flank * (1.0 + _FIT):
             found.append(
-                Problem(
+                Message(
                     f"{place}{key}.length",
                     "is longer than the flank",
                     f"{1e3 * relief.length:.6g} mm",
@@ -247,7 +247,7 @@ def modification_problems(
         own_end = abs(gear.d_Fa if key == "tip_relief" else gear.d_Ff)
         if d is not None and (not low * (1.0 - _FIT) <= d <= high * (1.0 + _FIT) or d == own_end):
             found.append(
-                Problem(
+                Message(
                     f"{place}{key}.start_diameter",
                     "does not lie on the usable flank",
                     f"{1e3 * d:.6g} mm",
@@ -258,7 +258,7 @@ def modification_problems(
     ends = modifications.end_relief
     if ends is not None and ends.length > 0.5 * gear.b * (1.0 + _FIT):
         found.append(
-            Problem(
+            Message(
                 f"{place}end_relief.length",
                 "reaches over the middle of the teeth",
                 f"{1e3 * ends.length:.6g} mm",
@@ -269,7 +269,7 @@ def modification_problems(
     return found
 
 
-def size_problems(amounts: Mapping[str, float], gear: CylindricalGear | BevelGear) -> list[Problem]:
+def size_problems(amounts: Mapping[str, float], gear: CylindricalGear | BevelGear) -> list[Message]:
     """Changes of a flank that are larger than the module, by their places: a unit was forgotten.
 
     Parameters
@@ -286,7 +286,7 @@ def size_problems(amounts: Mapping[str, float], gear: CylindricalGear | BevelGea
     runout.amount: 20000 mm is larger than the module (limit 3 mm); give it with a unit, such as 20 um
     """
     return [
-        Problem(
+        Message(
             place,
             "is larger than the module",
             f"{1e3 * amount:.6g} mm",
@@ -371,7 +371,7 @@ def deviation(
     m = modifications
     for problem in modification_problems(m, gear):
         raise GeometryError(
-            problem.message,
+            problem.text,
             where=problem.where,
             value=problem.value,
             limit=problem.limit,

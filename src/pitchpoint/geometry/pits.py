@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import Problem
+from pitchpoint.core.errors import Message
 from pitchpoint.geometry.modifications import base_tangent, flank_range, roll_length, size_problems
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ def _rolls(patch: Patch, gear: CylindricalGear) -> float:
     return patch.height * 0.5 * patch.diameter / L
 
 
-def patch_problems(patch: Patch, gear: CylindricalGear, where: str = "") -> list[Problem]:
+def patch_problems(patch: Patch, gear: CylindricalGear, where: str = "") -> list[Message]:
     """Everything in a patch that does not fit the flank of a gear or the finest grid.
 
     Parameters
@@ -96,16 +96,16 @@ def patch_problems(patch: Patch, gear: CylindricalGear, where: str = "") -> list
     return found
 
 
-def _outside(where: str, value: float, low: float, high: float, of: str) -> Problem:
+def _outside(where: str, value: float, low: float, high: float, of: str) -> Message:
     limit = f"{1e3 * low:.6g} to {1e3 * high:.6g} mm"
-    return Problem(
+    return Message(
         where, f"lies outside {of}", f"{1e3 * value:.6g} mm", limit, "put the middle of the patch there"
     )
 
 
-def _tiny(where: str, value: float, whole: float, parts: int, of: str) -> Problem:
+def _tiny(where: str, value: float, whole: float, parts: int, of: str) -> Message:
     limit = f"{1e3 * whole / parts:.6g} mm, 1/{parts} of {of}"
-    return Problem(where, "is too short for the finest grid", f"{1e3 * value:.6g} mm", limit, "enlarge it")
+    return Message(where, "is too short for the finest grid", f"{1e3 * value:.6g} mm", limit, "enlarge it")
 
 
 def stations(patches: Sequence[Patch], gear: CylindricalGear, least: tuple[int, int]) -> tuple[int, int]:

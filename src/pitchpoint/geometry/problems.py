@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inv
 from pitchpoint.geometry.tooth_problems import (
@@ -62,7 +62,7 @@ def _largest_shift(gear: CylindricalGear) -> str:
     return f"use at most {math.floor(100.0 * low) / 100.0:.2f} or set tip_diameter"
 
 
-def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
+def gear_problems(gear: CylindricalGear, where: str = "") -> list[Message]:
     """Everything that makes one gear impossible.
 
     Parameters
@@ -74,7 +74,7 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty for a gear that can be made.
 
     Examples
@@ -89,13 +89,13 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Problem]:
     if gear.rack.rho_fP_star_max(gear.alpha_n) < 0.0 and not gear.is_internal:
         message, value = "modules end beyond the point of the tool", f"{gear.rack.h_fP_star:g}"
         place = at_key(where, "rack.dedendum")
-        found.append(Problem(place, message, value, f"{deepest:.4g}", "use a smaller dedendum"))
+        found.append(Message(place, message, value, f"{deepest:.4g}", "use a smaller dedendum"))
     return found + problems_of_gear(
         where, lambda: _no_tooth(gear), lambda: _thin_tip(gear) if tip_thickness(gear) <= 0.0 else None
     )
 
 
-def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
+def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Message]:
     """What is unusual about a gear that can be made: a thin tip, a tool without room for its root radius.
 
     Parameters
@@ -107,7 +107,7 @@ def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Problem]:
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty for most, and for impossible gears.
 
     Examples
@@ -162,7 +162,7 @@ def _no_tooth(gear: CylindricalGear) -> Found | None:
     return None
 
 
-def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: bool = True) -> list[Problem]:
+def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: bool = True) -> list[Message]:
     """Everything that makes a pair impossible.
 
     Parameters
@@ -178,7 +178,7 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty for a pair that can run.
 
     Examples
@@ -199,13 +199,13 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
     )
 
 
-def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
     """Two gears that cannot belong together, whatever the centre distance."""
     g1, g2 = pair.gear1, pair.gear2
     place = at_key(where, "gears")
     if g1.is_internal and g2.is_internal:
         return [
-            Problem(
+            Message(
                 place,
                 "are both internal",
                 f"{names[0]} and {names[1]}",
@@ -215,7 +215,7 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Prob
         ]
     if g1.is_internal:
         return [
-            Problem(
+            Message(
                 place,
                 "is internal and is given as gear 1",
                 names[0],
@@ -223,7 +223,7 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Prob
                 f"write [{names[1]}, {names[0]}]",
             )
         ]
-    found: list[Problem] = []
+    found: list[Message] = []
     if not math.isclose(g1.m_n, g2.m_n, rel_tol=1e-9):
         found.append(unequal(place, "normal modules", (g1.m_n, g2.m_n), _mm, names, "normal_module"))
     alpha, beta = (g1.alpha_n, g2.alpha_n), (abs(g1.beta), abs(g2.beta))
@@ -238,12 +238,12 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Prob
         value = f"{names[1]} with {-g2.z} teeth"
         message = f"is not larger than its pinion {names[0]}"
         found.append(
-            Problem(place, message, value, f"above {g1.z} teeth", "give the internal gear more teeth")
+            Message(place, message, value, f"above {g1.z} teeth", "give the internal gear more teeth")
         )
     return found
 
 
-def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
     """No contact, interference, tips in roots: what depends on the centre distance."""
     g1, g2, a = pair.gear1, pair.gear2, pair.a_w
     place = at_key(where, "center_distance")
@@ -253,19 +253,19 @@ def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> lis
     if a >= reach:
         limit = f"{'above' if pair.is_internal else 'below'} {_mm(reach)}"
         message = "keeps the tips apart"
-        return [Problem(place, message, _mm(a), limit, f"{farther} the distance")]
+        return [Message(place, message, _mm(a), limit, f"{farther} the distance")]
     found = tips_in_roots(place, (pair.c_1, pair.c_2), names, _words(pair))
     if pair.g_alpha <= 0.0:
         message = f"leaves no path of contact between {names[0]} and {names[1]}"
         limit = "tip circles that overlap on the line of action"
         found.append(
-            Problem(place, message, _mm(a), limit, f"{farther} the centre distance or lengthen the teeth")
+            Message(place, message, _mm(a), limit, f"{farther} the centre distance or lengthen the teeth")
         )
         return found
     return found + _interference(pair, where, names)
 
 
-def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
     """A tip that wants contact beyond the mate's base circle, or runs through the mate's tip (internal)."""
     place = at_key(where, "gears")
     # the tip of a pinion passes the base of a ring, which is on its other side
@@ -276,7 +276,7 @@ def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
         message = "cut each other outside the path of contact"
         limit = f"angular gap above 0, it is {math.degrees(tip_overlap_gap(pair)):.4g} deg"
         remedy = "use a larger difference in teeth or shorten the tips"
-        found.append(Problem(place, message, f"tips of {names[0]} and {names[1]}", limit, remedy))
+        found.append(Message(place, message, f"tips of {names[0]} and {names[1]}", limit, remedy))
     return found
 
 
@@ -294,7 +294,7 @@ def _words(pair: GearPair) -> Words:
     )
 
 
-def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Problem]:
+def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
     """What is odd about a pair that can be built: flank missing below its mate's tip, gaps between contacts.
 
     Parameters
@@ -308,7 +308,7 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
 
     Returns
     -------
-    list of Problem
+    list of Message
         Empty where the involutes cover the whole path of contact and one pair always carries, and for
         impossible pairs.
 
@@ -317,7 +317,7 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Pr
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> from pitchpoint.geometry.gear_pair import GearPair
     >>> pair = GearPair(CylindricalGear(z=15, m_n=3e-3), CylindricalGear(z=100, m_n=3e-3), a_w=0.1725)
-    >>> [problem.message for problem in pair_warnings(pair, "", ("p", "w"))]
+    >>> [problem.text for problem in pair_warnings(pair, "", ("p", "w"))]
     ['reaches below the root form circle of p (undercut)']
     """
     if pair.problems():

@@ -253,8 +253,8 @@ def _read(file: str, unit: float | None, stamp: int, size: int) -> SolidFile:
         return read_step(file)
     found = read_triangles(file)
     for wrong in triangle_faults(found, unit, most=MOST_TRIANGLES):
-        remedy = "close it" if wrong.message.endswith("the surface is open") else wrong.remedy
-        raise GeometryError(wrong.message, where="file", value=wrong.value, limit=wrong.limit, remedy=remedy)
+        remedy = "close it" if wrong.text.endswith("the surface is open") else wrong.remedy
+        raise GeometryError(wrong.text, where="file", value=wrong.value, limit=wrong.limit, remedy=remedy)
     millimetres = round(1e3 * unit, 9)
     words = f"{unit:g} m" if unit >= 1.0 else f"{millimetres:g} mm"
     return SolidFile((solid_of_triangles(unit * found.corners),), words)

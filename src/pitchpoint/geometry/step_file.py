@@ -124,7 +124,7 @@ def answered(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str
     except GeometryError as error:
         p = error.problem
         rest = {"where": p.where, "value": p.value, "limit": p.limit, "remedy": p.remedy}
-        return {"problem": {"message": p.message, **rest}}
+        return {"problem": {"message": p.text, **rest}}
 
 
 def named_solids(file: str) -> tuple[str, Iterator[tuple[str, Any]]]:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.tooth_form import root_radius
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ def tooth_height(gear: CylindricalGear) -> float:
     return abs(0.5 * abs(gear.d_a) - root_radius(gear))
 
 
-def break_problems(width: float, height: float, gear: CylindricalGear, where: str = "") -> list[Problem]:
+def break_problems(width: float, height: float, gear: CylindricalGear, where: str = "") -> list[Message]:
     """Sizes of a break that are larger than the tooth.
 
     Parameters
@@ -71,11 +71,11 @@ def break_problems(width: float, height: float, gear: CylindricalGear, where: st
     if height > most * (1.0 + _FIT):
         message, remedy = "is higher than the tooth", "leave it out for the whole tooth"
         value, limit = f"{1e3 * height:.6g} mm", f"{1e3 * most:.6g} mm"
-        found.append(Problem(f"{place}height", message, value, limit, remedy))
+        found.append(Message(f"{place}height", message, value, limit, remedy))
     return found
 
 
-def wider_than_face(width: float, face_width: float, where: str = "width") -> list[Problem]:
+def wider_than_face(width: float, face_width: float, where: str = "width") -> list[Message]:
     """A missing width that is larger than the face.
 
     Parameters
@@ -93,7 +93,7 @@ def wider_than_face(width: float, face_width: float, where: str = "width") -> li
     if width <= face_width * (1.0 + _FIT):
         return []
     value, limit = f"{1e3 * width:.6g} mm", f"{1e3 * face_width:.6g} mm"
-    return [Problem(where, "is wider than the face", value, limit, "leave it out for the whole face")]
+    return [Message(where, "is wider than the face", value, limit, "leave it out for the whole face")]
 
 
 def break_level(
@@ -151,7 +151,7 @@ def break_level(
     """
     for problem in break_problems(width, height, gear):
         raise GeometryError(
-            problem.message,
+            problem.text,
             where=problem.where,
             value=problem.value,
             limit=problem.limit,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Protocol
 
-from pitchpoint.core.errors import GeometryError, Problem
+from pitchpoint.core.errors import GeometryError, Message
 
 TIP_THICKNESS_LIMIT = 0.2
 """Normal modules. Thinner tips break or burn through in hardening: a limit of design practice."""
@@ -26,7 +26,7 @@ Found = tuple[str, str, str, str | None, str]
 class Gear(Protocol):
     """What is asked of a gear."""
 
-    def problems(self, where: str = "") -> list[Problem]:
+    def problems(self, where: str = "") -> list[Message]:
         """Everything that makes the gear impossible."""
 
     @property
@@ -100,13 +100,13 @@ def at_key(where: str, key: str) -> str:
     return f"{where}.{key}" if where else key
 
 
-def _placed(where: str, error: GeometryError) -> Problem:
+def _placed(where: str, error: GeometryError) -> Message:
     """The problem of an error, below the place of its part."""
     p = error.problem
-    return Problem(at_key(where, p.where), p.message, p.value, p.limit, p.remedy)
+    return Message(at_key(where, p.where), p.text, p.value, p.limit, p.remedy)
 
 
-def problems_of_gear(where: str, *checks: Callable[[], Found | None]) -> list[Problem]:
+def problems_of_gear(where: str, *checks: Callable[[], Found | None]) -> list[Message]:
     """First problem that checks of one gear find; those behind it would speak of numbers without meaning.
 
     Parameters
@@ -125,7 +125,7 @@ def problems_of_gear(where: str, *checks: Callable[[], Found | None]) -> list[Pr
         found = next((found for check in checks if (found := check()) is not None), None)
     except GeometryError as error:
         return [_placed(where, error)]
-    return [] if found is None else [Problem(at_key(where, found[0]), *found[1:])]
+    return [] if found is None else [Message(at_key(where, found[0]), *found[1:])]
 
 
 def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -> Found | None:
@@ -165,7 +165,7 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
     )
 
 
-def full_rounding(where: str, asked: float, most: float) -> list[Problem]:
+def full_rounding(where: str, asked: float, most: float) -> list[Message]:
     """Check the root radius: larger than the tool allows, the teeth get the full rounding.
 
     Parameters
@@ -188,16 +188,16 @@ the full rounding of 0.4
         "the teeth get the full rounding of",
     )
     place = at_key(where, "rack.root_radius")
-    return [Problem(place, message, f"{asked:g}", f"{most:.4g}", f"{remedy} {most:.4g}")]
+    return [Message(place, message, f"{asked:g}", f"{most:.4g}", f"{remedy} {most:.4g}")]
 
 
 def problems_of_pair(
     pair: Pair,
     where: str,
     names: tuple[str, str] | None,
-    mismatches: Callable[[], list[Problem]],
-    contact: Callable[[], list[Problem]],
-) -> list[Problem]:
+    mismatches: Callable[[], list[Message]],
+    contact: Callable[[], list[Message]],
+) -> list[Message]:
     """Everything that makes a pair impossible: its gears, whether they belong together, then their contact.
 
     Parameters
@@ -228,7 +228,7 @@ def unequal(
     written: Callable[[float], str],
     names: tuple[str, str],
     key: str,
-) -> Problem:
+) -> Message:
     """Check quantities that both gears must share.
 
     Parameters
@@ -252,12 +252,12 @@ def unequal(
     s.gears: a 1, b 2 have unequal helix angles (limit equal); give both gears the same helix_angle
     """
     value = f"{names[0]} {written(values[0])}, {names[1]} {written(values[1])}"
-    return Problem(place, f"have unequal {what}", value, "equal", f"give both gears the same {key}")
+    return Message(place, f"have unequal {what}", value, "equal", f"give both gears the same {key}")
 
 
 def wrong_hands(
     place: str, hands: tuple[str, str], names: tuple[str, str], internal: bool = False
-) -> Problem:
+) -> Message:
     """Check the hands of the helices.
 
     Parameters
@@ -278,12 +278,12 @@ hand of one gear
     kind, rule = ("internal", "equal") if internal else ("external", "opposite")
     value = f"{names[0]} {hands[0]}, {names[1]} {hands[1]}"
     message = f"have hands that do not fit an {kind} pair"
-    return Problem(place, message, value, f"{rule} hands", "change the hand of one gear")
+    return Message(place, message, value, f"{rule} hands", "change the hand of one gear")
 
 
 def tips_in_roots(
     place: str, clearances: tuple[float, float], names: tuple[str, str], words: Words
-) -> list[Problem]:
+) -> list[Message]:
     """Check the clearance between tips and the mate's roots.
 
     Parameters
@@ -304,7 +304,7 @@ def tips_in_roots(
     s.gears: -2 is the tip clearance of b in the root of a (limit above 0); shorten them
     """
     return [
-        Problem(
+        Message(
             place,
             f"is the tip clearance of {tip} in the root of {root}",
             words.path(c),
@@ -318,7 +318,7 @@ def tips_in_roots(
 
 def interferences(
     pair: Pair, place: str, beyond: Iterable[float], slack: float, names: tuple[str, str], words: Words
-) -> list[Problem]:
+) -> list[Message]:
     """Check tips for contact beyond the mate's base.
 
     Parameters
@@ -349,7 +349,7 @@ def interferences(
             limit = f"the {words.tangent}, it is {words.path(over)} beyond"
             if mate.undercut:
                 limit += f", and undercut leaves a contact ratio of {remains:.3g} of {USABLE_CONTACT_RATIO:g}"
-            found.append(Problem(place, message, f"tip of {tip}", limit, words.shifts))
+            found.append(Message(place, message, f"tip of {tip}", limit, words.shifts))
     return found
 
 
@@ -360,7 +360,7 @@ def odd_contact(
     slack: float,
     names: tuple[str, str],
     words: Words,
-) -> list[Problem]:
+) -> list[Message]:
     """List what is unusual about the contact of a feasible pair.
 
     Parameters
@@ -393,8 +393,8 @@ def odd_contact(
             message = f"reaches below the root form {words.surface} of {name} ({cause})"
             left = f"the transverse contact ratio left is {pair.eps_alpha_form:.4g}"
             remedy = f"{left}; shorten the tip or set the rack"
-            found.append(Problem(place, message, f"tip of {tip}", limit, remedy))
+            found.append(Message(place, message, f"tip of {tip}", limit, remedy))
     if pair.eps_gamma < 1.0:
         value = f"total contact ratio {pair.eps_gamma:.4g}"
-        found.append(Problem(place, NO_PAIR_IN_CONTACT, value, "1", words.lengths))
+        found.append(Message(place, NO_PAIR_IN_CONTACT, value, "1", words.lengths))
     return found

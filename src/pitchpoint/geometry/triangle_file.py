@@ -18,7 +18,7 @@ from tokenize import TokenError
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import GeometryError, Message
 
 FloatArray = NDArray[np.float64]
 
@@ -94,16 +94,6 @@ class Triangles:
 
     corners: FloatArray
     normals: FloatArray
-
-
-@dataclass(frozen=True)
-class Fault:
-    """One thing wrong with a surface: what, how much, what would do, and what to do."""
-
-    message: str
-    value: str | None = None
-    limit: str | None = None
-    remedy: str | None = None
 
 
 def _refused(name: str, message: str, limit: str | None = None, remedy: str | None = None) -> GeometryError:
@@ -210,7 +200,7 @@ def triangle_faults(
     hollow: bool = False,
     *,
     most: int = MOST_TRIANGLES,
-) -> list[Fault]:
+) -> list[Message]:
     """What is wrong with a surface of triangles, worst first; what hides other faults comes alone.
 
     Parameters
@@ -229,22 +219,22 @@ def triangle_faults(
     Examples
     --------
     >>> one = Triangles(np.eye(3)[None], np.zeros((1, 3)))
-    >>> [fault.message for fault in triangle_faults(one, 1.0)]
+    >>> [fault.text for fault in triangle_faults(one, 1.0)]
     ['belong to one triangle only: the surface is open']
     """
     corners = found.corners
     n = len(corners)
     if not 1 <= n <= most:
-        few = Fault("has no triangles", remedy=_AGAIN)
-        return [Fault("are too many", f"{n} triangles", f"<= {most}", _COARSER) if n else few]
+        few = Message("", "has no triangles", remedy=_AGAIN)
+        return [Message("", "are too many", f"{n} triangles", f"<= {most}", _COARSER) if n else few]
     bad = np.asarray(~np.isfinite(corners).all(axis=(1, 2)))
     if bad.any():
         found_bad = f"have corners that are not finite numbers, the first is number {_first(bad)}"
-        return [Fault(found_bad, f"{int(bad.sum())} triangles", remedy=_AGAIN)]
+        return [Message("", found_bad, f"{int(bad.sum())} triangles", remedy=_AGAIN)]
     size = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) * unit
     if not SMALLEST <= size <= LARGEST:
         limit = f"{SMALLEST:g} m to {LARGEST:g} m"
-        return [Fault("is an unlikely size", f"{size:.3g} m", limit, "check unit: 1 mm, for example")]
+        return [Message("", "is an unlikely size", f"{size:.3g} m", limit, "check unit: 1 mm, for example")]
     return [*_of_triangles(found), *_of_edges(corners, open_edges, hollow)]
 
 
@@ -253,7 +243,7 @@ def _first(bad: NDArray[np.bool_]) -> int:
     return int(np.argmax(bad)) + 1
 
 
-def _of_triangles(found: Triangles) -> list[Fault]:
+def _of_triangles(found: Triangles) -> list[Message]:
     """Triangles without area, and normals that look the other way."""
     corners = found.corners
     edges = np.roll(corners, -1, axis=1) - corners
@@ -268,7 +258,8 @@ def _of_triangles(found: Triangles) -> list[Fault]:
     faults = []
     if flat.any():
         faults.append(
-            Fault(
+            Message(
+                "",
                 f"have no area, the first is number {_first(flat)}",
                 f"{int(flat.sum())} triangles",
                 remedy="correct the surface, or export it with another tolerance",
@@ -277,7 +268,8 @@ def _of_triangles(found: Triangles) -> list[Fault]:
     against = np.einsum("ij,ij->i", found.normals, across) < 0.0
     if against.any():
         faults.append(
-            Fault(
+            Message(
+                "",
                 f"run against their normals, the first is number {_first(against)}",
                 f"{int(against.sum())} of {len(corners)} triangles",
                 remedy="let the program that made it correct the normals: corners run counter-clockwise "
@@ -287,7 +279,7 @@ def _of_triangles(found: Triangles) -> list[Fault]:
     return faults
 
 
-def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Fault]:
+def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Message]:
     """Edges that are walked twice the same way or only once, and the sign of the volume."""
     faces = join_corners(corners)[1]
     faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
@@ -297,7 +289,8 @@ def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Fault
     twice = int((counts > 1).sum())
     if twice:
         return [
-            Fault(
+            Message(
+                "",
                 "are walked the same way by two triangles",
                 f"{twice} edges",
                 "0",
@@ -308,7 +301,8 @@ def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Fault
     border = int((~np.isin(back, walked)).sum())
     if border and not open_edges:
         return [
-            Fault(
+            Message(
+                "",
                 "belong to one triangle only: the surface is open",
                 f"{border} edges",
                 "0",
@@ -318,7 +312,7 @@ def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Fault
     volume = float(np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))) / 6.0
     if not border and volume < 0.0:
         more = "; hollow: true turns it round a second time" if hollow else ""
-        return [Fault("is inside out", None, None, f"turn its triangles round{more}")]
+        return [Message("", "is inside out", None, None, f"turn its triangles round{more}")]
     return []
 
 

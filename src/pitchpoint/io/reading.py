@@ -12,6 +12,7 @@ import os
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.nearest import hint
 from pitchpoint.io.container import ResultError
 from pitchpoint.io.opening import member, members, open_file, opened, understood
 from pitchpoint.io.writing import BLOCK_GROUP, EVENT_GROUP, STATISTICS
@@ -150,8 +151,4 @@ def _channels(file: h5py.File) -> list[str]:
 
 
 def _suggest(name: str, file: h5py.File) -> str:
-    import difflib
-
-    known = _channels(file)
-    near = difflib.get_close_matches(name, known, n=3)
-    return f"did you mean {', '.join(near)}?" if near else f"there are {', '.join(known)}"
+    return hint(name, _channels(file), 3)

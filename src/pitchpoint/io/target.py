@@ -16,7 +16,7 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-from pitchpoint.core.errors import PitchpointError, Problem
+from pitchpoint.core.errors import Message, PitchpointError
 from pitchpoint.io.claim import is_held, share
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
@@ -288,4 +288,4 @@ def _accessible(target: Path) -> None:
 
 
 def _refused(target: Path, message: str, limit: str, remedy: str) -> OutputError:
-    return OutputError(str(Problem("output", message, str(target), limit, remedy)))
+    return OutputError(str(Message("output", message, str(target), limit, remedy)))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.yaml_tree import Tree, TreeError
 from pitchpoint.model.build import build_model
@@ -49,7 +49,7 @@ def text_of(path: str | Path) -> str:
         data = file.read_bytes()
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise ModelError([Problem("", f"cannot be read: {reason}", value=str(path))]) from None
+        raise ModelError([Message("", f"cannot be read: {reason}", value=str(path))]) from None
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -57,7 +57,7 @@ def text_of(path: str | Path) -> str:
         remedy = "save the file as UTF-8"
         if b"\0" in data[:1024]:
             line, remedy = None, "name the model file; this one holds no text at all"
-        problem = Problem("YAML syntax", "is no UTF-8 text", remedy=remedy, line=line)
+        problem = Message("YAML syntax", "is no UTF-8 text", remedy=remedy, line=line)
         raise ModelError([problem], str(path)) from None
     return text
 

@@ -11,7 +11,7 @@ import math
 from io import StringIO
 from typing import Any
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.keys import Place
 from pitchpoint.model.show import dotted
@@ -27,7 +27,7 @@ _EVERY = 5000
 class TreeError(Exception):
     """The text is no usable YAML; holds the problem."""
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: Message) -> None:
         self.problem = problem
         super().__init__(str(problem))
 
@@ -54,7 +54,7 @@ class Tree:
 
     def __init__(self, text: str, progress: Progress = silent) -> None:
         self.lines: dict[Place, int] = {}
-        self.problems: list[Problem] = []
+        self.problems: list[Message] = []
         self._values = 0
         self._most = len(text) + 10_000  # more values than characters come from nested aliases only
         self._open: set[int] = set()
@@ -64,7 +64,7 @@ class Tree:
         self.data: Any = None if node is None else self._read(node, ())
 
     def _problem(self, place: Place, message: str, line: int, remedy: str | None = None) -> None:
-        self.problems.append(Problem(dotted(place), message, remedy=remedy, line=line))
+        self.problems.append(Message(dotted(place), message, remedy=remedy, line=line))
 
     def _read(self, node: Any, place: Place) -> Any:
         from ruamel.yaml.nodes import MappingNode, ScalarNode, SequenceNode
@@ -78,28 +78,32 @@ class Tree:
         if self._values > self._most:
             remedy = "write the values out, without aliases"
             raise TreeError(
-                Problem(dotted(place), f"makes more than {self._most} values", remedy=remedy, line=line)
+                Message(dotted(place), f"makes more than {self._most} values", remedy=remedy, line=line)
             )
         if id(node) in self._open:
-            raise TreeError(Problem(dotted(place), "refers to itself", remedy="remove the alias", line=line))
+            raise TreeError(Message(dotted(place), "refers to itself", remedy="remove the alias", line=line))
         if isinstance(node, ScalarNode):
             return self._scalar(node, place, line)
         if len(place) > MAX_DEPTH:
             raise TreeError(
-                Problem(dotted(place[:5]), f"is nested deeper than {MAX_DEPTH} levels", line=line)
+                Message(dotted(place[:5]), f"is nested deeper than {MAX_DEPTH} levels", line=line)
             )
         if str(node.tag) not in (_TAG + "map", _TAG + "seq"):
             raise TreeError(
-                Problem(dotted(place), f"has the tag {str(node.tag)[:40]!r}", None, None, "remove it", line)
+                Message(dotted(place), f"has the tag {str(node.tag)[:40]!r}", None, None, "remove it", line)
             )
         self._open.add(id(node))
         result: Any
         if isinstance(node, SequenceNode):
-            result = [self._read(item, (*place, i)) for i, item in enumerate(node.value)]
+            items = _rejoined(node, [(item, None) for item in node.value])
+            result = []
+            for i, (item, _, whole) in enumerate(items):
+                read = self._read(item, (*place, i))
+                result.append(read if whole is None else self._whole((*place, i), whole, line))
         elif isinstance(node, MappingNode):
             result = self._mapping(node, place)
         else:
-            raise TreeError(Problem(dotted(place), "is of an unknown kind", line=line))
+            raise TreeError(Message(dotted(place), "is of an unknown kind", line=line))
         self._open.discard(id(node))
         return result
 
@@ -107,7 +111,7 @@ class Tree:
         from ruamel.yaml.nodes import ScalarNode
 
         out: dict[str, Any] = {}
-        for key_node, value_node in node.value:
+        for value_node, key_node, whole in _rejoined(node, [(value, key) for key, value in node.value]):
             line = key_node.start_mark.line + 1
             if not isinstance(key_node, ScalarNode):
                 self._problem(place, "has a key that is no word", line, "write the key as one word")
@@ -129,8 +133,15 @@ class Tree:
                 )
                 continue
             self.lines[here] = line
-            out[key] = self._read(value_node, here)
+            out[key] = self._read(value_node, here) if whole is None else self._whole(here, whole, line)
         return out
+
+    def _whole(self, place: Place, formula: str, line: int) -> str:
+        """Report a formula that YAML has cut at its commas, and read on with all of it."""
+        remedy = f'write {f"{place[-1]}: " if isinstance(place[-1], str) else ""}"{formula}"'
+        message = "is cut at its commas: inside {...} and [...] a formula with commas needs quotes"
+        self._problem(place, message, line, remedy)
+        return formula
 
     def _scalar(self, node: Any, place: Place, line: int) -> Any:
         text, tag = str(node.value), str(node.tag)
@@ -149,6 +160,35 @@ class Tree:
         return text
 
 
+def _rejoined(node: Any, entries: list[tuple[Any, Any]]) -> list[tuple[Any, Any, str | None]]:
+    """Entries of a list or mapping as (value, key, whole); `whole` is a formula joined again, else None.
+
+    Inside {...} and [...] a comma ends a value without quotes: min(t, 1) becomes `min(t` and a further entry
+    or key `1)`.
+    """
+    found: list[tuple[Any, Any, str | None]] = []
+    deep = 0
+    for value, key in entries:
+        text = _plain_text(value) if node.flow_style else None
+        if deep > 0:
+            more = text if key is None else _plain_text(key) if text == "" else None
+            if more is not None:
+                first, first_key, begun = found[-1]
+                found[-1] = (first, first_key, f"{begun or _plain_text(first)}, {more}")
+                deep += more.count("(") - more.count(")")
+                continue
+        found.append((value, key, None))
+        deep = max(text.count("(") - text.count(")"), 0) if text is not None else 0
+    return found
+
+
+def _plain_text(node: Any) -> str | None:
+    """Text of a value without quotes; None for anything else."""
+    from ruamel.yaml.nodes import ScalarNode
+
+    return str(node.value) if isinstance(node, ScalarNode) and not node.style else None
+
+
 def value_of(text: str) -> Any:
     """Read one value written as it could stand behind a key.
 
@@ -162,7 +202,7 @@ def value_of(text: str) -> Any:
     except TreeError as error:
         raise ModelError([error.problem]) from None
     if tree.problems or not isinstance(tree.data, dict) or list(tree.data) != ["value"]:
-        problems = tree.problems or [Problem("value", "is no single value", value=text)]
+        problems = tree.problems or [Message("value", "is no single value", value=text)]
         raise ModelError(problems)
     return tree.data["value"]
 
@@ -204,7 +244,7 @@ def _compose(text: str, progress: Progress = silent) -> Any:
     from ruamel.yaml.reader import ReaderError
 
     if len(text) > MAX_BYTES:
-        raise TreeError(Problem("", f"the file is larger than {MAX_BYTES // 10**6} MB"))
+        raise TreeError(Message("", f"the file is larger than {MAX_BYTES // 10**6} MB"))
     yaml = YAML(typ="safe", pure=True)
     try:
         return yaml.compose(_Watched(text, progress))
@@ -213,15 +253,15 @@ def _compose(text: str, progress: Progress = silent) -> Any:
         line = None if mark is None else mark.line + 1
         what = " ".join(str(error.problem or error.context or "cannot be read").split())
         remedy = "check indentation, colons, brackets and quotes there"
-        raise TreeError(Problem("YAML syntax", what, remedy=remedy, line=line)) from None
+        raise TreeError(Message("YAML syntax", what, remedy=remedy, line=line)) from None
     except RecursionError:
-        raise TreeError(Problem("YAML syntax", "the file is nested too deeply")) from None
+        raise TreeError(Message("YAML syntax", "the file is nested too deeply")) from None
     except ReaderError as error:
         line = text[: error.position].count("\n") + 1
         what = f"holds the character #x{error.character:04x}, which no text file has"
         remedy = "remove it; is this a YAML text file?"
-        raise TreeError(Problem("YAML syntax", what, remedy=remedy, line=line)) from None
+        raise TreeError(Message("YAML syntax", what, remedy=remedy, line=line)) from None
     except (YAMLError, ValueError, AttributeError, TypeError, IndexError, KeyError, AssertionError) as error:
         # ruamel.yaml lets a few plain exceptions escape on broken input
         what = " ".join(str(error).split())[:200] or type(error).__name__
-        raise TreeError(Problem("YAML syntax", what, remedy="is this a YAML text file?")) from None
+        raise TreeError(Message("YAML syntax", what, remedy="is this a YAML text file?")) from None

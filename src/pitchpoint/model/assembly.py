@@ -18,7 +18,6 @@ import numpy as np
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.mesh import Mesh
-from pitchpoint.model.fault_check import hand_on
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twists
 from pitchpoint.model.mechanism import hang, place_joined
@@ -100,7 +99,7 @@ def _shift_from(parts: Parts, name: str, mesh: Mesh, report: Reader) -> bool:
             a_w=a_w,
         )
     except GeometryError as error:
-        hand_on(report, ("meshes", name), error.problem)
+        report.hand_on(("meshes", name), error.problem)
         report.tainted.add(("gears", open_name))
         return False
     parts.gears[open_name] = replace(parts.gears[open_name], x=x_sum - fixed.x)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.formula import Formula
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, TableLaw
 from pitchpoint.model.frames import GROUND, split
@@ -22,8 +23,8 @@ SLOW = 1e-6
 """Rate up to which a drive begins at rest [rad/s, m/s]."""
 
 
-def ends_left_behind(model: Model) -> tuple[str, ...]:
-    """A sentence for every beam with an end that moves freely on ground and rests while the other turns."""
+def ends_left_behind(model: Model) -> tuple[Message, ...]:
+    """A remark for every beam with an end that moves freely on ground and rests while the other turns."""
     found = []
     for name, beam in model.beams.items():
         bodies = [split(end)[0] for end in beam.ends]
@@ -35,12 +36,14 @@ def ends_left_behind(model: Model) -> tuple[str, ...]:
             turning = [word for word in turning if not _turns(model, model.scenarios[word], far)]
             if not turning:
                 continue
-            line = model.line(("beams", name))
-            motion = model.bodies[far].motion
             found.append(
-                f"beams.{name}{'' if line is None else f' (line {line})'}: {far} hangs on ground (motion: "
-                f"{motion}) and begins at rest while {near} moves in {', '.join(turning)}, so the beam "
-                f"begins with a jolt; write a joint {{type: free, bodies: [{near}, {far}]}} in its place"
+                remark(
+                    f"beams.{name}",
+                    f"{far} hangs on ground (motion: {model.bodies[far].motion}) and begins at rest while "
+                    f"{near} moves in {', '.join(turning)}, so the beam begins with a jolt",
+                    f"write a joint {{type: free, bodies: [{near}, {far}]}} in its place",
+                    model.line(("beams", name)),
+                )
             )
     return tuple(found)
 

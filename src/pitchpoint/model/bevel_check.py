@@ -7,8 +7,7 @@ import math
 from functools import partial
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import Problem
-from pitchpoint.model.choices import exactly_one
+from pitchpoint.core.errors import Message
 from pitchpoint.model.fault_check import check_faults
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import told_shape
@@ -59,8 +58,6 @@ def _carriers(parts: Parts, report: Reader) -> None:
 
 def _choices(gear: BevelGear, at: Place, report: Reader) -> None:
     """Keys of which exactly one is allowed, and the hand of spirals."""
-    exactly_one(gear, ("mean_normal_module", "outer_transverse_module"), at, report)
-    exactly_one(gear, ("pitch_cone_angle", "mate_teeth"), at, report)
     if gear.spiral_angle > 0.0 and gear.hand is None:
         report.problem(
             (*at, "hand"),
@@ -73,7 +70,7 @@ def _choices(gear: BevelGear, at: Place, report: Reader) -> None:
         )
 
 
-def _impossible(gear: BevelGear) -> list[Problem]:
+def _impossible(gear: BevelGear) -> list[Message]:
     """What makes a gear or its body impossible."""
     problems = gear.geometry.problems()
     if not problems:

@@ -10,7 +10,6 @@ import numpy as np
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.bevel_places import apex_of, assemble_bevels, bevel_gap, bevel_pair, tooth_phases
-from pitchpoint.model.fault_check import hand_on
 from pitchpoint.model.keys import Place
 from pitchpoint.model.pair_check import OFFSET_TOLERANCE
 
@@ -25,21 +24,17 @@ PLACE_TOLERANCE = 1e-6
 
 def check_bevel_names(parts: Parts, report: Reader) -> None:
     """Every bevel mesh names two bevel gears that exist and sit on two bodies; every pair once."""
-    from pitchpoint.model.validate import known
-
     seen: dict[frozenset[str], str] = {}
     for name, mesh in parts.bevel_meshes.items():
         at: Place = ("bevel_meshes", name, "gears")
-        exist = [known(parts, "bevel_gears", gear, at, report) for gear in mesh.gears]
         if name in parts.known("meshes"):
             report.problem(at[:2], "has the name of a mesh", remedy="call one of the two otherwise")
         if mesh.gears[0] == mesh.gears[1]:
-            report.problem(at, f"names {mesh.gears[0]} twice", remedy="name two gears")
             continue
         first = seen.setdefault(frozenset(mesh.gears), name)
         if first != name:
             report.problem(at, f"are the gears of {first} already", remedy="leave one of the two meshes out")
-        if all(exist):
+        if all(parts.has("bevel_gears", gear) for gear in mesh.gears):
             _carried(parts, mesh, at, report)
 
 
@@ -69,9 +64,9 @@ def check_bevel_pairs(parts: Parts, report: Reader) -> None:
         before = len(report.problems)
         try:
             for problem in bevel_pair(parts, mesh).problems("", mesh.gears, gears=False):
-                hand_on(report, ("bevel_meshes", name), problem)
+                report.hand_on(("bevel_meshes", name), problem)
         except GeometryError as error:
-            hand_on(report, ("bevel_meshes", name), error.problem)
+            report.hand_on(("bevel_meshes", name), error.problem)
         if len(report.problems) == before and _meet(parts, name, mesh, report):
             sound[name] = mesh
     if sound and len(sound) == len(parts.known("bevel_meshes")):

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
 from pitchpoint.model.keys import BAD, keys_of
 from pitchpoint.model.model import Model
@@ -35,7 +35,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
     """
     if not isinstance(data, Mapping):
         what = "is empty" if data is None else "is not a mapping of keys"
-        raise ModelError([*reader.problems, Problem("model", what, remedy="begin with gears:", line=1)], file)
+        raise ModelError([*reader.problems, Message("model", what, remedy="begin with gears:", line=1)], file)
     keys = keys_of(Model)
     for name in [name for name in data if name not in keys]:
         sections.find(str(name))  # those of other packages become keys

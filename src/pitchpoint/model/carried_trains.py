@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.model.frames import GROUND
-from pitchpoint.model.mechanism import base_of, seat_frame, spinner_of
+from pitchpoint.model.mechanism import base_of, same_base, seat_frame, spinner_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -59,8 +59,6 @@ def carrying(parts: Parts, one: str, two: str) -> int | None:
 
 def has_carriers(parts: Parts, links: list[Link]) -> bool:
     """Whether some link joins bodies whose spins count from different frames or are those of others."""
-    from pitchpoint.model.speed_ratios import same_base
-
     return any(
         place[0] != "ratios"
         and (

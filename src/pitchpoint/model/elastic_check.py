@@ -9,6 +9,7 @@ from pitchpoint.model.components.body import Body
 from pitchpoint.model.frames import split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
+from pitchpoint.model.references import ends_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.elastic_body import ElasticBody
@@ -37,8 +38,6 @@ def stand_in(part: ElasticBody) -> Body:
 
 def add_elastic_bodies(parts: Parts, report: Reader) -> None:
     """Check the elastic bodies by themselves and put a body in the place of each."""
-    from pitchpoint.model.choices import exactly_one
-
     group = "elastic_bodies"
     for path in [p for p in report.tainted if p[0] == group]:
         report.tainted.add(("bodies", *path[1:]))
@@ -48,7 +47,6 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
             report.problem((group, name), "has the name of a body", remedy="give it a name of its own")
             report.tainted.add(("bodies",))
             continue
-        exactly_one(part, ("modes", "below"), (group, name), report)
         if part.static_shapes and part.below is not None:
             report.problem(
                 (group, name, "static_shapes"),
@@ -90,8 +88,6 @@ def _files(name: str, part: ElasticBody, report: Reader) -> None:
 
 def check_elastic_bodies(parts: Parts, report: Reader) -> None:
     """What acts on an elastic body acts at its nodes, and it has no spin axis."""
-    from pitchpoint.model.joint_check import ends_of
-
     elastic = set(parts.elastic_bodies)
     part_of = parts.elastic_bodies
     if not elastic:

@@ -4,10 +4,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import Problem
+from pitchpoint.core.errors import Message
 from pitchpoint.model.components.bevel_gear import BevelGear
 from pitchpoint.model.components.gear_faults import Eccentricity
 from pitchpoint.model.components.stiffness import BEVEL_LAWS, OF_PAIRS
@@ -29,15 +28,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 
-def hand_on(report: Reader, base: Place, problem: Problem, taint: bool = True) -> None:
-    """Report a problem of the geometry at the key that it names."""
-    steps = problem.where.split(".") if problem.where else []
-    place: Place = (*base, *(int(step) if step.isdigit() else step for step in steps))
-    report.problem(
-        place, problem.message, value=problem.value, limit=problem.limit, remedy=problem.remedy, taint=taint
-    )
-
-
 def check_faults(gear: Gear | BevelGear, at: Place, report: Reader) -> None:
     """Report faults that no tooth of a gear can have."""
     for label, fault in gear.faults.items():
@@ -53,10 +43,10 @@ def check_faults(gear: Gear | BevelGear, at: Place, report: Reader) -> None:
                 taint=False,
             )
         for problem in _problems(gear, fault):
-            hand_on(report, here, problem, taint=False)
+            report.hand_on(here, problem, taint=False)
 
 
-def _problems(gear: Gear | BevelGear, fault: object) -> list[Problem]:
+def _problems(gear: Gear | BevelGear, fault: object) -> list[Message]:
     from pitchpoint.geometry.modifications import size_problems
     from pitchpoint.geometry.tooth_faults import wider_than_face
 
@@ -67,7 +57,7 @@ def _problems(gear: Gear | BevelGear, fault: object) -> list[Problem]:
     return [] if isinstance(gear, BevelGear) else _cylindrical(gear, fault)
 
 
-def _cylindrical(gear: Gear, fault: object) -> list[Problem]:
+def _cylindrical(gear: Gear, fault: object) -> list[Message]:
     from pitchpoint.geometry.modifications import size_problems
     from pitchpoint.geometry.tooth_faults import break_problems
 
@@ -84,7 +74,7 @@ def _cylindrical(gear: Gear, fault: object) -> list[Problem]:
     return []
 
 
-def _crack_problems(gear: Gear, crack: RootCrack) -> list[Problem]:
+def _crack_problems(gear: Gear, crack: RootCrack) -> list[Message]:
     from pitchpoint.contact.stiffness.root_crack import largest_crack
     from pitchpoint.geometry.tooth_form import tooth_form
 
@@ -92,7 +82,7 @@ def _crack_problems(gear: Gear, crack: RootCrack) -> list[Problem]:
     found = []
     if crack.depth > most:
         found.append(
-            Problem(
+            Message(
                 "depth",
                 "goes beyond the centre line of the tooth",
                 f"{1e3 * crack.depth:.6g} mm",
@@ -102,7 +92,7 @@ def _crack_problems(gear: Gear, crack: RootCrack) -> list[Problem]:
         )
     if crack.length is not None and crack.length > gear.face_width:
         found.append(
-            Problem(
+            Message(
                 "length",
                 "is longer than the face is wide",
                 f"{1e3 * crack.length:.6g} mm",
@@ -113,12 +103,12 @@ def _crack_problems(gear: Gear, crack: RootCrack) -> list[Problem]:
     return found
 
 
-def _pit_problems(gear: Gear, fault: Pitting) -> list[Problem]:
+def _pit_problems(gear: Gear, fault: Pitting) -> list[Message]:
     from pitchpoint.geometry.pits import Patch, patch_problems
 
     if bool(fault.patches) == (fault.pattern is not None):
         both = "patches and pattern are given" if fault.patches else "neither patches nor pattern is given"
-        return [Problem("patches", f"cannot be: {both}", remedy="give one of them")]
+        return [Message("patches", f"cannot be: {both}", remedy="give one of them")]
     shape = gear.geometry
     if fault.pattern is not None:
         # of the smallest pits that may come out, at the diameter where they cover the least roll
@@ -132,11 +122,11 @@ def _pit_problems(gear: Gear, fault: Pitting) -> list[Problem]:
     return found
 
 
-def _doubled(problem: Problem) -> Problem:
-    return replace(problem, message=f"is the least that may come out, which {problem.message}")
+def _doubled(problem: Message) -> Message:
+    return problem.changed(text=f"is the least that may come out, which {problem.text}")
 
 
-def _wear_problems(gear: Gear, wear: Wear) -> list[Problem]:
+def _wear_problems(gear: Gear, wear: Wear) -> list[Message]:
     from pitchpoint.geometry.modifications import size_problems
 
     work = [getattr(wear, name) for name in ("coefficient", "cycles", "torque")]
@@ -145,7 +135,7 @@ def _wear_problems(gear: Gear, wear: Wear) -> list[Problem]:
     if wear.depth is None and None not in work:
         return []
     remedy = "give either depth, or all of coefficient, cycles and torque"
-    return [Problem("depth", "is not the one way in which the size of the wear is given", remedy=remedy)]
+    return [Message("depth", "is not the one way in which the size of the wear is given", remedy=remedy)]
 
 
 def check_fault_laws(parts: Parts, report: Reader) -> None:

@@ -6,12 +6,14 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.bearing_fault_check import check_bearing_faults, check_seat
 from pitchpoint.model.components.law import Balance, Constant, TableLaw
 from pitchpoint.model.frames import GROUND
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
-from pitchpoint.model.validate import known, nearest, trains
+from pitchpoint.model.references import known
+from pitchpoint.model.speed_ratios import trains
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.body import Body
@@ -51,16 +53,15 @@ def check_unbalances(parts: Parts, report: Reader) -> None:
     """Unbalances sit on bodies that move and know how their mass lies, once it is known how they move."""
     for name, unbalance in parts.unbalances.items():
         at: Place = ("unbalances", name, "body")
-        if known(parts, "bodies", unbalance.body, at, report):
-            body = parts.bodies.get(unbalance.body)
-            if body is not None and body.motion == "fixed":
-                report.problem(at, f"names {unbalance.body}, which is fixed", remedy="remove it")
-            elif body is not None and _is_polar(body):
-                report.problem(
-                    at,
-                    f"names {unbalance.body}, which has inertia about its axis alone",
-                    remedy=f"give transverse_inertia of {unbalance.body} too",
-                )
+        body = parts.bodies.get(unbalance.body)
+        if body is not None and body.motion == "fixed":
+            report.problem(at, f"names {unbalance.body}, which is fixed", remedy="remove it")
+        elif body is not None and _is_polar(body):
+            report.problem(
+                at,
+                f"names {unbalance.body}, which has inertia about its axis alone",
+                remedy=f"give transverse_inertia of {unbalance.body} too",
+            )
 
 
 def _is_polar(body: Body) -> bool:
@@ -103,6 +104,14 @@ def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
             value=str(bearing.elements),
             limit=f"<= {int(math.pi * bearing.pitch_diameter / bearing.element_diameter)}",
             remedy="correct the number or the diameters",
+        )
+    elif bearing.element_diameter * math.cos(bearing.contact_angle) >= bearing.pitch_diameter:
+        report.problem(
+            (*at, "element_diameter"),
+            "leaves no room for the inner ring",
+            value=f"{bearing.element_diameter * 1e3:.6g} mm",
+            limit=f"below {bearing.pitch_diameter * 1e3:.6g} mm, the pitch diameter",
+            remedy="correct one of the diameters",
         )
     own, other = (
         ("grooves", "effective_length") if bearing.type == "ball" else ("effective_length", "grooves")
@@ -195,5 +204,5 @@ def _load(parts: Parts, name: str, load: Load, report: Reader) -> None:
         report.problem(
             (*at, "marker"),
             f"names the marker {load.marker[:40]!r}, which {load.body} does not have",
-            remedy=nearest(load.marker, body.markers) + have,
+            remedy=did_you_mean(load.marker, body.markers) + have,
         )

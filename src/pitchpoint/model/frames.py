@@ -75,10 +75,16 @@ def marker_of(machine: Machine, end: str) -> Marker | None:
 
 
 def body_frame(machine: Machine, body: str) -> tuple[Array | None, Array]:
-    """Origin (None if it is not known yet) and axes of a body in the world."""
+    """Origin and axes of a body in the world.
+
+    The origin is None if it is not known yet. A body that does not exist has no origin and the axes of the
+    world: the checks of references report it, and those of places pass it over.
+    """
     if body == GROUND:
         return np.zeros(3), np.eye(3)
-    part = machine.bodies[body]
+    part = machine.bodies.get(body)
+    if part is None:
+        return None, np.eye(3)
     origin = None if part.origin is None else np.array(part.origin, float)
     return origin, frame(part.orientation or part.axes)
 

@@ -51,6 +51,9 @@ class Key:
     display: str = ""  # default in the words of a user, where a formula stands behind it
     sample: str = ""  # a usual value, where the example of the dimension would be none
     later: bool = False  # came with a later version: empty, it leaves the hash of a model as it was
+    names: str = ""  # section whose components it names
+    one_of: str = ""  # keys of a component with the same word here exclude each other: exactly one is given
+    needs: str = ""  # key that has to be given with this one
     range_words: str = ""  # range in the words of a user, where another key decides about its ends
 
     @property

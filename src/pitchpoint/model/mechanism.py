@@ -351,3 +351,9 @@ def freedoms(mechanism: Mechanism, machine: Machine, others: int = 0) -> tuple[i
     """
     count = sum(len(s.coordinates) for s in mechanism.seats.values())
     return count, count - sum(rows_of(machine.joints[j]) for j in mechanism.cut) - others
+
+
+def same_base(parts: Parts, one: str, two: str) -> bool:
+    """Whether two bodies hang on the same one, so that their spins count from the same frame."""
+    seats = parts.mechanism.seats
+    return one not in seats or two not in seats or seats[one].parent == seats[two].parent

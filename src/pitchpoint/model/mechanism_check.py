@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.model.assembly import all_linked_known
 from pitchpoint.model.components.joint import FUNCTIONS
+from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.force_check import TURNING
 from pitchpoint.model.frames import (
     GROUND,
@@ -29,8 +31,10 @@ from pitchpoint.model.mechanism import (
     axial_offset,
     coordinate,
     rows_of,
+    seat_frame,
     spinner_of,
 )
+from pitchpoint.model.mobility import check_inertia
 from pitchpoint.model.read import Reader
 
 if TYPE_CHECKING:
@@ -58,8 +62,6 @@ def check_mechanism(parts: Parts, report: Reader) -> None:
     _coordinates(parts, report)
     _ratios(parts, report)
     if not report.problems:
-        from pitchpoint.model.mobility import check_inertia
-
         check_inertia(parts, report)
 
 
@@ -141,8 +143,6 @@ def _cuts(parts: Parts, report: Reader) -> None:
 
 def _placed(parts: Parts, report: Reader) -> None:
     """Every joint has a place; told of those from which the others would follow."""
-    from pitchpoint.model.assembly import all_linked_known
-
     if not all_linked_known(parts, report):
         return  # what broke before would have given it
     lost = {n: j for n, j in parts.joints.items() if joint_place(parts, j) is None}
@@ -282,8 +282,6 @@ def _polar(parts: Parts, report: Reader) -> None:
 
 
 def _parallel(parts: Parts, seat: Seat) -> bool:
-    from pitchpoint.model.mechanism import seat_frame
-
     own = body_frame(parts, seat.body)[1]
     return bool(own[:, 2] @ seat_frame(parts, seat)[1][:, 2] > 1.0 - 1e-12)
 
@@ -371,8 +369,6 @@ def coordinates_listed(parts: Parts) -> str:
 
 def _ratios(parts: Parts, report: Reader) -> None:
     """Terms are coordinates, and all of them have one dimension."""
-    from pitchpoint.model.components.ratio import Arm
-
     for name, ratio in parts.ratios.items():
         at: Place = ("ratios", name, "terms")
         if at in report.tainted:

@@ -6,7 +6,6 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from pitchpoint.model.choices import exactly_both, exactly_one
 from pitchpoint.model.components.bevel_mesh import BevelMesh
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.stiffness import OF_PAIRS, Fourier, Hertz, Rectangular
@@ -16,20 +15,10 @@ from pitchpoint.model.read import Reader
 
 
 def check_meshes(parts: Parts, report: Reader) -> None:
-    """Keys of meshes of which exactly one or at most one is allowed, and laws that do not go together."""
+    """Keys and laws of meshes that do not go together."""
     every = [(group, *item) for group in ("meshes", "bevel_meshes") for item in getattr(parts, group).items()]
     for group, name, mesh in every:
         at: Place = (group, name)
-        if mesh.backlash is not None:
-            exactly_one(
-                mesh.backlash, ("normal", "base_tangent", "circumferential"), (*at, "backlash"), report
-            )
-        if mesh.damper is not None:
-            exactly_one(mesh.damper, ("ratio", "value"), (*at, "damper"), report)
-        if mesh.damping is not None:
-            exactly_one(mesh.damping, ("d_in", "ratio", "pair", "restitution"), (*at, "damping"), report)
-            if mesh.damping.d_out is not None and mesh.damping.d_in is None:
-                report.problem((*at, "damping", "d_out"), "stands without d_in", remedy="give d_in")
         _losses(mesh, at, report)
         _stiffness(mesh.stiffness, (*at, "stiffness"), report)
 
@@ -52,7 +41,6 @@ def _losses(mesh: Mesh | BevelMesh, at: Place, report: Reader) -> None:
             remedy=f"give d_in, or take one of the laws {', '.join(OF_PAIRS)}",
         )
     if friction is not None:
-        exactly_both(friction, ("static", "static_speed"), (*at, "friction"), report)
         speed = friction.static_speed
         if speed is not None and speed >= friction.v_eps:
             report.problem(
@@ -64,8 +52,6 @@ def _losses(mesh: Mesh | BevelMesh, at: Place, report: Reader) -> None:
 
 
 def _stiffness(law: Any, at: Place, report: Reader) -> None:
-    if isinstance(law, Hertz):
-        exactly_both(law, ("force", "depth"), at, report)
     if isinstance(law, Fourier):
         depth = math.fsum(
             math.hypot(c, s)

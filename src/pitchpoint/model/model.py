@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
 from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
 from pitchpoint.model.inertia import BodyInertia, body_inertia
@@ -30,6 +30,7 @@ from pitchpoint.model.replace import replace_at
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.sections import GROUPS, Contents
 from pitchpoint.model.shafts import own_bodies, station_names, stations_of
+from pitchpoint.model.show import dotted
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
 from pitchpoint.model.validate import check
 
@@ -200,7 +201,7 @@ class Model(Contents):
         code = self.allow_code if allow_code is None else allow_code
         report = Reader(allow_code=code, directory=str(Path(self.file).parent) if self.file else ".")
         tops: dict[str, Any] = {}
-        problems: list[Problem] = []
+        problems: list[Message] = []
         for path, value in changes.items():
             name, *rest = path.split(".")
             if rest and name in keys_of(Model):
@@ -222,6 +223,17 @@ class Model(Contents):
     def line(self, place: Place) -> int | None:
         """Line of a key in the file the model came from, such as ("loads", "push"); None if it has none."""
         return (self.lines or {}).get(place)
+
+    def line_of(self, where: str) -> int | None:
+        """Line of a key by its dotted path, or of the nearest one around it; None without a file."""
+        places = self._lines_by_path
+        while where and where not in places:
+            where = where.rpartition(".")[0]
+        return places.get(where)
+
+    @cached_property
+    def _lines_by_path(self) -> dict[str, int]:
+        return {dotted(place): line for place, line in (self.lines or {}).items()}
 
     def backlash(self, mesh: str) -> float:
         """Total gap along the base tangent at the centre distance [m]: the given one, or of the geometry.
@@ -293,7 +305,7 @@ class Model(Contents):
         """Mesh whose frequency a sweep counts."""
         chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
         if chosen.sweep is None:
-            raise ModelError([Problem("scenarios", "is no sweep", remedy="name a scenario with sweep")])
+            raise ModelError([Message("scenarios", "is no sweep", remedy="name a scenario with sweep")])
         meshes = sweep_meshes(self._parts(), chosen.sweep.body)
         return chosen.sweep.mesh or next(iter(meshes))
 

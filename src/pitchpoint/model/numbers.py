@@ -14,21 +14,35 @@ from pitchpoint.model.model import Model
 
 
 def number_at(model: Model, path: str) -> tuple[float, str] | None:
-    """Number that stands at a path of a model and its SI unit; None if it is none."""
-    part: Any = model
-    unit = ""
-    for name in path.split("."):
-        if isinstance(part, Mapping):
-            part = part.get(name)
-            continue
-        if not is_dataclass(part):
-            return None
-        key = keys_of(type(part)).get(name)
-        if key is None:
-            return None
-        unit = DIMENSIONS[key.dimension].si if key.dimension else ""
-        part = getattr(part, name)
+    """Number at a path of a model and its SI unit; None if there is none."""
+    found = _walk(model, path)
+    if found is None:
+        return None
+    part, unit = found
     if isinstance(part, Constant):
         part = part.value
     known = isinstance(part, int | float) and not isinstance(part, bool)
     return (float(part), unit or "1") if known else None
+
+
+def has_path(model: Model, path: str) -> bool:
+    """Whether a path names a key of a model, or something with a name in it."""
+    return _walk(model, path) is not None
+
+
+def _walk(model: Model, path: str) -> tuple[Any, str] | None:
+    """What a path of a model leads to and the SI unit of its key; None if the path does not exist."""
+    part: Any = model
+    unit = ""
+    for name in path.split("."):
+        if isinstance(part, Mapping):
+            if name not in part:
+                return None
+            part = part[name]
+            continue
+        key = keys_of(type(part)).get(name) if is_dataclass(part) else None
+        if key is None:
+            return None
+        unit = DIMENSIONS[key.dimension].si if key.dimension else ""
+        part = getattr(part, name)
+    return part, unit

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import GeometryError, PitchpointError, Problem
+from pitchpoint.core.errors import GeometryError, Message, PitchpointError
 from pitchpoint.geometry.tooth_problems import TIP_THICKNESS_LIMIT, at_key
-from pitchpoint.model.fault_check import check_faults, hand_on
+from pitchpoint.model.fault_check import check_faults
 from pitchpoint.model.keys import Place
 from pitchpoint.model.phasing import assemble
 from pitchpoint.model.read import Reader
@@ -30,7 +30,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
     """Report everything that makes one gear impossible; hands and modules of its pairs are still checked."""
     gear = parts.gears[name]
 
-    def problems() -> list[Problem]:
+    def problems() -> list[Message]:
         """What makes it impossible, at the keys of the file."""
         return [at_tip_diameter(gear, problem) for problem in gear.geometry.problems()]
 
@@ -41,7 +41,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
         _check_wheel_body(gear, ("gears", name), report)
 
 
-def told_shape(parts: Parts, at: Place, find: Callable[[], list[Problem]], report: Reader) -> bool:
+def told_shape(parts: Parts, at: Place, find: Callable[[], list[Message]], report: Reader) -> bool:
     """Whether something makes the shape of the gear at a place impossible; it is reported and noted there.
 
     Parameters
@@ -60,12 +60,12 @@ def told_shape(parts: Parts, at: Place, find: Callable[[], list[Problem]], repor
     except GeometryError as error:
         problems = [error.problem]
     for problem in problems:
-        hand_on(report, at, problem, taint=False)
+        report.hand_on(at, problem, taint=False)
         parts.misshapen.add(str(at[1]))
     return bool(problems)
 
 
-def at_tip_diameter(gear: Gear, problem: Problem, where: str = "") -> Problem:
+def at_tip_diameter(gear: Gear, problem: Message, where: str = "") -> Message:
     """A thin or pointed tooth, reported at the tip diameter where the file gives one.
 
     Parameters
@@ -97,8 +97,7 @@ def at_tip_diameter(gear: Gear, problem: Problem, where: str = "") -> Problem:
     except GeometryError:
         return problem
     edge = abs(math.floor(last * 1e5)) * 1e-2
-    return replace(
-        problem,
+    return problem.changed(
         where=at_key(where, "tip_diameter"),
         value=f"{gear.tip_diameter * 1e3:.6g} mm",
         limit=f"{problem.limit}, at {edge:.2f} mm",
@@ -144,7 +143,7 @@ def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
         except GeometryError as error:
             problems = [error.problem]
         for problem in problems:
-            hand_on(report, (*at, side), problem, taint=False)
+            report.hand_on((*at, side), problem, taint=False)
 
 
 def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:
@@ -153,7 +152,7 @@ def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:
 
     if gear.deviations is not None:
         for problem in deviation_problems(gear.deviations.of_geometry(), gear.geometry):
-            hand_on(report, at, problem, taint=False)
+            report.hand_on(at, problem, taint=False)
 
 
 def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
@@ -171,13 +170,13 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
     try:
         pair = _pair(one.geometry, two.geometry, mesh.center_distance)
         for problem in pair.problems("", mesh.gears, gears=False):
-            hand_on(report, ("meshes", name), problem)
+            report.hand_on(("meshes", name), problem)
         if len(report.problems) > before or not parts.misshapen.isdisjoint(mesh.gears):
             return
         _ = pair.eps_alpha, pair.j_bt
     except GeometryError as error:
         if parts.misshapen.isdisjoint(mesh.gears):
-            hand_on(report, ("meshes", name), error.problem)
+            report.hand_on(("meshes", name), error.problem)
     else:
         parts.pairs[name] = pair
         parts.meshes[name] = replace(mesh, a_w=pair.a_w)

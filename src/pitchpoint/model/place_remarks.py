@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.frames import Array, body_frame, split
 
@@ -20,12 +21,12 @@ SAME = 1e-6
 """Distance of two axes as a share of the tip circles on them up to which they count as one."""
 
 
-def places_left_open(model: Model) -> tuple[str, ...]:
-    """A sentence for every axis that a joint has placed, and for gears that stand in each other."""
+def places_left_open(model: Model) -> tuple[Message, ...]:
+    """A remark for every axis that a joint has placed, and for gears that stand in each other."""
     return (*_axes_by_joints(model), *_gears_in_gears(model))
 
 
-def _axes_by_joints(model: Model) -> Iterator[str]:
+def _axes_by_joints(model: Model) -> Iterator[Message]:
     """Bodies that turn about an axis of their own, which goes through a joint for want of a position.
 
     A carrier whose planets have places would turn about the pin of the first of them.
@@ -48,13 +49,15 @@ def _axes_by_joints(model: Model) -> Iterator[str]:
         if not joints or name in coupled or origin is None:
             continue
         where = ", ".join(format_quantity(round(float(x), 9) + 0.0, "length", 4) for x in origin)
-        yield (
-            f"bodies.{name}: has no position and takes that of joints.{joints[0]}, [{where}], so that it "
-            "turns about an axis there; if its axis is another one, give position: [x, y, z]"
+        yield remark(
+            f"bodies.{name}",
+            f"has no position and takes that of joints.{joints[0]}, [{where}], so that it "
+            "turns about an axis there",
+            "if its axis is another one, give position: [x, y, z]",
         )
 
 
-def _gears_in_gears(model: Model) -> Iterator[str]:
+def _gears_in_gears(model: Model) -> Iterator[Message]:
     """External gears of two bodies on one axis that overlap along it, such as planets without directions."""
     spans = [
         (name, gear, *span)
@@ -72,9 +75,10 @@ def _gears_in_gears(model: Model) -> Iterator[str]:
         ends = sorted(float(other @ along + x * (way @ along)) for x in (least, most))
         here = float(at @ along)
         if min(ends[1], here + high) - max(ends[0], here + low) > reach:
-            yield (
-                f"bodies.{two}: {b} stands in {a} of {one}, on the same axis; give the meshes that place "
-                "them a direction each, or the bodies a position: [x, y, z]"
+            yield remark(
+                f"bodies.{two}",
+                f"{b} stands in {a} of {one}, on the same axis",
+                "give the meshes that place them a direction each, or the bodies a position: [x, y, z]",
             )
 
 

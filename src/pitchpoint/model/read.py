@@ -6,19 +6,24 @@ The reader knows nothing about files: it is given the data and, if there are any
 
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from numbers import Real
 from typing import Any
 
-from pitchpoint.core.errors import Problem, UnitError
+from pitchpoint.core.errors import Message, UnitError
+from pitchpoint.core.nearest import did_you_mean, nearest
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.model import read_file, read_forms, read_law, read_mechanism, read_signal
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.show import SI, dotted, example, limit_text, shown
+
+HUGE, TINY = 1e60, 1e-60
+"""Sizes in SI beyond which products of a few quantities overflow or vanish; no machine comes near them."""
+FASTEST = 1e9
+"""Largest rotational speed [rad/s]; the rim of a gear of 1 mm would move at 0.2 % of the speed of light."""
 
 
 @dataclass
@@ -42,7 +47,7 @@ class Reader:
     lines: Mapping[Place, int] = field(default_factory=dict)
     allow_code: bool = False
     directory: str = "."
-    problems: list[Problem] = field(default_factory=list)
+    problems: list[Message] = field(default_factory=list)
     tainted: set[Place] = field(default_factory=set)
     within: Mapping[str, Any] = field(default_factory=dict)
     aliases: dict[Place, Place] = field(default_factory=dict)
@@ -68,10 +73,18 @@ class Reader:
         if taint:
             self.tainted.update(path[:n] for n in range(1, len(path) + 1))
         path = (*self.aliases.get(path[:2], path[:2]), *path[2:])
-        self.problems.append(Problem(dotted(path), message, value, limit or None, remedy, self.line(path)))
+        self.problems.append(Message(dotted(path), message, value, limit or None, remedy, self.line(path)))
         if taint:
             self.tainted.update(path[:n] for n in range(1, len(path) + 1))
         return BAD
+
+    def hand_on(self, base: Place, found: Message, taint: bool = True) -> Any:
+        """Note a problem of a part, such as of its geometry, at the key below `base` that it names."""
+        steps = found.where.split(".") if found.where else []
+        place: Place = (*base, *(int(step) if step.isdigit() else step for step in steps))
+        return self.problem(
+            place, found.text, value=found.value, limit=found.limit, remedy=found.remedy, taint=taint
+        )
 
     # --- components -----------------------------------------------------------------------------------
     def component(self, cls: type, data: Any, path: Place) -> Any:
@@ -117,12 +130,11 @@ class Reader:
         for name in data:
             if name in allowed:
                 continue
-            near = difflib.get_close_matches(str(name), allowed, 1, 0.6)
-            guess = f"did you mean {near[0]}? " if near else ""
+            near = nearest(name, allowed)
             self.problem(
                 (*path, str(name)),
                 "is an unknown key",
-                remedy=f"{guess}allowed are {', '.join(allowed)}",
+                remedy=f"{did_you_mean(name, allowed)}allowed are {', '.join(allowed)}",
                 taint=bool(near) and near[0] not in data,
             )
 
@@ -146,6 +158,16 @@ class Reader:
             return self.problem(path, message, remedy=f"write {wanted}" if wanted else None)
         except OverflowError:
             return self.problem(path, "is too large for a number", value=shown(data))
+        most = FASTEST if description.dimension == "angular_speed" else HUGE
+        if not abs(result) <= most or 0.0 < abs(result) < TINY:
+            limit = f"0, or {TINY:g} to {most:g} in SI units"
+            return self.problem(
+                path,
+                "is out of the range of computation",
+                value=shown(data),
+                limit=limit,
+                remedy=f"write {example(description)}",
+            )
         if not description.allows(result):
             return self.problem(
                 path,
@@ -172,8 +194,8 @@ class Reader:
             remedy = f"write {round(data)}"
             return self.problem(path, "is not a whole number", value=shown(data), remedy=remedy)
         if not description.allows(value):
-            nearest = int(min(max(value, description.minimum), description.maximum))
-            remedy = f"write {-value if description.allows(-value) else nearest}"
+            closest = int(min(max(value, description.minimum), description.maximum))
+            remedy = f"write {-value if description.allows(-value) else closest}"
             return self.problem(
                 path, "is out of range", value=shown(data), limit=description.limit, remedy=remedy
             )
@@ -183,13 +205,11 @@ class Reader:
         """Read one word out of the choices."""
         if isinstance(data, str) and data in description.choices:
             return data
-        near = difflib.get_close_matches(str(data), description.choices, 1, 0.5)
-        guess = f"did you mean {near[0]}? " if near else ""
         return self.problem(
             path,
             "is not allowed",
             value=shown(data),
-            remedy=f"{guess}allowed are {', '.join(description.choices)}",
+            remedy=f"{did_you_mean(data, description.choices)}allowed are {', '.join(description.choices)}",
         )
 
     def string(self, description: Key, data: Any, path: Place) -> Any:
@@ -314,8 +334,8 @@ def _within(description: Key, data: Any, value: float) -> str:
     sample = example(description)
     usual = DIMENSIONS[description.dimension].example.split(" or ")[0]
     if description.dimension == "dimensionless" and sample == usual and not description.allows(float(usual)):
-        nearest = min(max(value, description.minimum), description.maximum)
-        sample = f"{nearest:g}" if description.allows(nearest) else f"a number {limit_text(description)}"
+        closest = min(max(value, description.minimum), description.maximum)
+        sample = f"{closest:g}" if description.allows(closest) else f"a number {limit_text(description)}"
     return f"write {sample}"
 
 

@@ -7,13 +7,13 @@ function is only named here, and only when the caller allows code.
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
 
@@ -136,12 +136,10 @@ def material(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     if isinstance(data, str) and data in materials.LIBRARY:
         return data
     known = sorted(materials.LIBRARY)
-    near = difflib.get_close_matches(str(data), known, 1, 0.5)
-    guess = f"did you mean {near[0]}? " if near else ""
     return reader.problem(
         path,
-        f"{str(data)[:40]!r} is no material of the library",
-        remedy=f"{guess}known are {', '.join(known)}",
+        f"{str(data)[:40]!r} is not a material of the library",
+        remedy=f"{did_you_mean(data, known)}known are {', '.join(known)}",
     )
 
 
@@ -173,6 +171,4 @@ def _own_material(reader: Reader, data: Mapping[str, Any], path: Place) -> Any:
     try:
         return Material(name="custom", **found)
     except GeometryError as error:
-        return reader.problem(
-            path, error.problem.message, value=error.problem.value, limit=error.problem.limit
-        )
+        return reader.problem(path, error.problem.text, value=error.problem.value, limit=error.problem.limit)

@@ -6,10 +6,10 @@ from __future__ import annotations
 import itertools
 from collections.abc import Mapping
 from dataclasses import replace
-from difflib import get_close_matches
 from typing import Any
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.nearest import hint
 from pitchpoint.model.dataset_plan import DatasetPlan, Level, ObservedChannel, TachoChannel
 from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
 from pitchpoint.model.model import Model
@@ -44,7 +44,7 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
     """
     if not isinstance(data, Mapping):
         what = "is empty" if data is None else "is not a mapping of keys"
-        raise ModelError([*reader.problems, Problem("plan", what, remedy="begin with model:", line=1)], file)
+        raise ModelError([*reader.problems, Message("plan", what, remedy="begin with model:", line=1)], file)
     keys, defaults = keys_of(DatasetPlan), defaults_of(DatasetPlan)
     reader.unknown(data, [*keys, *OWN], ())
     values: dict[str, Any] = {}
@@ -78,11 +78,11 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
     plan = DatasetPlan(**values, file=file, lines=reader.lines, allow_code=reader.allow_code)
     if len(plan) > MOST_CASES:
         limit = f"at most {MOST_CASES}"
-        raise ModelError([Problem("factors", f"make {len(plan)} cases", None, limit, "split the plan")], file)
+        raise ModelError([Message("factors", f"make {len(plan)} cases", None, limit, "split the plan")], file)
     return plan
 
 
-def in_order(problems: list[Problem]) -> list[Problem]:
+def in_order(problems: list[Message]) -> list[Message]:
     """Problems in the order of the file."""
     return sorted(problems, key=lambda p: p.line if p.line is not None else 10**9)
 
@@ -202,7 +202,7 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
         report.problem(("scenario",), "is missing", remedy=f"name one over time; there are: {listed}")
     elif scenario not in over_time:
         report.problem(
-            ("scenario",), f"is no scenario over time: {scenario}", remedy=_near(scenario, over_time)
+            ("scenario",), f"is no scenario over time: {scenario}", remedy=hint(scenario, over_time, 3)
         )
     for levels in plan.factors.values():
         for level in levels:
@@ -244,7 +244,7 @@ def _check_level(level: Level, model: Model, report: Reader, allow_code: bool) -
             value = f"{problem.value} " if problem.value else ""
             report.problem(
                 at if at in report.lines else level.place,
-                f"is refused: {problem.where}: {value}{problem.message}{limits}",
+                f"is refused: {problem.where}: {value}{problem.text}{limits}",
                 remedy=problem.remedy,
                 taint=False,
             )
@@ -255,22 +255,15 @@ def _check_channel(name: str, channel: Any, model: Model, channels: tuple[str, .
     at = ("channels", name)
     if isinstance(channel, ObservedChannel) and channels and channel.channel not in channels:
         report.problem(
-            (*at, "channel"), f"nothing observes {channel.channel!r}", remedy=_near(channel.channel, channels)
+            (*at, "channel"),
+            f"nothing observes {channel.channel!r}",
+            remedy=hint(channel.channel, channels, 3),
         )
     elif isinstance(channel, TachoChannel) and channel.body not in model.bodies:
         report.problem(
             (*at, "body"),
             f"there is no body {channel.body!r}",
-            remedy=_near(channel.body, tuple(model.bodies)),
+            remedy=hint(channel.body, tuple(model.bodies), 3),
         )
     elif isinstance(channel, TachoChannel) and channels and f"angle[{channel.body}]" not in channels:
         report.problem((*at, "body"), f"{channel.body} does not spin", remedy="name a body that does")
-
-
-def _near(name: str, known: Any) -> str:
-    """Nearest spelling, else what there is."""
-    near = get_close_matches(name, known, 3, 0.5)
-    if near:
-        return f"did you mean {', '.join(near)}?"
-    listed = ", ".join(list(known)[:12])
-    return f"there are {listed}{', ...' if len(known) > 12 else ''}" if listed else "there are none"

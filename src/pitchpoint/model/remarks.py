@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.core.errors import GeometryError, Problem, ValidityWarning
+from pitchpoint.core.errors import GeometryError, Message, ValidityWarning, remark
 from pitchpoint.core.units import format_quantity
 from pitchpoint.geometry.tooth_problems import NO_PAIR_IN_CONTACT
 from pitchpoint.model.beam_remarks import ends_left_behind
+from pitchpoint.model.bearing_fault_check import track_radius
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.idle_keys import idle_keys
@@ -42,22 +43,25 @@ def follows_flanks(model: Model, mesh: str) -> bool:
     return found.stiffness.law in OF_PAIRS and any(model.gears[g].is_modified for g in found.gears)
 
 
-def ignored_flanks(model: Model) -> tuple[str, ...]:
-    """A sentence for every mesh whose law knows no tooth pairs while its gears have flanks of their own."""
+def ignored_flanks(model: Model) -> tuple[Message, ...]:
+    """A remark for every mesh whose law knows no tooth pairs while its gears have flanks of their own."""
     found = []
     for name, mesh in model.meshes.items():
         gears = [g for g in mesh.gears if model.gears[g].is_modified]
         if gears and mesh.stiffness.law not in OF_PAIRS:
             found.append(
-                f"meshes.{name}: the law {mesh.stiffness.law} prescribes the stiffness of the whole mesh, so "
-                f"modifications, deviations and profiles of {' and '.join(gears)} have no effect; "
-                f"{', '.join(OF_PAIRS[:-1])} and {OF_PAIRS[-1]} follow them"
+                remark(
+                    f"meshes.{name}",
+                    f"the law {mesh.stiffness.law} prescribes the stiffness of the whole mesh, so "
+                    f"modifications, deviations and profiles of {' and '.join(gears)} have no effect",
+                    f"{', '.join(OF_PAIRS[:-1])} and {OF_PAIRS[-1]} follow them",
+                )
             )
     return tuple(found)
 
 
-def bushings_apart(model: Model) -> tuple[str, ...]:
-    """A sentence for every bushing whose ends have different places as drawn, and which is loaded by that."""
+def bushings_apart(model: Model) -> tuple[Message, ...]:
+    """A remark for every bushing whose ends have different places as drawn, and which is loaded by that."""
     found = []
     for name, bushing in model.bushings.items():
         one, two = (place_of(model, end) for end in bushing.ends)
@@ -65,25 +69,30 @@ def bushings_apart(model: Model) -> tuple[str, ...]:
             continue
         apart = float(np.linalg.norm(one - two))
         if apart > DRAWN_APART:
-            line = model.line(("bushings", name))
             found.append(
-                f"bushings.{name}{'' if line is None else f' (line {line})'}: {' and '.join(bushing.ends)} "
-                f"lie {format_quantity(apart, 'length', 3)} apart as drawn, "
-                "and the bushing pulls them together"
+                remark(
+                    f"bushings.{name}",
+                    f"{' and '.join(bushing.ends)} lie {format_quantity(apart, 'length', 3)} apart as drawn, "
+                    "and the bushing pulls them together",
+                    line=model.line(("bushings", name)),
+                )
             )
     return tuple(found)
 
 
-def negative_backlash(model: Model) -> tuple[str, ...]:
-    """A sentence for every mesh whose teeth are too thick for its centre distance."""
+def negative_backlash(model: Model) -> tuple[Message, ...]:
+    """A remark for every mesh whose teeth are too thick for its centre distance."""
     found = []
     for name in model.every_mesh:
         gap = model.backlash(name)
         if gap < -INTERFERENCE:
             at, size = f"{model.section_of(name)}.{name}", format_quantity(gap, "length", 3)
             found.append(
-                f"{at}: the backlash along the base tangent is {size}: both flanks carry without load; "
-                f"if that is not wanted, {_more_room(model, name)}"
+                remark(
+                    at,
+                    f"the backlash along the base tangent is {size}: both flanks carry without load",
+                    f"if that is not wanted, {_more_room(model, name)}",
+                )
             )
     return tuple(found)
 
@@ -111,8 +120,8 @@ def _wider(pair: GearPair) -> str:
     return f"give {distance}, or tooth_thickness_allowance < 0"
 
 
-def jumping_ramps(model: Model) -> tuple[str, ...]:
-    """A sentence for every mesh whose relief ramps jump with a small change of its contact ratio.
+def jumping_ramps(model: Model) -> tuple[Message, ...]:
+    """A remark for every mesh whose relief ramps jump with a small change of its contact ratio.
 
     Their length T_R frac(eps_alpha) is that of the published law; it falls from T_R to 0 base pitches where
     eps_alpha passes a whole number.
@@ -126,32 +135,54 @@ def jumping_ramps(model: Model) -> tuple[str, ...]:
         whole, at = round(eps_alpha), f"{model.section_of(name)}.{name}"
         if ramp > 0.0 and whole >= 1 and abs(eps_alpha - whole) <= NEAR_WHOLE:
             found.append(
-                f"{at}: eps_alpha = {eps_alpha:.4f} is nearly {whole}, where the ramps of "
-                f"tip_relief_factor jump: T_R frac(eps_alpha) is nearly {ramp:g} base pitches below {whole} "
-                f"and nearly none above, and the stiffness jumps with it, also in a run where the {moves} "
-                f"moves; if that is not wanted, write tip_relief_factor: 0 or change {cure}"
+                remark(
+                    at,
+                    f"eps_alpha = {eps_alpha:.4f} is nearly {whole}, where the ramps of tip_relief_factor "
+                    f"jump: T_R frac(eps_alpha) is nearly {ramp:g} base pitches below {whole} and nearly "
+                    f"none above, and the stiffness jumps with it, also in a run where the {moves} moves",
+                    f"if that is not wanted, write tip_relief_factor: 0 or change {cure}",
+                )
             )
     return tuple(found)
 
 
-def odd_shapes(model: Model) -> tuple[str, ...]:
-    """A sentence for all that is odd about the shape of a gear or of a pair that can be made."""
+def flat_grooves(model: Model) -> tuple[Message, ...]:
+    """A remark for every groove of a ball bearing that is flatter across than its raceway is along."""
     found = []
-    for name, gear in model.gears.items():
-        found += [f"gears.{at_tip_diameter(gear, problem, name)}" for problem in gear.geometry.warnings(name)]
-    for name, cone in model.bevel_gears.items():
-        found += [f"bevel_gears.{problem}" for problem in cone.geometry.warnings(name)]
-    found += [f"{at}.{problem}" for at, problem in _odd_pairs(model) if problem.message != NO_PAIR_IN_CONTACT]
+    for name, bearing in model.rolling_bearings.items():
+        for k, (ring, ratio) in enumerate(zip(("inner", "outer"), bearing.grooves or (), strict=False)):
+            groove, race = ratio * bearing.element_diameter, track_radius(bearing, k == 0)
+            if groove > race:
+                found.append(
+                    remark(
+                        f"rolling_bearings.{name}.grooves",
+                        f"the groove of the {ring} ring has a radius of {groove * 1e3:.4g} mm, more than its "
+                        f"raceway with {race * 1e3:.4g} mm",
+                        "give it over the ball diameter, such as 0.52, unless the raceway has no groove",
+                    )
+                )
     return tuple(found)
 
 
-def gaps_in_contact(model: Model) -> tuple[str, ...]:
-    """A sentence for every mesh that leaves moments without a pair of teeth in contact."""
-    odd = _odd_pairs(model)
-    return tuple(f"{at}.{problem}" for at, problem in odd if problem.message == NO_PAIR_IN_CONTACT)
+def odd_shapes(model: Model) -> tuple[Message, ...]:
+    """A warning for all that is unusual about the shape of a gear or of a pair that can be made."""
+    found: list[tuple[str, Message]] = []
+    for name, gear in model.gears.items():
+        thin = [at_tip_diameter(gear, problem, name) for problem in gear.geometry.warnings(name)]
+        found += [("gears", each) for each in thin]
+    for name, cone in model.bevel_gears.items():
+        found += [("bevel_gears", each) for each in cone.geometry.warnings(name)]
+    found += [(at, each) for at, each in _odd_pairs(model) if each.text != NO_PAIR_IN_CONTACT]
+    return tuple(each.changed(where=f"{group}.{each.where}", kind="warning") for group, each in found)
 
 
-def _odd_pairs(model: Model) -> list[tuple[str, Problem]]:
+def gaps_in_contact(model: Model) -> tuple[Message, ...]:
+    """A warning for every mesh that leaves moments without a pair of teeth in contact."""
+    found = [(at, each) for at, each in _odd_pairs(model) if each.text == NO_PAIR_IN_CONTACT]
+    return tuple(each.changed(where=f"{at}.{each.where}", kind="warning") for at, each in found)
+
+
+def _odd_pairs(model: Model) -> list[tuple[str, Message]]:
     """All that is odd about the pairs of a model, with their sections."""
     return [
         (model.section_of(name), problem)
@@ -161,17 +192,24 @@ def _odd_pairs(model: Model) -> list[tuple[str, Problem]]:
     ]
 
 
-def warn_of_remarks(model: Model) -> None:
-    """Issue the sentences of this module and of those that it imports them from as `ValidityWarning`."""
-    remarks = (
+def remarks_of(model: Model) -> tuple[Message, ...]:
+    """Everything in a model that is allowed, but that a user should know, with the lines of its file."""
+    finders = (
         ignored_flanks,
         negative_backlash,
         jumping_ramps,
         gaps_in_contact,
         bushings_apart,
+        flat_grooves,
         places_left_open,
         ends_left_behind,
         idle_keys,
     )
-    for text in (sentence for find in remarks for sentence in find(model)):
-        warnings.warn(text, ValidityWarning, stacklevel=2)
+    found = [each for find in finders for each in find(model)]
+    return tuple(e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
+
+
+def warn_of_remarks(model: Model) -> None:
+    """Issue `remarks_of` as `ValidityWarning`."""
+    for each in remarks_of(model):
+        warnings.warn(each, ValidityWarning, stacklevel=2)

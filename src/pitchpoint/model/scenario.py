@@ -60,10 +60,22 @@ class Sweep:
 
     body: str = text("body whose speed is swept")
     mesh_frequency: tuple[float, float] | None = quantities(
-        "frequency", "lowest and highest mesh frequency [Hz]", None, length=(2, 2), minimum=0.0, above=True
+        "frequency",
+        "lowest and highest mesh frequency [Hz]",
+        None,
+        length=(2, 2),
+        minimum=0.0,
+        above=True,
+        one_of="range",
     )
     speed: tuple[float, float] | None = quantities(
-        "angular_speed", "lowest and highest speed", None, length=(2, 2), minimum=0.0, above=True
+        "angular_speed",
+        "lowest and highest speed",
+        None,
+        length=(2, 2),
+        minimum=0.0,
+        above=True,
+        one_of="range",
     )
     mesh: str | None = text("mesh whose frequency counts", None, display="the only mesh of the body")
     points: int = integer("number of speeds", 101, minimum=2, maximum=1000000)

@@ -5,11 +5,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.carried_trains import has_carriers
+from pitchpoint.model.choices import exactly_one
 from pitchpoint.model.components.law import Constant, PythonLaw
 from pitchpoint.model.keys import Place
+from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.read import Reader
+from pitchpoint.model.references import known
 from pitchpoint.model.speed_ratios import (
     SPEED_TOLERANCE,
+    fixed_bodies,
     links_of,
     locked_links,
     start_speeds,
@@ -47,9 +52,6 @@ def check_scenarios(parts: Parts, report: Reader) -> None:
 
 
 def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
-    from pitchpoint.model.choices import exactly_one
-    from pitchpoint.model.validate import known
-
     for key in ("speed", "drive", "hold"):
         for body in getattr(scenario, key):
             if key == "drive" and "." in body:
@@ -80,8 +82,6 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
 
 def _turns(parts: Parts, body: str, at: Place, report: Reader) -> None:
     """A body that a joint carries has a spin of its own only with some joints."""
-    from pitchpoint.model.mechanism import coordinate
-
     if body not in parts.bodies or parts.bodies[body].moves != "joint":
         return
     found = coordinate(parts.mechanism, parts, body)
@@ -141,31 +141,36 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
 
 def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     """Speeds inside a loop whose ratios contradict each other."""
-    from pitchpoint.model.carried_trains import has_carriers
-
     turned: dict[str, Place] = {b: (*at, "speed", b) for b, speed in scenario.speed.items() if speed != 0.0}
     turned |= {b: (*at, "drive", b) for b in scenario.drive}
     if scenario.sweep is not None:
         turned[scenario.sweep.body] = (*at, "sweep", "body")
-    told: set[Place] = set()
+    reported: set[Place] = set()
+    fixed = fixed_bodies(parts)
     links = links_of(parts)
     linked = {body for link in links for body in link[1:3]}
     plain = not has_carriers(parts, links)
     for body, place in turned.items():
-        if body not in parts.bodies or body not in linked:
+        if body not in parts.bodies or body not in linked or body in fixed:
             continue
         locked = locked_links(parts, body)
         if plain and not locked:  # nor does any other body of its train find one
             linked -= train_of(parts, body)
         for link, one, two, _ in locked:
-            if link not in told:
-                told.add(link)
-                report.problem(
-                    place,
-                    f"cannot turn {body}: {'.'.join(map(str, link))} locks {one} and {two}, which other "
-                    "meshes and couplings turn at another ratio",
-                    remedy="take one of the loop out, or leave the speed at zero",
+            if link in reported:
+                continue
+            reported.add(link)
+            still = {one, two} & fixed
+            where = ".".join(map(str, link))
+            if still:
+                what = f"{where} meshes it, or what turns with it, with {still.pop()}, which is fixed"
+                remedy = "leave the speed at zero, or give the fixed body another motion"
+            else:
+                what = (
+                    f"{where} locks {one} and {two}, which other meshes and couplings turn at another ratio"
                 )
+                remedy = "take one of the loop out, or leave the speed at zero"
+            report.problem(place, f"cannot turn {body}: {what}", remedy=remedy)
 
 
 def _time(scenario: Scenario, at: Place, report: Reader) -> None:
@@ -213,12 +218,9 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
 
 
 def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
-    from pitchpoint.model.choices import exactly_one
-
     sweep = scenario.sweep
     if sweep is None:
         return
-    exactly_one(sweep, ("mesh_frequency", "speed"), at, report)
     if scenario.drive:
         report.problem(
             (*at[:-1], "drive"),

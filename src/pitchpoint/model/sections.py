@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.outside import added
 from pitchpoint.model.components.actuator import ACTUATORS, Actuator
 from pitchpoint.model.components.beam import Beam
@@ -201,7 +201,7 @@ def register(found: Section) -> None:
         return
     if found.name in _OTHERS or found.name in keys_of(Contents) or not found.name.isidentifier():
         raise ModelError(
-            [Problem(found.name, "is not a usable name for a section", remedy="choose another name")]
+            [Message(found.name, "is not a usable name for a section", remedy="choose another name")]
         )
     _OTHERS[found.name] = found
     for cls in _CLASSES:

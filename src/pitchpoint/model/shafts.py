@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-6
 """Places that differ by less than this share of the length are one."""
+MOST_PIECES = 2000
+"""Largest number of pieces of one shaft; elastic shafts of machines take ten to a hundred."""
 
 
 # --- among the bodies ---------------------------------------------------------------------------------------
@@ -78,8 +80,19 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
                 "leaves nothing of the shaft",
                 value=_mm(section.bore),
                 limit=f"below the diameter {_mm(section.diameter)}",
-                remedy="diameters, not radii, are asked for",
+                remedy="give diameters, not radii",
             )
+    pieces = sum(s.length / (shaft.largest_piece or 2.0 * s.diameter) for s in shaft.sections)
+    if pieces > MOST_PIECES:
+        key = "sections" if shaft.largest_piece is None else "largest_piece"
+        report.problem(
+            (*at, key),
+            f"would cut the shaft of {_mm(shaft.length)} into {pieces:.0f} pieces",
+            value=None if shaft.largest_piece is None else _mm(shaft.largest_piece),
+            limit=f"{MOST_PIECES} pieces",
+            remedy="check the units of lengths and diameters, or give "
+            f"largest_piece: {_mm(1.01 * shaft.length / MOST_PIECES)} or more",
+        )
 
 
 def check_shaft_places(parts: Parts, report: Reader) -> None:

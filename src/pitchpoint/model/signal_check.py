@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.controller import PythonController
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 from pitchpoint.model.signal_functions import check_functions
 from pitchpoint.model.signal_names import SECTIONS, TIME, at_once, made, read
-from pitchpoint.model.validate import nearest
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -62,7 +62,9 @@ def _names(parts: Parts, report: Reader) -> bool:
             continue
         have = f"there are {', '.join(seen)}" if seen else "there are none: add sensors or blocks"
         report.problem(
-            at, f"names the signal {name[:40]!r}, which does not exist", remedy=nearest(name, seen) + have
+            at,
+            f"names the signal {name[:40]!r}, which does not exist",
+            remedy=did_you_mean(name, seen) + have,
         )
     return found and whole
 

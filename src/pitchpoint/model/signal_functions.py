@@ -7,12 +7,12 @@ import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.block import LawBlock
 from pitchpoint.model.components.controller import PythonController
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 from pitchpoint.model.signal_names import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
-from pitchpoint.model.validate import nearest
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.law import PythonLaw
@@ -55,7 +55,7 @@ def _function(law: PythonLaw, arguments: tuple[str, ...], at: Place, report: Rea
             report.problem(
                 at,
                 f"names the function {law.function!r}, which '{file.name}' does not define",
-                remedy=f"{nearest(law.function, known)}functions there: {listed}",
+                remedy=f"{did_you_mean(law.function, known)}functions there: {listed}",
             )
         return
     node = known[law.function]

@@ -10,14 +10,15 @@ import math
 import re
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.actuator import TorqueActuator
 from pitchpoint.model.components.sensor import JointSensor, Listener, LoadSensor
 from pitchpoint.model.frames import GROUND, axes_of, split
 from pitchpoint.model.keys import Place, keys_of
-from pitchpoint.model.mechanism import coordinate
+from pitchpoint.model.mechanism import coordinate, seat_frame
+from pitchpoint.model.mechanism_check import coordinates_listed
 from pitchpoint.model.read import Reader
 from pitchpoint.model.sections import GROUPS, Contents, groups_of
-from pitchpoint.model.validate import nearest
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
@@ -70,13 +71,13 @@ def _all_read(parts: Parts, report: Reader, groups: tuple[str, ...]) -> bool:
 
 def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader, whole: bool) -> None:
     """The coordinate exists; what the tree decides about it only if the tree is known."""
-    from pitchpoint.model.mechanism_check import coordinates_listed
-
     found = coordinate(parts.mechanism, parts, sensor.coordinate) if whole else None
     if not whole and _names_nothing(parts, sensor.coordinate, report):
         found = coordinate(parts.mechanism, parts, sensor.coordinate)
     if isinstance(found, str):
-        remedy = coordinates_listed(parts) if whole else nearest(*_meant(parts, sensor.coordinate)).strip()
+        remedy = (
+            coordinates_listed(parts) if whole else did_you_mean(*_meant(parts, sensor.coordinate)).strip()
+        )
         report.problem((*at, "coordinate"), found, remedy=remedy or None)
     if found is None or isinstance(found, str):
         return
@@ -158,7 +159,7 @@ def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None
         report.problem(
             where,
             f"{match[1][:40]!r} is no quantity that results have",
-            remedy=nearest(match[1], table()) + "the names are those of a result file",
+            remedy=did_you_mean(match[1], table()) + "the names are those of a result file",
         )
         return
     if not _all_read(parts, report, GROUPS):
@@ -167,7 +168,9 @@ def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None
     whole, first = match[2], match[2].split(".")[0]
     if whole not in known and first not in known:
         report.problem(
-            where, f"names {whole[:40]!r}, which does not exist", remedy=nearest(first, known).strip() or None
+            where,
+            f"names {whole[:40]!r}, which does not exist",
+            remedy=did_you_mean(first, known).strip() or None,
         )
 
 
@@ -199,8 +202,6 @@ def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader, w
 
 
 def _spin_axis(parts: Parts, body: str) -> Any:
-    from pitchpoint.model.mechanism import seat_frame
-
     seat = parts.mechanism.seats[body]
     if seat.kind == "fixed":
         return axes_of(parts, body)[:, 2]

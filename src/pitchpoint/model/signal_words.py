@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.actuator import ForceActuator, TorqueActuator
 from pitchpoint.model.components.block import Pid
@@ -61,11 +62,13 @@ def _actuator(part: Any) -> str:
     return f"strut between {' and '.join(part.ends)}"
 
 
-def idle_signals(model: Model) -> list[str]:
-    """A sentence for every block and controller whose signals nothing reads, and for keys beside others."""
+def idle_signals(model: Model) -> list[Message]:
+    """A remark for every controller whose signals nothing reads, and for keys without effect."""
     used = {signal for signal, _ in read(model)}
     found = [
-        f"controllers.{name}.output: nothing reads {output}: it acts on nothing and is only recorded"
+        remark(
+            f"controllers.{name}.output", f"nothing reads {output}: it acts on nothing and is only recorded"
+        )
         for name, part in model.controllers.items()
         for output in outputs_of(part)
         if output not in used
@@ -73,7 +76,9 @@ def idle_signals(model: Model) -> list[str]:
     for name, block in model.blocks.items():
         if isinstance(block, Pid):
             if block.filter_time > 0.0 and block.derivative == 0.0:
-                found.append(f"blocks.{name}.filter_time: has no effect without derivative")
+                found.append(remark(f"blocks.{name}.filter_time", "has no effect without derivative"))
             if block.tracking_time is not None and (block.limits is None or block.integral == 0.0):
-                found.append(f"blocks.{name}.tracking_time: has no effect without limits and integral")
+                found.append(
+                    remark(f"blocks.{name}.tracking_time", "has no effect without limits and integral")
+                )
     return found

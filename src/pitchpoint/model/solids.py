@@ -10,16 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import GeometryError, MissingDependencyError, Problem
 from pitchpoint.model.frames import frame
-from pitchpoint.model.keys import Place
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.marker import Triple
     from pitchpoint.model.components.solid import SolidReference
-    from pitchpoint.model.parts import Parts
-    from pitchpoint.model.read import Reader
 
 ROUND = 1e-6
 """What a solid may differ from a round one about the z axis, per its size: STL files hold seven digits."""
@@ -87,65 +83,3 @@ def solid_of_gear(gear: Gear) -> tuple[float, float, float]:
 
 
 # --- checks -------------------------------------------------------------------------------------------------
-def check_solids(parts: Parts, report: Reader) -> None:
-    """Read the solids of gears, shafts and bodies; those that cannot be had are left out of what follows."""
-    for group in ("gears", "shafts", "bodies"):
-        components = getattr(parts, group)
-        for name, component in list(components.items()):
-            if component.solid is None:
-                continue
-            at: Place = (group, name, "solid")
-            if any((*at, k) in report.tainted for k in ("file", "unit", "axes", "material", "density")):
-                good = False
-            else:
-                good = _check(component.solid, at, group, report)
-            if not good:
-                components[name] = dataclasses.replace(component, solid=None)
-                report.tainted |= {(group, name, k) for k in ("mass", "inertia", "transverse_inertia")}
-
-
-def _check(part: SolidReference, at: Place, group: str, report: Reader) -> bool:
-    if part.density is not None and part.material is not None:
-        report.problem((*at, "density"), "stands beside material", remedy="give one of the two")
-        return False
-    if part.origin is not None and group != "bodies":
-        single = group.removesuffix("s")
-        report.problem(
-            (*at, "origin"),
-            f"has no effect: a {single} lies where its body or its section says",
-            remedy="remove it",
-        )
-        return False
-    if part.axes is not None and not _directions(part, at, report):
-        return False
-    try:
-        if group == "bodies":
-            part.solid()
-        else:
-            part.about_axis()
-    except GeometryError as error:
-        _hand_on(report, at, error.problem)
-        return False
-    except MissingDependencyError as error:
-        what, _, remedy = str(error).partition("; ")
-        report.problem((*at, "file"), f"cannot be read: {what}", remedy=remedy)
-        return False
-    return True
-
-
-def _directions(part: SolidReference, at: Place, report: Reader) -> bool:
-    from pitchpoint.model.joint_check import check_axes
-
-    before = len(report.problems)
-    check_axes(part.axes, (*at, "axes"), report)
-    return len(report.problems) == before
-
-
-def _hand_on(report: Reader, at: Place, problem: Problem) -> None:
-    report.problem(
-        (*at, problem.where or "file"),
-        problem.message,
-        value=problem.value,
-        limit=problem.limit,
-        remedy=problem.remedy,
-    )

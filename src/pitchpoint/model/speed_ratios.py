@@ -7,8 +7,10 @@ from collections import deque
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.carried_trains import carried_speeds, has_carriers
 from pitchpoint.model.frames import split
 from pitchpoint.model.keys import Place
+from pitchpoint.model.mechanism import coordinate, same_base
 from pitchpoint.model.torsional_supports import bushed_pairs, supported_bodies
 
 if TYPE_CHECKING:
@@ -23,8 +25,6 @@ Link = tuple[Place, str, str, float]
 
 def links_of(parts: Parts) -> list[Link]:
     """What gives two bodies a speed ratio: meshes, what couples them in torsion, ratios of two spins."""
-    from pitchpoint.model.mechanism import coordinate
-
     found: list[Link] = []
     for name, mesh in parts.meshes.items():
         bodies = [parts.body_of(g) for g in mesh.gears]
@@ -64,12 +64,6 @@ def _bevel_links(parts: Parts) -> list[Link]:
     return found
 
 
-def same_base(parts: Parts, one: str, two: str) -> bool:
-    """Whether two bodies hang on the same one, so that their spins count from the same frame."""
-    seats = parts.mechanism.seats
-    return one not in seats or two not in seats or seats[one].parent == seats[two].parent
-
-
 def _is_spin(parts: Parts, place: tuple[str, int, str]) -> bool:
     """Whether a coordinate is the spin of its body."""
     return parts.mechanism.seats[place[0]].coordinates[place[1]] == "spin"
@@ -99,20 +93,28 @@ def train_of(parts: Parts, body: str) -> set[str]:
 
 
 def locked_links(parts: Parts, body: str) -> list[Link]:
-    """Links that close a loop with a body and contradict the ratios of the rest of it: nothing can turn."""
-    from pitchpoint.model.carried_trains import has_carriers
+    """Links that keep a body from turning.
 
+    They contradict the ratios of the rest of a loop that the body is in, or are meshes with a fixed body.
+    """
     turning = start_speeds(parts, {body: 1.0})[0]
     if has_carriers(parts, joined := links_of(parts)):
         return [] if turning[body] != 0.0 else [link for link in joined if body in link[1:3]]
+    fixed = fixed_bodies(parts)
     return [
         link
-        for link in links_of(parts)
-        for one, two, ratio in [link[1:]]
-        if turning[one] != 0.0
-        and turning[two] != 0.0
+        for link in joined
+        for place, one, two, ratio in [link]
+        if (turning[one] != 0.0 and turning[two] != 0.0)
         and abs(turning[two] - ratio * turning[one]) > SPEED_TOLERANCE * abs(turning[two])
+        or place[0] in ("meshes", "bevel_meshes")
+        and ((one in fixed and turning[two] != 0.0) or (two in fixed and turning[one] != 0.0))
     ]
+
+
+def fixed_bodies(parts: Parts) -> set[str]:
+    """Bodies with motion: fixed."""
+    return {n for n, b in parts.bodies.items() if b.moves == "fixed"}
 
 
 def start_speeds(
@@ -134,8 +136,6 @@ def start_speeds(
         while the given speeds leave it open; and (body, fitting speed) for each given speed that contradicts
         an earlier one.
     """
-    from pitchpoint.model.carried_trains import carried_speeds, has_carriers
-
     if has_carriers(parts, joined := links_of(parts)):
         return carried_speeds(parts, joined, given, supported_bodies(parts), SPEED_TOLERANCE)
     links = ratios(parts)
@@ -154,7 +154,7 @@ def start_speeds(
                 if there not in speeds:
                     speeds[there] = speeds[here] * ratio
                     queue.append(there)
-    fixed = {n for n, b in parts.bodies.items() if b.moves == "fixed"}
+    fixed = fixed_bodies(parts)
     return {n: 0.0 if n in fixed else speeds.get(n, 0.0) for n in parts.bodies}, wrong
 
 
@@ -170,3 +170,13 @@ def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
         for g in mesh.gears
         if body in parts.bodies and g in getattr(parts.bodies[body], own) and g in gears
     }
+
+
+def trains(parts: Parts) -> list[set[str]]:
+    """Bodies that turn together, by meshes and by couplings that carry torque."""
+    groups: list[set[str]] = [{name} for name in parts.bodies]
+    for link in ({one, two} for _, one, two, _ in links_of(parts)):
+        touched = [g for g in groups if g & link]
+        if len(touched) > 1:
+            groups = [g for g in groups if not g & link] + [set().union(*touched)]
+    return groups

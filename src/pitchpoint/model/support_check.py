@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.model.force_check import TURNING
-from pitchpoint.model.frames import GROUND, axes_of, body_frame, place_of, split
+from pitchpoint.model.frames import GROUND, Array, axes_of, body_frame, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.read import Reader
 
@@ -131,10 +131,13 @@ def _askew(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report:
 
 
 def check_rings(parts: Parts, report: Reader) -> None:
-    """Rings of rolling and plain bearings stand about one axis; a marker of ground stands along the world."""
+    """The rings of rolling and plain bearings lie at one place, about one axis; ground is the origin."""
     for group in ("rolling_bearings", "plain_bearings"):
         for name, bearing in getattr(parts, group).items():
-            if any(place_of(parts, end) is None for end in bearing.ends) or (group, name) in report.tainted:
+            places = [place_of(parts, end) for end in bearing.ends]
+            if (group, name) in report.tainted or places[0] is None or places[1] is None:
+                continue
+            if _apart(parts, (group, name, "ends"), bearing.ends, (places[0], places[1]), report):
                 continue
             z, other = (axes_of(parts, end)[:, 2] for end in bearing.ends)
             angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), abs(float(z @ other)))
@@ -148,6 +151,32 @@ def check_rings(parts: Parts, report: Reader) -> None:
                     remedy=f"give the marker {outer} axes whose z lies along that of {inner}; on ground it "
                     "takes a body with motion: fixed and a marker",
                 )
+
+
+def _apart(
+    parts: Parts, at: Place, ends: tuple[str, str], places: tuple[Array, Array], report: Reader
+) -> bool:
+    """Whether the rings of a bearing lie at different places as drawn; if so, it is reported."""
+    distance = float(np.linalg.norm(places[0] - places[1]))
+    limit = HOUSED * max(1.0, *(float(np.abs(p).max()) for p in places))
+    if distance <= limit:
+        return False
+    remedy = "correct the places of the bodies or markers"
+    if GROUND in ends:
+        body = ends[ends[0] == GROUND]
+        where = ", ".join(f"{v * 1e3:.6g} mm" for v in places[ends[0] == GROUND])
+        remedy = (
+            f"ground is the origin of the world: add a body {{motion: fixed, position: [{where}]}} "
+            f"where {body} lies, and name it instead of ground"
+        )
+    report.problem(
+        at,
+        f"lie {distance * 1e3:.6g} mm from each other as drawn",
+        value=" and ".join(ends),
+        limit=f"{limit * 1e3:.4g} mm",
+        remedy=remedy,
+    )
+    return True
 
 
 def _holds_sideways(coupling: Coupling) -> bool:

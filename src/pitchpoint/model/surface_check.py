@@ -113,7 +113,9 @@ def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
     if part.file.lower().endswith(".stl") and part.unit is None:
         if (*at, "unit") not in report.tainted:
             report.problem(
-                (*at, "unit"), "is missing: an STL file does not tell its unit", remedy="add unit: 1 mm, say"
+                (*at, "unit"),
+                "is missing: an STL file does not contain its unit",
+                remedy="add unit: 1 mm, for example",
             )
         return
     from pitchpoint.geometry.triangle_file import read_triangles, triangle_faults
@@ -121,15 +123,10 @@ def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
     try:
         found = read_triangles(part.file)
     except GeometryError as error:
-        fault = error.problem
-        report.problem(
-            (*at, "file"), fault.message, value=fault.value, limit=fault.limit, remedy=fault.remedy
-        )
+        report.hand_on((*at, "file"), error.problem.changed(where=""))
         return
     for wrong in triangle_faults(found, part.unit or 1.0, part.open, part.hollow):
-        report.problem(
-            (*at, "file"), wrong.message, value=wrong.value, limit=wrong.limit, remedy=wrong.remedy
-        )
+        report.hand_on((*at, "file"), wrong)
 
 
 def _bore(contact: SurfaceContact, at: Place, report: Reader) -> None:

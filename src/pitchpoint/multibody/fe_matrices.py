@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.multibody.structure import Structure, make_structure
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class DmigFile:
 
 def refuse(path: Path, message: str, line: int | None = None, remedy: str | None = None) -> ModelError:
     """Error about a file, and a line of it."""
-    return ModelError([Problem("", message, line=line, remedy=remedy)], str(path))
+    return ModelError([Message("", message, line=line, remedy=remedy)], str(path))
 
 
 def checked(path: str | os.PathLike[str]) -> Path:
@@ -272,18 +272,18 @@ def structure_from_dmig(
     for name in (stiffness, mass):
         if name not in file.matrices:
             listed = ", ".join(sorted(file.matrices))
-            raise ModelError([Problem(name, "there is no such matrix", remedy=f"there are: {listed}")])
+            raise ModelError([Message(name, "there is no such matrix", remedy=f"there are: {listed}")])
     order = file.displacements()
     scalar = [g for g, c in order if c == 0]
     if scalar:
         what = "is a scalar point: it has no place"
-        raise ModelError([Problem(f"point {scalar[0]}", what, remedy="reduce to grid points alone")])
+        raise ModelError([Message(f"point {scalar[0]}", what, remedy="reduce to grid points alone")])
     nodes = sorted({g for g, _ in order})
     known: dict[int, Any] = {**file.grids, **(places or {})}
     missing = [g for g in nodes if g not in known]
     if missing:
         remedy = "add GRID entries to the file or give `places`"
-        raise ModelError([Problem(f"grid {missing[0]}", "has no place", remedy=remedy)])
+        raise ModelError([Message(f"grid {missing[0]}", "has no place", remedy=remedy)])
     number = {g: k for k, g in enumerate(nodes)}
     structure = make_structure(
         file.matrix(stiffness, order),

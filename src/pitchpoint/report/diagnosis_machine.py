@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
-from pitchpoint.core.errors import ModelError, Problem, UnitError
+from pitchpoint.core.errors import Message, ModelError, UnitError
+from pitchpoint.core.nearest import hint
 from pitchpoint.report.diagnosis_origin import origin
 from pitchpoint.report.diagnosis_record import OverAngle, Record, at_speed, over_angle
 from pitchpoint.report.diagnosis_study import Study, preferred, study, usable
@@ -244,7 +245,7 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
             return {}, []
         listed = ", ".join(model.scenarios) or "none"
         raise ModelError(
-            [Problem(f"scenarios.{scenario}", "is not in the model", remedy=f"there are: {listed}")]
+            [Message(f"scenarios.{scenario}", "is not in the model", remedy=f"there are: {listed}")]
         )
     if not scenario:
         return {}, []
@@ -254,13 +255,10 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
 
 def _chosen(request: Request, record: Record) -> dict[str, Array]:
     """Channels to look at."""
-    from difflib import get_close_matches
-
     used = {text.partition("@")[0] for text in (request.tacho, request.angle) if text}
     for name in [*request.channels, *used]:
         if name not in record.channels:
-            near = get_close_matches(name, record.channels, n=3) or list(record.channels)[:12]
-            raise SignalError(f"{request.file}: no channel {name!r}; there are: {', '.join(near)}")
+            raise SignalError(f"{request.file}: no channel {name!r}; {hint(name, record.channels, 3)}")
     names = list(request.channels)
     if not names:
         kept = [name for name in record.channels if name not in used]

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.nearest import hint
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.frames import GROUND
 
@@ -48,7 +49,7 @@ def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str
             where = f"scenarios.{name}.drive.{body}"
             remedy = f"give --speed {body}=QUANTITY"
             raise ModelError(
-                [Problem(where, "is a Python function, whose speed is not known", remedy=remedy)]
+                [Message(where, "is a Python function, whose speed is not known", remedy=remedy)]
             )
         speeds[body] = speed
         remarks.append(f"{body} has the speed that it is driven at when the run ends, at {end:g} s")
@@ -96,8 +97,6 @@ def turning_speeds(
     ModelError
         If a body is unknown or cannot turn, or given speeds contradict each other.
     """
-    from difflib import get_close_matches
-
     from pitchpoint.model.speed_ratios import locked_links, start_speeds
 
     machine: Any = model
@@ -105,15 +104,14 @@ def turning_speeds(
     for body in given:
         seat = model.mechanism.seats.get(body)
         if body not in model.bodies:
-            near = get_close_matches(body, model.bodies, n=1)
-            there = ", ".join(model.bodies) or "none"
-            remedy = f"did you mean {near[0]!r}?" if near else f"there are: {there}"
-            problems.append(Problem(f"speed.{body}", "is not a body of the model", remedy=remedy))
+            problems.append(
+                Message(f"speed.{body}", "is not a body of the model", remedy=hint(body, model.bodies))
+            )
         elif seat is None or "spin" not in seat.coordinates:
-            problems.append(Problem(f"speed.{body}", "is the speed of a body that cannot turn by itself"))
+            problems.append(Message(f"speed.{body}", "is the speed of a body that cannot turn by itself"))
         else:
             problems += [
-                Problem(
+                Message(
                     f"speed.{body}", f"cannot be: {'.'.join(map(str, link[0]))} locks {link[1]} and {link[2]}"
                 )
                 for link in locked_links(machine, body)
@@ -125,7 +123,7 @@ def turning_speeds(
     if wrong:
         raise ModelError(
             [
-                Problem(
+                Message(
                     f"speed.{body}",
                     "does not fit the ratio to the other given speeds",
                     value=f"{given[body]:.6g} rad/s",

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -25,6 +25,6 @@ def kept_model(path: str, allow_code: bool = False) -> Model:
     text = read_header(path).get("model_text")
     if not text:
         remedy = "for a report, name the model file as well; else run the model again"
-        problem = Problem("model", "is not kept in this result file", remedy=remedy)
+        problem = Message("model", "is not kept in this result file", remedy=remedy)
         raise ModelError([problem], path)
     return loads_model(text, allow_code=allow_code, file=path)

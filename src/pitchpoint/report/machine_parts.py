@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from pitchpoint.analysis.turning_parts import Bearing, Mesh, Shaft, TurningParts
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -52,7 +52,7 @@ def parts_of(
     rows = frequencies_of(model, spins)
     base = abs(rows["shafts"].get(reference, {}).get("speed", 0.0))
     if not base:
-        raise ModelError([Problem(f"bodies.{reference}", "does not turn, so no order refers to it")])
+        raise ModelError([Message(f"bodies.{reference}", "does not turn, so no order refers to it")])
     remarks, orders = [], {}
     for body, row in rows["shafts"].items():
         if not row["gears"] or not row["speed"]:
@@ -66,7 +66,7 @@ def parts_of(
     if carried and len(carried) == len(rows["meshes"]):
         raise ModelError(
             [
-                Problem(
+                Message(
                     "meshes",
                     "all go round with a carrier: planets pass a sensor one after the other, and no test "
                     "here knows their lines",
@@ -77,7 +77,7 @@ def parts_of(
     if carried:
         remarks.append(f"meshes on carriers are beyond this: {', '.join(carried)} omitted")
     if not orders:
-        raise ModelError([Problem("bodies", "carry no gears that turn; there is nothing to diagnose")])
+        raise ModelError([Message("bodies", "carry no gears that turn; there is nothing to diagnose")])
     groups: dict[Fraction, list[str]] = {}
     for body, order in orders.items():
         groups.setdefault(order, []).append(body)

@@ -8,7 +8,6 @@ Inputs: a coordinate (`BODY.spin`), a force or moment on a body in world axes (`
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -16,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.nearest import hint
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.body_shapes import body_motions
 from pitchpoint.solvers.element_tangents import tangents
@@ -99,9 +99,7 @@ def coordinate_units(linear: Linearised) -> dict[str, str]:
 
 
 def _unknown(name: str, known: Sequence[str], what: str) -> SolverError:
-    near = difflib.get_close_matches(name, known, 1, 0.5)
-    hint = f"did you mean {near[0]}?" if near else f"for example {', '.join(known[:6])}"
-    return SolverError(f"no {what} is called {name!r}; {hint}", INCONSISTENT)
+    return SolverError(f"no {what} is called {name!r}; {hint(name, known)}", INCONSISTENT)
 
 
 def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.core.errors import Message, note
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.start import IMBALANCE
 from pitchpoint.solvers.stiffness_parts import Array
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 
-def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array) -> tuple[str, ...]:
+def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array) -> tuple[Message, ...]:
     """Say which meshes nothing loads, and which torques only what is held takes up.
 
     Parameters
@@ -57,15 +58,19 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
     if empty:
         why = f"; {' and '.join(over)} go into holding it" if over else ""
         found.append(
-            f"nothing loads mesh {' and '.join(empty)}{why}: load the bodies on both sides of a mesh, one of "
-            "them with torque: balance"
+            note(
+                f"nothing loads mesh {' and '.join(empty)}{why}: load the bodies on both sides of a mesh, "
+                "one of them with torque: balance"
+            )
         )
     elif over:
         found.append(
-            f"the loads do not balance: {' and '.join(over)} are left over and go into holding it; set one "
-            "torque to `balance` if that is not wanted"
+            note(
+                f"the loads do not balance: {' and '.join(over)} are left over and go into holding it",
+                remedy="set one torque to `balance` if that is not wanted",
+            )
         )
-    return (*found, *(note for spin in left if (note := _same_way(system, spin, torques))))
+    return (*found, *(same for spin in left if (same := _same_way(system, spin, torques))))
 
 
 def friction_notes(system: System) -> tuple[str, ...]:
@@ -90,8 +95,8 @@ def load_torques(system: System, row: Array) -> dict[str, float]:
     return {name: float(row[known[f"torque[{name}]"]]) for name in loads if f"torque[{name}]" in known}
 
 
-def _same_way(system: System, spin: int, torques: dict[str, float]) -> str:
-    """A sentence if all torques on a train turn it the same way: the teeth then meet on the other flank."""
+def _same_way(system: System, spin: int, torques: dict[str, float]) -> Message | None:
+    """A note if all torques on a train turn it the same way: the teeth then meet on the other flank."""
     rates = rotations(system, (spin,))[:, 0]
     loads = system.model.loads if system.model is not None else {}
     powers = {
@@ -103,9 +108,10 @@ def _same_way(system: System, spin: int, torques: dict[str, float]) -> str:
     powers = {name: power for name, power in powers.items() if power != 0.0}
     bodies = {loads[name].body for name in powers}
     if len(bodies) < 2 or len(set(np.sign(list(powers.values())))) != 1:
-        return ""
+        return None
     first, *others = powers
-    return (
+    return note(
         f"{first} and {' and '.join(others)} turn the train the same way round, so the teeth meet on the "
-        f"other flank than where {first} alone would press them; change a sign if one of them is to brake"
+        f"other flank than where {first} alone would press them",
+        remedy="change a sign if one of them is to brake",
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pitchpoint.core.errors import Message, note
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.system import evaluate
 from pitchpoint.system.source import row_source, row_unit
@@ -23,20 +24,23 @@ def redundant_rows(system: System) -> tuple[str, ...]:
     return tuple(system.layout.rows[r] for r in np.flatnonzero(w.arrays["used"] == 0))
 
 
-def row_notes(system: System) -> tuple[str, ...]:
-    """Tell the user of rows that repeat others; empty if none does."""
+def row_notes(system: System) -> tuple[Message, ...]:
+    """Notes on rows that repeat others."""
     names = redundant_rows(system)
     loops = [name.removeprefix("closure ") for name in names if name.startswith("closure ")]
     others = [name for name in names if not name.startswith("closure ")]
     found = []
     if loops:
         found.append(
-            f"{', '.join(loops)}: what other joints hold already; the motion is the same without, and loads "
-            "are shared in one of many possible ways"
+            note(
+                "what other joints hold already; the motion is the same without, and loads are shared in one "
+                "of many possible ways",
+                ", ".join(loops),
+            )
         )
     if others:
         found.append(
-            f"{', '.join(others)}: prescribes what other constraints prescribe already; it takes no load"
+            note("prescribes what other constraints prescribe already; it takes no load", ", ".join(others))
         )
     return tuple(found)
 

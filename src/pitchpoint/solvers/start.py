@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import Message, SolverError, note
 from pitchpoint.elements import drive as drive_element
 from pitchpoint.elements.kind import DRIVE, MESH, TORQUE
 from pitchpoint.elements.ratio import place_of
@@ -203,15 +203,17 @@ def _passed_on(system: System, state: State, keep: Collection[int], rates: Colle
     return assemble_state(system, state, keep=keep, keep_rates=rates).state
 
 
-def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[str, ...]:
-    """Say when the loads do not balance: the speed will then drift."""
+def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[Message, ...]:
+    """Notes on loads that do not balance: the speed will then drift."""
     largest = max((abs(float(r["value"])) for r in system.rows(TORQUE)), default=0.0)
     notes = []
     for spin, reaction in zip(found.held, found.reaction, strict=True):
         body = system.layout.coordinates[spin].rsplit(".", 1)[0]
         if spin not in known and abs(reaction) > max(IMBALANCE * largest, 1e-9):
             notes.append(
-                f"{UNBALANCED}: {-reaction:.4g} N m are left over on {body}, so the speed will "
-                "change; set one torque to `balance` or drive a body if that is not wanted"
+                note(
+                    f"{UNBALANCED}: {-reaction:.4g} N m are left over on {body}, so the speed will change",
+                    remedy="set one torque to `balance` or drive a body if that is not wanted",
+                )
             )
     return tuple(notes)

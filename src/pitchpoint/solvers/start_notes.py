@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.core.errors import Message
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.joint import COORDINATES, RATES
 
@@ -43,8 +44,8 @@ def given_starts(model: Model, key: str) -> Iterator[tuple[str, str, str, float]
                 yield seat.joint, own, f"{seat.body}.{word}", values[own]
 
 
-def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[str, ...]:
-    """A sentence for every start value or rate of a joint that the run does not begin with.
+def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[Message, ...]:
+    """A note on every start value or rate of a joint that the run does not begin with.
 
     Parameters
     ----------
@@ -73,10 +74,13 @@ def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[
             dimension = model.joints[joint].dimension(word)
             unit = RATES[dimension] if key == "speed" else dimension
             now = "elsewhere" if tumbled else f"at {format_quantity(round(at, 9) + 0.0, unit, 4)}"
-            line = model.line(("joints", joint, key))
             found.append(
-                f"joints.{joint}.{key}{'' if line is None else f' (line {line})'}: {word} begins {now}, "
-                f"not at {format_quantity(value, unit, 4)}: {WHY[key]}"
+                Message(
+                    f"joints.{joint}.{key}",
+                    f"{word} begins {now}, not at {format_quantity(value, unit, 4)}: {WHY[key]}",
+                    line=model.line(("joints", joint, key)),
+                    kind="note",
+                )
             )
     return tuple(found)
 

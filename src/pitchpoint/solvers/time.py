@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, note
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
@@ -310,10 +310,11 @@ class _Loop:
         if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
             remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
         if status == OK and found.count == 0:  # methods with samples within steps measure at them
-            remarks = ("no sample lies in the window of the statistics; raise sample_rate",)
+            remarks = (note("no sample lies in the window of the statistics", remedy="raise sample_rate"),)
         divided = int(self.system.workspace.clock[REJECTED])
         if isinstance(self.run_, generalized_alpha.Run) and divided:
-            remarks = (*remarks, f"{divided} of {self.steps} steps were divided where Newton's method failed")
+            divisions = f"{divided} of {self.steps} steps were divided where Newton's method failed"
+            remarks = (*remarks, note(divisions))
         t = float(self.run_.t)
         return TimeSummary(
             status=status,

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.nearest import nearest
 from pitchpoint.core.status import INCONSISTENT
 
 if TYPE_CHECKING:
@@ -37,9 +38,7 @@ def chosen_channels(system: System, patterns: Sequence[str]) -> list[int]:
         whole = re.compile(".*".join(map(re.escape, pattern.split("*"))))
         hits = {k for k, name in enumerate(names) if whole.fullmatch(name)}
         if not hits:
-            from difflib import get_close_matches
-
-            near = get_close_matches(pattern, names, n=1) or names[:1]
+            near = nearest(pattern, names) or names[:1]
             raise SolverError(
                 f"channels: {pattern!r} matches none of the {len(names)} channels; an example is "
                 f"{' '.join(near)} (* matches any characters)",

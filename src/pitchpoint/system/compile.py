@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
@@ -11,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import CompileError, ModelError
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import CONSTRAINT
 from pitchpoint.model.force_check import states_of
@@ -129,9 +129,8 @@ def _banks(used: Iterable[Section], places: Places) -> list[Bank]:
 def _named(model: Model, scenario: str) -> Scenario:
     """Scenario of this name, or an error with the nearest spelling."""
     if scenario not in model.scenarios:
-        near = difflib.get_close_matches(scenario, model.scenarios, 1, 0.6)
-        guess = f"did you mean {near[0]}? " if near else ""
         listed = ", ".join(model.scenarios) or "none"
+        guess = did_you_mean(scenario, model.scenarios)
         raise CompileError(f"scenario: there is no {scenario!r}; {guess}there are: {listed}")
     return model.scenarios[scenario]
 

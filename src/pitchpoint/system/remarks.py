@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.errors import Message
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.system.meshes import mesh_names, mesh_records
@@ -23,8 +24,8 @@ FULL_DAMPING = 0.9
 
 def deep_contacts(
     model: Model | None, statistics: Iterable[Mapping[str, Mapping[str, Any]]]
-) -> tuple[str, ...]:
-    """Sentences about meshes whose flanks went deeper into each other than teeth can bend.
+) -> tuple[Message, ...]:
+    """Notes on meshes whose flanks went deeper into each other than teeth can bend.
 
     Penetration is counted from the backlash at the centre distance of the model, on either flank. Beyond a
     tenth of a module neither a stiffness per tooth nor the undeformed path of contact means anything: the
@@ -52,10 +53,15 @@ def deep_contacts(
         limit = DEEPEST * (gear.normal_module if isinstance(gear, Gear) else gear.geometry.m_mn)
         if deepest > limit:
             found.append(
-                f"{at}: the flanks go {format_quantity(deepest, 'length', 3)} into each other "
-                f"(limit about 0.1 m_n = {format_quantity(limit, 'length', 3)}), more than teeth can bend; "
-                "check the loads, the stiffness, prescribed motions, a given time step, and the damping: "
-                "with too little of it a varying stiffness can build up vibrations without bound"
+                Message(
+                    at,
+                    f"the flanks go {format_quantity(deepest, 'length', 3)} into each other, more than teeth "
+                    "can bend",
+                    limit=f"about 0.1 m_n = {format_quantity(limit, 'length', 3)}",
+                    remedy="check the loads, the stiffness, prescribed motions, a given time step, and "
+                    "the damping: with too little of it a varying stiffness can build up unbounded vibration",
+                    kind="note",
+                )
             )
     return tuple(found)
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import CompileError, ModelError, Problem
+from pitchpoint.core.errors import CompileError, Message, ModelError
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.elements import signal_record as sr
 from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signal_net import SignalNet
@@ -62,10 +62,9 @@ def assemble_controlled(
     for name, channel in net.listened.items():
         known = [c.name for c in system.layout.channels]
         if channel not in known:
-            near = get_close_matches(channel, known, 1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
+            remedy = f"{did_you_mean(channel, known)}{OBSERVED}"
             raise ModelError(
-                [Problem(f"sensors.{name}.channel", f"nothing observes {channel!r}{hint}", remedy=OBSERVED)]
+                [Message(f"sensors.{name}.channel", f"nothing observes {channel!r}", remedy=remedy)]
             )
         system.records[kind]["channel"][labels.index(name)] = known.index(channel)
     _check(net, controllers)

@@ -3,13 +3,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import DRIVE, Kind
-from pitchpoint.model.show import dotted
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -79,15 +77,7 @@ def row_unit(system: System, row: int) -> str:
 
 def with_lines(model: Model, error: ModelError) -> ModelError:
     """The error with the lines of those of its problems that have none but name a place in the file."""
-    places = {dotted(place): line for place, line in (model.lines or {}).items()}
-
-    def line_of(where: str) -> int | None:
-        """Line of the key, or of the nearest one around it."""
-        while where and where not in places:
-            where = where.rpartition(".")[0]
-        return places.get(where)
-
-    found = [p if p.line is not None else replace(p, line=line_of(p.where)) for p in error.problems]
+    found = [p if p.line is not None else p.changed(line=model.line_of(p.where)) for p in error.problems]
     return ModelError(found, error.file or model.file)
 
 

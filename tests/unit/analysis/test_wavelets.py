@@ -129,16 +129,16 @@ def test_extension_decides_what_the_ends_show() -> None:
     [
         (lambda x: wavelet_levels(x, 1.0, levels=9), r"levels: 9 \(limit 1 to 6 for 1001 samples and db5\)"),
         (lambda x: wavelet_levels(x, 1.0, levels=True), "levels: True"),
-        (lambda x: wavelet_levels(x, 1.0, wavelet="db55"), "'db55' is unknown; use 'db5'"),
-        (lambda x: wavelet_levels(x, 1.0, wavelet="mexh"), "'mexh' is unknown; use one of"),
-        (lambda x: wavelet_levels(x, 1.0, extension="symetric"), "use 'symmetric'"),
+        (lambda x: wavelet_levels(x, 1.0, wavelet="db55"), "'db55' is unknown; did you mean db5?"),
+        (lambda x: wavelet_levels(x, 1.0, wavelet="mexh"), "'mexh' is unknown; there are "),
+        (lambda x: wavelet_levels(x, 1.0, extension="symetric"), "did you mean symmetric?"),
         (lambda x: wavelet_levels(np.append(x, np.nan), 1.0), "sample 1001 is nan"),
         (lambda x: wavelet_packets(x, 0.0), "sample_rate"),
         (lambda x: scalogram(x, 100.0, [60.0]), "frequencies: 60 Hz"),
         (lambda x: scalogram(x, 100.0, [0.01]), "frequencies: 0.01 Hz"),
         (lambda x: scalogram(x, 100.0, [10.0], wavelet="cmor"), "write such as 'cmor1.5-1.0'"),
         (lambda x: scalogram(x, 100.0, [10.0], wavelet="cmor1.5"), "write such as 'cmor1.5-1.0'"),
-        (lambda x: scalogram(x, 100.0, [10.0], wavelet="mexh3"), "use 'mexh'"),
+        (lambda x: scalogram(x, 100.0, [10.0], wavelet="mexh3"), "did you mean mexh?"),
     ],
 )
 def test_bad_input_is_named(call, says: str) -> None:

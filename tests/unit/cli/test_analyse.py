@@ -161,7 +161,7 @@ def test_units_and_sample_rate_from_the_command_line(tmp_path, capsys):
         (["amplitude_spectrum", "-c", "forze"], "did you mean force?"),
         (["amplitude_spectrum", "-c", "force", "-O", "window"], "'window' is not NAME=VALUE"),
         (["amplitude_spectrum", "-c", "force", "-O", "windo_name=hann"], "did you mean window_name?"),
-        (["amplitude_spectrum", "-c", "force", "--unit", "x=N"], "'x' is no channel of the file"),
+        (["amplitude_spectrum", "-c", "force", "--unit", "x=N"], "'x' is not a channel of the file"),
         (
             ["power_spectral_density", "-c", "force", "-O", "segment=1e9"],
             "segment: 1000000000 samples (limit 4 to 64)",

@@ -81,16 +81,16 @@ def test_shares_of_the_tones(rig: str, tone: str, capsys: pytest.CaptureFixture[
 @pytest.mark.parametrize(
     "more, sentence",
     [
-        (["wavelet_levels", "-O", "wavelet=bd5"], "wavelet: 'bd5' is unknown; use 'db5'"),
-        (["wavelet_levels", "-O", "wavelet=DB5"], "wavelet: 'DB5' is unknown; use 'db5'"),
-        (["wavelet_packets", "-O", "wavelet=coiff3"], "wavelet: 'coiff3' is unknown; use 'coif3'"),
+        (["wavelet_levels", "-O", "wavelet=bd5"], "wavelet: 'bd5' is unknown; did you mean db5?"),
+        (["wavelet_levels", "-O", "wavelet=DB5"], "wavelet: 'DB5' is unknown; did you mean db5?"),
+        (["wavelet_packets", "-O", "wavelet=coiff3"], "wavelet: 'coiff3' is unknown; did you mean coif3?"),
         (["wavelet_levels", "-O", "wavelet=5"], "option wavelet is 5 (limit a text)"),
         (["wavelet_levels", "-O", "levels=12"], "levels: 12 (limit 1 to 9 for 6456 samples and db5)"),
         (["wavelet_packets", "-O", "levels=0"], "levels: 0 (limit 1 to 9 for 6456 samples and db5)"),
         (["wavelet_levels", "-O", "levels=2.5"], "option levels is 2.5 (limit a whole number)"),
-        (["wavelet_levels", "-O", "extension=symetric"], "use 'symmetric'"),
+        (["wavelet_levels", "-O", "extension=symetric"], "did you mean symmetric?"),
         (["scalogram", "-O", "wavelet=cmor"], "lacks its numbers; write such as 'cmor1.5-1.0'"),
-        (["scalogram", "-O", "wavelet=mexx"], "wavelet: 'mexx' is unknown; use 'mexh'"),
+        (["scalogram", "-O", "wavelet=mexx"], "wavelet: 'mexx' is unknown; did you mean mexh?"),
         (
             ["scalogram", "-O", "frequencies=10,300"],
             "frequencies: 300 Hz (limit 0.0666667 to below 215.2 Hz)",

@@ -167,7 +167,7 @@ def test_without_speed_or_tacho_it_says_what_to_give(
     file = csv_of(tmp_path, only(rig(), "acc"))
     assert "give --speed, such as --speed 30Hz, --tacho CHANNEL" in told([file, *TRAIN], capsys)
     said = told([file, *TRAIN, "--tacho", "tacho", "--pulses", "4"], capsys)
-    assert "no channel 'tacho'; there are: acc" in said
+    assert "no channel 'tacho'; there are acc" in said
 
 
 def test_a_tacho_that_is_none_is_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

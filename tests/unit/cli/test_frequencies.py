@@ -55,7 +55,8 @@ def grc(held: str = "ring", driven: str = "carrier: 22.09 rpm", more: str = "") 
     gear = "normal_module: 10 mm, face_width: 100 mm, profile_shift_coefficient: 0"
     angles = [2.0 * math.pi * k / 3 for k in range(3)]
     places = [f"[{300 * math.cos(a)!r} mm, {300 * math.sin(a)!r} mm, 0]" for a in angles]
-    motion = {name: "motion: fixed, " if name == held else "" for name in ("sun", "ring", "carrier")}
+    motion = {name: "motion: fixed, " if name == held else "" for name in ("sun", "ring")}
+    motion["carrier"] = f"motion: {'fixed' if held == 'carrier' else 'torsion'}, "
     lines = [
         f"gears:\n  sun: {{number_of_teeth: 21, {gear}}}",
         f"  ring: {{number_of_teeth: 99, type: internal, {gear}}}",
@@ -63,7 +64,8 @@ def grc(held: str = "ring", driven: str = "carrier: 22.09 rpm", more: str = "") 
         "bodies:",
         f"  sun: {{gears: [sun], {motion['sun']}position: [0, 0, 0]}}",
         f"  ring: {{gears: [ring], {motion['ring']}position: [0, 0, 0]}}",
-        f"  carrier: {{inertia: 100 kg m^2, mass: 500 kg, {motion['carrier']}position: [0, 0, 0]}}",
+        f"  carrier: {{inertia: 100 kg m^2, mass: 500 kg, {motion['carrier']}position: [0, 0, 0], "
+        "markers: {seat: {position: [300 mm, 0, 0]}}}",
         *(f"  b{k}: {{gears: [p{k}], position: {place}}}" for k, place in enumerate(places)),
         "joints:",
         *(f"  pin{k}: {{type: revolute, bodies: [carrier, b{k}]}}" for k in range(3)),
@@ -159,7 +161,7 @@ def test_bearings_of_a_shaft_and_of_a_planet(tmp_path: Path, capsys: pytest.Capt
     )
     bearings = (
         f"rolling_bearings:\n  main: {{ends: [carrier, ground], {size}}}\n"
-        f"  pin: {{ends: [carrier, b0], {size}}}\n  turned: {{ends: [b0, carrier], {size}}}"
+        f"  pin: {{ends: [carrier.seat, b0], {size}}}\n  turned: {{ends: [b0, carrier.seat], {size}}}"
     )
     text = grc(more=bearings)
     found = json_of(["frequencies", written(tmp_path, text)], capsys)
@@ -217,11 +219,11 @@ def test_people_get_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     [
         (["--speed", "motor"], "no BODY=QUANTITY"),
         (["--speed", "motor=3 kg"], "motor:"),
-        (["--speed", "moter=3 rpm"], "did you mean 'motor'?"),
+        (["--speed", "moter=3 rpm"], "did you mean motor?"),
         (["--speed", "motor=3 rpm", "--speed", "output=3 rpm"], "does not fit the ratio"),
         (["--speed", "motor=0 rpm"], "nothing turns"),
         (["--speed", "motor=3 rpm", "-s", "rated"], "in place of a scenario"),
-        (["-s", "ratd"], "did you mean 'rated'?"),
+        (["-s", "ratd"], "did you mean rated?"),
     ],
 )
 def test_what_cannot_be_is_said(

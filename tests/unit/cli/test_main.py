@@ -18,9 +18,9 @@ from pitchpoint.core import status as st
 from pitchpoint.core.errors import (
     CompileError,
     GeometryError,
+    Message,
     MissingDependencyError,
     ModelError,
-    Problem,
     SolverError,
     UnitError,
 )
@@ -57,7 +57,7 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        (["chek"], "did you mean 'check'?"),
+        (["chek"], "did you mean check?"),
         (["check"], "Missing argument 'FILE'"),
         (["check", "no_such.yaml"], "does not exist"),
         (["mesh", "--eps-alpha", "1.3", "--epsbeta", "1"], "No such option"),
@@ -82,7 +82,7 @@ def test_bad_command_lines_exit_2(
     ("error", "code", "expected"),
     [
         (
-            ModelError([Problem("gears.g1.b", "is negative", "-1 mm", line=4)]),
+            ModelError([Message("gears.g1.b", "is negative", "-1 mm", line=4)]),
             2,
             "gears.g1.b (line 4): -1 mm",
         ),

@@ -78,7 +78,7 @@ def test_given_inertia_of_a_body_stands_beside_that_of_its_gears(tmp_path: Path,
     "arguments, said",
     [
         (["--shaft", "axle"], "is for --export"),
-        (["--shaft", "axel", "--export", "a.stl"], "did you mean 'axle'?"),
+        (["--shaft", "axel", "--export", "a.stl"], "did you mean axle?"),
         (["--shaft", "axle", "--export", "a.svg"], "has no ending of a solid; use .stl, .step, .stp"),
         (["--shaft", "axle", "--gear", "wheel", "--export", "a.stl"], "cannot be combined with --gear"),
     ],

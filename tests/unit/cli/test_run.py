@@ -145,7 +145,7 @@ def test_a_step_that_had_to_be_shortened_is_told(
     [
         (["--jobs", "2"], "--jobs has no effect without --vary"),
         (["--decimate", "2", "--vary", "loads.input.torque=1 N m"], "--decimate has no effect with --vary"),
-        (["--scenario", "stedy"], "did you mean 'steady'?"),
+        (["--scenario", "stedy"], "did you mean steady?"),
         (["--scenario", "sweep"], "of the kind sweep"),
         (["--step", "3 kg"], "'kg'"),
         (["--step", "-1 us"], "greater than zero"),

@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import json
 
+import numpy as np
 import pytest
 
+from pitchpoint.cli.cases import values_of
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.reading import read_header
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.kept_model import kept_model
 
 MODEL = """
@@ -73,3 +76,14 @@ def test_wrong_settings_say_what_is_wrong(run, setting, said):
 def test_a_path_is_set_once(run):
     code, _, told = run("--set", "loads.drum.torque=1 N m", "--set", "loads.drum.torque=2 N m")
     assert code == 2 and "is set twice" in told
+
+
+def test_names_with_an_equals_sign(run, monkeypatch):
+    """A path ends where it leads to something; --set loads.a=b.torque=50 used to set `loads.a`."""
+    named = MODEL.replace("drum: {body: drum", "a=b: {body: drum")
+    monkeypatch.setitem(globals(), "MODEL", named)
+    code, out, _ = run("--set", "loads.a=b.torque=50 N m", "--json", "-q")
+    assert code == 0
+    force = 50.0 / (40 * 3e-3 / 2.0 * np.cos(np.radians(20.0)))
+    assert mean_force(out) == pytest.approx(force, rel=1e-3)
+    assert values_of("loads.a=b.torque=1,2", loads_model(named)) == ("loads.a=b.torque", [1, 2])

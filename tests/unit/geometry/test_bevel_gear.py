@@ -204,7 +204,7 @@ def test_the_deepest_tool_is_told_and_works():
     """A crown gear that ends in an edge: just above its depth the teeth of the tool are pointed."""
     gear = BevelGear(z=20, m_mn=3e-3, delta=0.5, b=0.01, x_hm=0.2)
     (told,) = gear.replace(rack=BasicRack(h_fP_star=2.4)).problems()
-    assert "beyond the point of the tool" in told.message
+    assert "beyond the point of the tool" in told.text
     deepest = float(told.limit)
     for depth, works in ((deepest - 1e-3, True), (deepest + 1e-3, False)):
         problems = gear.replace(rack=BasicRack(h_fP_star=depth)).problems()
@@ -228,7 +228,7 @@ def test_pairs_that_do_not_fit_are_listed():
     assert short.problems() == []
     under = pair_of(13, 40, b=5e-3)
     (told,) = under.warnings("", ("p", "w"))
-    assert told.value == "tip of w" and told.message.endswith("root form cone of p (undercut)")
+    assert told.value == "tip of w" and told.text.endswith("root form cone of p (undercut)")
     low, start = (float(x.split()[0]) for x in told.limit.split(", contact would start at "))
     base = math.cos(under.gear1.delta_b)
     assert math.cos(radians(low)) == pytest.approx(base * math.cos(under.gear1.sigma_Ff), rel=1e-6)

@@ -157,7 +157,7 @@ def test_a_fillet_that_does_not_fit_becomes_the_full_rounding():
 def test_impossible_gears_say_why(gear, key, word):
     problem = gear.problems("gears.g1")[0]
     assert problem.where == f"gears.g1.{key}"
-    assert word in problem.message
+    assert word in problem.text
     assert problem.value and problem.limit and problem.remedy
 
 

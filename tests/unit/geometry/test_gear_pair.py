@@ -142,7 +142,7 @@ IMPOSSIBLE = {
 def test_impossible_pairs_say_why(case):
     pair, key, word = IMPOSSIBLE[case]
     problems = pair.problems("meshes.stage", ("g1", "g2"))
-    matching = [p for p in problems if p.where == f"meshes.stage.{key}" and word in p.message]
+    matching = [p for p in problems if p.where == f"meshes.stage.{key}" and word in p.text]
     assert matching, [str(p) for p in problems]
     assert matching[0].value and matching[0].limit and matching[0].remedy
     assert pair.warnings() == []
@@ -176,7 +176,7 @@ def test_a_contact_ratio_below_one_is_told():
     """Two spur gears 20/20 of module 3 mm pulled apart to 65.9 mm: the tips hardly overlap."""
     gear = CylindricalGear(z=20, m_n=3e-3, b=0.02)
     (told,) = GearPair(gear, gear, a_w=65.9e-3).warnings()
-    assert told.message == "leaves moments without a tooth pair in contact"
+    assert told.text == "leaves moments without a tooth pair in contact"
     assert told.value == "total contact ratio 0.02177"
     assert GearPair(gear, gear, a_w=60e-3).warnings() == []
     helical = CylindricalGear(z=20, m_n=3e-3, beta=0.3, b=0.05)

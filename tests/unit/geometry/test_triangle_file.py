@@ -103,7 +103,7 @@ FAULTS = {
 def test_faults_are_found(name):
     found, keys, words = FAULTS[name]
     faults = triangle_faults(found, **{"unit": 1e-3, **keys})
-    assert words in faults[0].message, faults
+    assert words in faults[0].text, faults
     assert len(faults) == 1 or name == "no area"
 
 

@@ -127,7 +127,7 @@ def test_a_wrong_combination_is_told_once_with_its_line(case: str) -> None:
         loads_model(text, allow_code=True)
     found = caught.value.problems
     assert {p.where for p in found} <= {where, where.replace("input", "output")} | (
-        {"scenarios.sweep.sweep.body"} if "coupled" in case else set()
+        {"scenarios.sweep.sweep.body"} if "coupled" in case or "fixed" in case else set()
     ), [str(p) for p in found]
     assert words in str(found[0])
     assert found[0].remedy

@@ -5,14 +5,14 @@ from __future__ import annotations
 
 import pytest
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.io.yaml_model import loads_model
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair
 
 BODIES = "bodies:\n  one: {gears: [a]%s}\n  two: {gears: [b]%s}\n"
 
 
-def problems(text: str) -> list[Problem]:
+def problems(text: str) -> list[Message]:
     with pytest.raises(ModelError) as caught:
         loads_model(text, file="bad.yaml")
     assert str(caught.value).startswith("bad.yaml: ")
@@ -396,8 +396,8 @@ def test_all_problems_at_once_in_the_order_of_the_file() -> None:
 
 def test_deep_nesting_and_alias_bombs_are_refused() -> None:
     (deep,) = problems("gears: " + "[" * 400 + "]" * 400)
-    assert "nested" in deep.message
+    assert "nested" in deep.text
     bomb = "a0: &a0 [1, 1]\n" + "".join(
         f"a{i}: &a{i} [{', '.join([f'*a{i - 1}'] * 9)}]\n" for i in range(1, 12)
     )
-    assert any("values" in p.message for p in problems(bomb))
+    assert any("values" in p.text for p in problems(bomb))

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import pytest
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.io.yaml_model import loads_model
 from tests.support.model_files import gear, pair
 
 
-def problems(text: str) -> list[Problem]:
+def problems(text: str) -> list[Message]:
     with pytest.raises(ModelError) as caught:
         loads_model(text, file="bad.yaml")
     return list(caught.value.problems)

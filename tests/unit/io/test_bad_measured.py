@@ -75,7 +75,7 @@ def test_bad_questions(tmp_path):
     path.write_text(files.csv_text(), encoding="utf-8")
     assert "did you mean speed?" in refusal(path, channels=["sped"])
     assert "there are force, speed" in refusal(path, channels="zzz")
-    assert "'xyz' is no channel of the file" in refusal(path, units={"xyz": "N"})
+    assert "'xyz' is not a channel of the file" in refusal(path, units={"xyz": "N"})
     assert "asked for more than once" in refusal(path, channels=["speed", "speed"])
     assert "none is asked for" in refusal(path, channels=[])
     assert "2000 Hz contradicts the file (limit 1000 Hz)" in refusal(path, sample_rate=2000.0)

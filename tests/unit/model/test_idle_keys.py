@@ -137,12 +137,12 @@ SAME = {
 @pytest.mark.parametrize("name", SAME)
 def test_keys_without_effect_are_named_and_have_none(name: str) -> None:
     idle, without, where = SAME[name]
-    (text,) = sentences(**idle)
-    assert text.startswith(f"{where}:")
-    assert "no effect" in text
+    (found,) = sentences(**idle)
+    assert (found.where, found.kind) == (where, "remark")
+    assert "no effect" in found.text
     assert sentences(**without) == ()
     np.testing.assert_array_equal(forces(**idle), forces(**without))
-    with pytest.warns(ValidityWarning, match=re.escape(text)):
+    with pytest.warns(ValidityWarning, match=re.escape(found.text)):
         warn_of_remarks(model_of(**idle))
 
 

@@ -33,7 +33,9 @@ meshes:
 
 def test_a_prescribed_stiffness_takes_no_notice_of_the_flanks():
     law = "{law: constant, value: 4e8 N/m}"
-    with pytest.warns(ValidityWarning, match=r"meshes\.s: the law constant .* of a have no effect"):
+    with pytest.warns(
+        ValidityWarning, match=r"meshes\.s \(line \d+\): the law constant .* of a have no effect"
+    ):
         modified = compile_model(loads_model(TEXT.format(more=RELIEF, law=law)))
     plain = compile_model(loads_model(TEXT.format(more="", law=law)))
     for name in ("sep_min", "n_sep", "slices"):

@@ -40,7 +40,7 @@ def test_a_place_beside_the_axis_is_refused(group: str, body: str) -> None:
     (problem,) = caught.value.problems
     where = group.partition(":")[0] + ".s.position"
     assert (problem.where, problem.value, problem.limit) == (where, "[5, 0, 30] mm", "x = y = 0")
-    assert f"the axis of {body}" in problem.message
+    assert f"the axis of {body}" in problem.text
     assert "write [0, 0, 30 mm]" in str(problem.remedy)
     with pytest.raises(ModelError, match="off the axis"):
         loads_model(text + spring % ("0", "-1 um"))
@@ -70,7 +70,7 @@ def test_a_coupling_of_two_axes_is_refused(motion: str, holds: str) -> None:
     (problem,) = caught.value.problems
     assert problem.where == "couplings.c.bodies"
     assert problem.value == "motor and two"
-    assert "have axes 2 mm apart" in problem.message
+    assert "have axes 2 mm apart" in problem.text
     assert "put motor and two on one axis, or give the coupling torsion only" in str(problem.remedy)
 
 

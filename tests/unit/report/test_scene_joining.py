@@ -72,7 +72,7 @@ meshes:
 
 PLANETS = """\
 bodies:
-  sun: {motion: torsion, inertia: 1e-3 kg m^2, position: [0, 0, 0]}
+  sun: {motion: torsion, inertia: 1e-3 kg m^2, position: [0, 0, 0], markers: {rim: {position: [84 mm, 0, 0]}}}
   carrier: {motion: torsion, inertia: 1e-3 kg m^2, position: [0, 0, 0]}
   planet: {inertia: 1e-4 kg m^2, mass: 0.1 kg}
 joints:
@@ -241,7 +241,7 @@ def test_carriers_of_planets_are_covers_and_gears_are_none():
     text = PLANETS.replace("bodies:\n", "gears:\n  p: {number_of_teeth: 18, normal_module: 2 mm, face_width: 9 mm, profile_shift_coefficient: 0}\nbodies:\n")  # fmt: skip  # noqa: E501
     model = loads_model(text.replace("planet: {", "planet: {gears: [p], "))
     assert covers(model) == {"carrier": "carrier"}
-    seat = "plain_bearings: {seat: {ends: [sun, planet], clearance: 1 mm, stiffness: 1e6}}\n"
+    seat = "plain_bearings: {seat: {ends: [sun.rim, planet], clearance: 1 mm, stiffness: 1e6}}\n"
     assert covers(loads_model(text.replace("planet: {", "planet: {gears: [p], ") + seat)) == {
         "carrier": "carrier"
     }

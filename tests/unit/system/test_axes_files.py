@@ -88,7 +88,7 @@ def test_axes_in_mesh_must_be_parallel(axes, words):
         loads_model(GEARS + SPUR.replace("gears: [b],", f"gears: [b], axes: {axes},"))
     (problem,) = caught.value.problems
     assert (problem.where, problem.line, problem.value) == ("meshes.stage.gears", 9, "a and b")
-    assert words in problem.message
+    assert words in problem.text
     assert "one" in problem.remedy and "two" in problem.remedy
 
 
@@ -263,7 +263,7 @@ def test_rings_stand_about_one_axis(outer):
         "plain_bearings.bush.ends",
     ]
     assert [p.line for p in caught.value.problems] == [6, 8]
-    assert "90 deg apart" in caught.value.problems[0].message
+    assert "90 deg apart" in caught.value.problems[0].text
 
 
 def test_bearings_along_another_axis_carry_the_same():
@@ -308,5 +308,5 @@ def test_turning_elements_act_about_one_axis(axis, angle):
         ("torsion_maxwells.oil.bodies", 5),
         ("clutches.disc.bodies", 6),
     ]
-    assert all(f"{angle} deg apart" in p.message for p in caught.value.problems)
+    assert all(f"{angle} deg apart" in p.text for p in caught.value.problems)
     loads_model(TURNING.replace("AXIS", "[0, 0, 1]"))

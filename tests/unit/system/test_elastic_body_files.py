@@ -171,8 +171,7 @@ def test_wrong_elastic_bodies_are_told(tmp_path, old, new, words):
     with pytest.raises(ModelError) as error:
         crank_with(tmp_path, CRANK.replace(old, new))
     told = [
-        f"{p.where}: {p.value or ''} {p.message} {p.remedy}".replace(":  ", ": ")
-        for p in error.value.problems
+        f"{p.where}: {p.value or ''} {p.text} {p.remedy}".replace(":  ", ": ") for p in error.value.problems
     ]
     assert any(words in t for t in told), told
     assert all(p.line for p in error.value.problems)
@@ -186,7 +185,7 @@ def test_a_torque_on_a_rotor_needs_a_place_on_it(tmp_path):
         crank_with(tmp_path, text)
     (told,) = [p for p in error.value.problems if p.where == "loads.t.body"]
     assert told.line == 1 + text[: text.index("loads:")].count("\n")
-    assert told.message == "names the elastic body rod, which bends, without a place on it"
+    assert told.text == "names the elastic body rod, which bends, without a place on it"
     assert told.remedy == (
         "name a body {mass: 0 kg} here that a joint of type fixed carries at rod.big or rod.small"
     )
@@ -256,7 +255,7 @@ def test_wrong_choices_of_files_are_told(tmp_path, given, words):
     write_parts(tmp_path)
     with pytest.raises(ModelError) as error:
         crank_with(tmp_path, CRANK.replace("file: rod.npz", given))
-    told = [f"{p.where}: {p.value or ''} {p.message}".replace(":  ", ": ") for p in error.value.problems]
+    told = [f"{p.where}: {p.value or ''} {p.text}".replace(":  ", ": ") for p in error.value.problems]
     assert any(words in t for t in told), told
     assert all(p.line for p in error.value.problems)
 

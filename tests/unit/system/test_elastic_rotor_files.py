@@ -234,7 +234,7 @@ def test_a_turning_pair_runs_like_the_shafts(tmp_path):
 def test_wrong_rotors_are_told(tmp_path, old, new, words):
     with pytest.raises(ModelError) as error:
         pair(tmp_path, "1 m", lambda text: text.replace(old, new) if "elastic" in text else text)
-    told = [f"{p.where}: {p.message} {p.remedy}" for p in error.value.problems]
+    told = [f"{p.where}: {p.text} {p.remedy}" for p in error.value.problems]
     assert any(words in t for t in told), told
     assert all(p.line for p in error.value.problems)
 

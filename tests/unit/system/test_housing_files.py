@@ -243,6 +243,6 @@ def test_wrong_housings_are_told(tmp_path, old, new, words):
     assert ARM.count(old) == 1
     with pytest.raises(ModelError) as error:
         arm_with(tmp_path, ARM.replace(old, new))
-    told = [f"{p.where}: {p.message} {p.remedy}" for p in error.value.problems]
+    told = [f"{p.where}: {p.text} {p.remedy}" for p in error.value.problems]
     assert any(words in t for t in told), told
     assert all(p.line for p in error.value.problems)

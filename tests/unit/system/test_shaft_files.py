@@ -330,7 +330,7 @@ def test_wrong_shafts_are_told_with_line_and_remedy(tmp_path, line, new, words):
     with pytest.raises(ModelError) as error:
         load_model(file)
     where = FILE[: FILE.index(line)].count("\n") + 1
-    hits = [p for p in error.value.problems if words in str(replace(p, line=None))]
+    hits = [p for p in error.value.problems if words in str(p.changed(line=None))]
     assert hits, error.value
     assert hits[0].remedy
     assert hits[0].line in (where, *([6] if "has the name" in words else []))

@@ -176,7 +176,7 @@ CASES = {
         [(", unit: 1 mm", "")],
         ROUND,
         "surface_contacts.c.first.unit",
-        "does not tell its unit",
+        "does not contain its unit",
     ),
     "metres in millimetres": (
         PLATE,

@@ -135,7 +135,7 @@ def test_preview_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[st
     for arguments, words in (
         (["--gear", "pinion", "--preview", str(tmp_path / "a.png")], "does not end in .svg"),
         (["--gear", "pinion", "--preview", str(target), "--export", str(target)], "one of them at a time"),
-        (["--preview", str(target)], "which gear"),
+        (["--preview", str(target)], "select a gear"),
     ):
         capsys.readouterr()
         assert run_command(["gears", model, *arguments]) == 2

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import ModelError, Problem
+from pitchpoint.core.errors import Message, ModelError
 
 Array = NDArray[np.float64]
 
@@ -38,7 +38,7 @@ def refuse(where: str, message: str, value: object, limit: str, remedy: str) -> 
     >>> str(refuse("stiffness.mean", "is no stiffness", -1.0, "> 0", "give N/m")).splitlines()[1].strip()
     'stiffness.mean: -1.0 is no stiffness (limit > 0); give N/m'
     """
-    return ModelError([Problem(where, message, str(value), limit, remedy)])
+    return ModelError([Message(where, message, str(value), limit, remedy)])
 
 
 def positive(where: str, value: float, unit: str) -> float:

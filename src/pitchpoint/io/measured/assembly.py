@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.nearest import hint
 from pitchpoint.io.measured.record import Column, MeasuredError, Record, refused
 from pitchpoint.io.measured.units import to_si
 
@@ -143,12 +143,8 @@ def unknown_channels(path: Path, asked: Sequence[str], names: Sequence[str]) -> 
 def _known(path: Path, what: str, asked: Any, names: Sequence[str]) -> None:
     for name in asked:
         if name not in names:
-            near = difflib.get_close_matches(name, names, n=3)
-            more = ", ..." if len(names) > _SHOWN else ""
-            remedy = (
-                f"did you mean {', '.join(near)}?" if near else f"there are {', '.join(names[:_SHOWN])}{more}"
-            )
-            raise refused(path, what, repr(name), "is no channel of the file", None, remedy)
+            remedy = hint(name, names, 3)
+            raise refused(path, what, repr(name), "is not a channel of the file", None, remedy)
 
 
 def _one_length(path: Path, columns: Sequence[Column], record: Record) -> int:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import PitchpointError, Problem
+from pitchpoint.core.errors import Message, PitchpointError
 
 TIME_NAMES = ("time", "t", "zeit", "temps", "tiempo", "timestamp")
 RATE_NAMES = ("sample_rate", "samplerate", "sampling_rate", "samplingrate", "fs", "f_s", "sr",
@@ -105,7 +105,7 @@ def refused(
 ) -> MeasuredError:
     """Make the error that says where, which value, which limit, what to do."""
     place = f"{path}: {where}" if where else str(path)
-    return MeasuredError(str(Problem(place, message, value or None, limit, remedy, line)))
+    return MeasuredError(str(Message(place, message, value or None, limit, remedy, line)))
 
 
 def truncated(path: Path, promised: int, there: int, what: str = "bytes") -> MeasuredError:

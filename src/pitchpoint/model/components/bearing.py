@@ -15,7 +15,7 @@ from pitchpoint.model.keys import component, end, key, quantities, text
 class Bearing:
     """Linear spring and damper in six directions between a body and the ground, or a housing."""
 
-    body: str = text("name of the body")
+    body: str = text("name of the body", names="bodies")
     position: tuple[float, float, float] = quantities(
         "length",
         "centre of the bearing from the origin of the body, on its axis: [0, 0, z]",

@@ -28,15 +28,20 @@ class BevelGear:
 
     number_of_teeth: int = integer("number of teeth z", minimum=3, maximum=10000)
     mean_normal_module: float | None = positive(
-        "length", "normal module m_mn in the middle of the face", None, maximum=1.0
+        "length", "normal module m_mn in the middle of the face", None, maximum=1.0, one_of="module"
     )
     outer_transverse_module: float | None = positive(
-        "length", "transverse module m_et at the outer end, in place of mean_normal_module", None, maximum=1.0
+        "length",
+        "transverse module m_et at the outer end, in place of mean_normal_module",
+        None,
+        maximum=1.0,
+        one_of="module",
     )
     pitch_cone_angle: float | None = quantity(
         "angle",
         "pitch cone angle delta, in place of mate_teeth",
         None,
+        one_of="cone",
         minimum=math.radians(0.1),
         maximum=math.radians(89.9),
         sample="26.565051 deg",
@@ -44,6 +49,7 @@ class BevelGear:
     mate_teeth: int | None = integer(
         "number of teeth of the mate, from which and shaft_angle the pitch cone angle follows",
         None,
+        one_of="cone",
         minimum=3,
         maximum=10000,
     )

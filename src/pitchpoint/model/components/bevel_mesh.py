@@ -15,7 +15,9 @@ from pitchpoint.model.keys import component, key, quantity
 class BevelMesh:
     """Two bevel gears in mesh; their bodies are placed so that both apexes coincide."""
 
-    gears: tuple[str, str] = key("names", "names of bevel gear 1 and bevel gear 2", length=(2, 2))
+    gears: tuple[str, str] = key(
+        "names", "names of bevel gear 1 and bevel gear 2", length=(2, 2), names="bevel_gears"
+    )
     shaft_angle: float | None = quantity(
         "angle",
         "shaft angle, between the directions from the apex into both gears",

@@ -23,13 +23,17 @@ class Body:
     """A rigid body; its spin axis is the z axis of its own frame."""
 
     gears: dict[str, float] = key(
-        "gears", "names of the gears, or a mapping of names to axial offsets of their mid-faces [m]", {}
+        "gears",
+        "names of the gears, or a mapping of names to axial offsets of their mid-faces [m]",
+        {},
+        names="gears",
     )
     bevel_gears: dict[str, float] = key(
         "gears",
         "names of the bevel gears, or a mapping of names to the axial places of their apexes [m]",
         {},
         later=True,
+        names="bevel_gears",
     )
     motion: str | None = choice(
         MOTIONS,

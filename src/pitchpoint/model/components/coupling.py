@@ -17,7 +17,10 @@ class Coupling:
     """
 
     bodies: tuple[str, str] = key(
-        "names", "names of the two bodies; one without a place takes that of the other", length=(2, 2)
+        "names",
+        "names of the two bodies; one without a place takes that of the other",
+        length=(2, 2),
+        names="bodies",
     )
     position: tuple[float, float, float] = quantities(
         "length",

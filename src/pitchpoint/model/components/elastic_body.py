@@ -57,9 +57,11 @@ class ElasticBody:
         "the nodes have displacements, and the rest of them the lowest with the nodes held",
         False,
     )
-    modes: int | None = integer("number of modes, the lowest ones", None, minimum=1, maximum=MOST_MODES)
+    modes: int | None = integer(
+        "number of modes, the lowest ones", None, minimum=1, maximum=MOST_MODES, one_of="count"
+    )
     below: float | None = positive(
-        "frequency", "instead of a number: all modes up to this frequency, 30 at most", None
+        "frequency", "instead of a number: all modes up to this frequency, 30 at most", None, one_of="count"
     )
     damping_ratio: float = quantity(
         "dimensionless", "damping ratio of every mode", 0.0, minimum=0.0, maximum=1.0

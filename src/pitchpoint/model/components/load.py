@@ -13,7 +13,7 @@ from pitchpoint.model.keys import choice, key, quantities, text
 class Load:
     """A torque about the spin axis and/or a force in world directions on a body."""
 
-    body: str = text("name of the body")
+    body: str = text("name of the body", names="bodies")
     torque: Law | None = key(
         "law",
         "torque about the spin axis, counter-clockwise positive: a quantity, a formula of t, angle, speed, "

@@ -19,30 +19,38 @@ CRITICAL = (
 class Backlash:
     """Total gap at the centre distance of the mesh; exactly one of the three directions is given."""
 
-    normal: float | None = quantity("length", "total gap normal to the flanks, j_bn", None)
-    base_tangent: float | None = quantity("length", "total gap along the base tangent, j_bt", None)
-    circumferential: float | None = quantity("length", "total gap along the working circle, j_wt", None)
+    normal: float | None = quantity("length", "total gap normal to the flanks, j_bn", None, one_of="gap")
+    base_tangent: float | None = quantity(
+        "length", "total gap along the base tangent, j_bt", None, one_of="gap"
+    )
+    circumferential: float | None = quantity(
+        "length", "total gap along the working circle, j_wt", None, one_of="gap"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactDamping:
     """Damping of the flanks while they touch; one of d_in (with d_out), ratio, pair, restitution."""
 
-    d_in: float | None = quantity("damping", "damping while the flanks approach", None, minimum=0.0)
-    d_out: float | None = quantity(
-        "damping", "damping while they move apart", None, minimum=0.0, display="d_in"
+    d_in: float | None = quantity(
+        "damping", "damping while the flanks approach", None, minimum=0.0, one_of="law"
     )
-    ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0)
+    d_out: float | None = quantity(
+        "damping", "damping while they move apart", None, minimum=0.0, display="d_in", needs="d_in"
+    )
+    ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0, one_of="law")
     pair: float | None = quantity(
         "damping",
         "damping of one tooth pair normal to its flanks, as of an impact force",
         None,
         minimum=0.0,
+        one_of="law",
     )
     restitution: float | None = quantity(
         "dimensionless",
         "share of the speed that an impact gives back",
         None,
+        one_of="law",
         minimum=0.0,
         above=True,
         maximum=1.0,
@@ -62,8 +70,10 @@ class ContactDamping:
 class Damper:
     """Damper between the gears that also acts inside the gap; exactly one key is given."""
 
-    ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0)
-    value: float | None = quantity("damping", "damping along the base tangent", None, minimum=0.0)
+    ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0, one_of="law")
+    value: float | None = quantity(
+        "damping", "damping along the base tangent", None, minimum=0.0, one_of="law"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,10 +83,20 @@ class Friction:
     mu: float = quantity("dimensionless", "coefficient of friction", minimum=0.0, maximum=2.0)
     v_eps: float = positive("speed", "sliding velocity from which on mu holds", 0.01)
     static: float | None = quantity(
-        "dimensionless", "static coefficient, at static_speed", None, minimum=0.0, maximum=2.0, display="mu"
+        "dimensionless",
+        "static coefficient, at static_speed",
+        None,
+        minimum=0.0,
+        maximum=2.0,
+        display="mu",
+        needs="static_speed",
     )
     static_speed: float | None = positive(
-        "speed", "sliding velocity of the static coefficient, below v_eps", None, display="v_eps"
+        "speed",
+        "sliding velocity of the static coefficient, below v_eps",
+        None,
+        display="v_eps",
+        needs="static",
     )
 
 
@@ -131,7 +151,7 @@ class Misalignment:
 class Mesh:
     """Two gears in mesh."""
 
-    gears: tuple[str, str] = key("names", "names of gear 1 and gear 2", length=(2, 2))
+    gears: tuple[str, str] = key("names", "names of gear 1 and gear 2", length=(2, 2), names="gears")
     center_distance: float | None = positive(
         "length",
         "centre distance, positive for internal pairs too",

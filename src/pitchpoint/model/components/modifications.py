@@ -20,8 +20,12 @@ class Relief:
     """Material taken off towards the tip or root of the flank."""
 
     amount: float = quantity("length", "material removed at the end of the flank, normal to it", minimum=0.0)
-    start_diameter: float | None = positive("length", "diameter where the relief starts", None)
-    length: float | None = positive("length", "length of the relief along the path of contact", None)
+    start_diameter: float | None = positive(
+        "length", "diameter where the relief starts", None, one_of="extent"
+    )
+    length: float | None = positive(
+        "length", "length of the relief along the path of contact", None, one_of="extent"
+    )
     shape: str = choice(SHAPES, "growth of the relief from its start", "linear")
 
 

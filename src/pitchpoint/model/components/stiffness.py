@@ -210,9 +210,15 @@ class Hertz(StiffnessLaw):
         "dimensionless", "exponent e of the force over the overlap", 1.5, minimum=1.0, maximum=5.0
     )
     force: float | None = positive(
-        "force", "elastic force normal to the flanks at the overlap `depth`", None, display="by Hertz"
+        "force",
+        "elastic force normal to the flanks at the overlap `depth`",
+        None,
+        display="by Hertz",
+        needs="depth",
     )
-    depth: float | None = positive("length", "overlap normal to the flanks at which it is `force`", None)
+    depth: float | None = positive(
+        "length", "overlap normal to the flanks at which it is `force`", None, needs="force"
+    )
     tip_relief_factor: float = _relief()
 
     def options(self, gears: Sequence[Gear]) -> dict[str, Any]:

@@ -90,7 +90,7 @@ class ToothProfile:
             name = error.part if error.part in self.given else "both"
             said = error.problem
             raise GeometryError(
-                f"{said.message}{self._source(name, error.point)}",
+                f"{said.text}{self._source(name, error.point)}",
                 where=f"tooth_profile.{name}",
                 value=said.value,
                 limit=said.limit,

@@ -6,14 +6,14 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, Problem
+from pitchpoint.core.errors import CompileError, Message, ModelError, PitchpointError
 from pitchpoint.elements.flexible_body import (
     GROUP,
     MOST,
@@ -239,20 +239,20 @@ def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]
         raise ModelError([_told(name, part, fault)], model.file) from None
 
 
-def _told(name: str, part: ElasticBody, fault: Exception) -> Problem:
+def _told(name: str, part: ElasticBody, fault: Exception) -> Message:
     """What is wrong with the files of an elastic body, as a problem of the model that names them."""
     at = f"elastic_bodies.{name}"
     if isinstance(fault, ModelError):
         found = fault.problems[0]
         keys = [k for k in ALL_FILES if fault.file is not None and getattr(part, k) == fault.file]
-        inner = replace(found, where=found.where or Path(fault.file or at).name, remedy=None)
-        return Problem(f"{at}.{keys[0]}" if keys else at, str(inner), remedy=found.remedy)
+        inner = found.changed(where=found.where or Path(fault.file or at).name, remedy=None)
+        return Message(f"{at}.{keys[0]}" if keys else at, str(inner), remedy=found.remedy)
     if isinstance(fault, CompileError):
         head, _, rest = str(fault).partition(": ")
         if head.startswith("nodes."):
-            return Problem(f"{at}.{head}", rest)
-        return Problem(at, str(fault))
-    return Problem(
+            return Message(f"{at}.{head}", rest)
+        return Message(at, str(fault))
+    return Message(
         at,
         f"has matrices without modes that can be found ({fault})",
         remedy="K must have no negative eigenvalue, and M none that is not positive",
@@ -268,7 +268,7 @@ def elastic_facts(model: Model) -> dict[str, tuple[float, NDArray[np.float64]]]:
         With what is wrong with the files of all of them.
     """
     found = {}
-    problems: list[Problem] = []
+    problems: list[Message] = []
     for name in model.elastic_bodies:
         try:
             structure, modes, _ = _reduced(model, name)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The name that was probably meant: one rule for keys, components, channels, commands and options."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+LISTED = 12
+"""Most names that a hint lists."""
+_SIMILAR = 0.6
+"""Lowest similarity of a suggestion, from 0 to 1. At 0.5, `m9` suggests `m2` and `tacho` suggests `acc`."""
+
+
+def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:
+    """Names spelled nearly like one, whatever the case, blanks, hyphens and underscores.
+
+    Parameters
+    ----------
+    name
+        What was written.
+    names
+        Names that exist.
+    count
+        Most suggestions.
+
+    Examples
+    --------
+    >>> nearest("profil-shift", ["tip_diameter", "profile_shift"])
+    ['profile_shift']
+    """
+    from difflib import get_close_matches
+
+    known = {_plain(each): each for each in names}
+    return [known[found] for found in get_close_matches(_plain(name), list(known), count, _SIMILAR)]
+
+
+def did_you_mean(name: object, names: Iterable[str], count: int = 1) -> str:
+    """A question with the nearest names and a blank at its end, '' if none is near.
+
+    Parameters
+    ----------
+    name
+        What was written.
+    names
+        Names that exist.
+    count
+        Most suggestions.
+
+    Examples
+    --------
+    >>> did_you_mean("wheell", ["pinion", "wheel"])
+    'did you mean wheel? '
+    """
+    near = nearest(name, names, count)
+    return f"did you mean {' or '.join(near)}? " if near else ""
+
+
+def hint(name: object, names: Iterable[str], count: int = 1) -> str:
+    """The nearest names and what there is; of many names only the nearest.
+
+    Parameters
+    ----------
+    name
+        What was written.
+    names
+        Names that exist.
+    count
+        Most suggestions.
+
+    Examples
+    --------
+    >>> hint("wheell", ["pinion", "wheel"]), hint("sun", ["pinion", "wheel"]), hint("sun", [])
+    ('did you mean wheel? there are pinion, wheel', 'there are pinion, wheel', 'there are none')
+    """
+    known = list(names)
+    guess = did_you_mean(name, known, count)
+    if guess and len(known) > LISTED:
+        return guess.strip()
+    more = ", ..." if len(known) > LISTED else ""
+    return f"{guess}there are {', '.join(known[:LISTED]) or 'none'}{more}"
+
+
+def _plain(name: object) -> str:
+    return "".join(c for c in str(name).lower() if c not in " -_")
