@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-import shutil
+from fnmatch import fnmatch
 from pathlib import Path
 
 import click
@@ -12,7 +12,7 @@ from pitchpoint.cli.options import as_json, debug
 from pitchpoint.cli.output import emit_json, show, table
 
 # What an example leaves behind when it is run in place.
-_LEFTOVERS = shutil.ignore_patterns("build", "__pycache__", "*.h5", "*.html", "*.pyc", ".*")
+_LEFTOVERS = ("build", "__pycache__", "*.h5", "*.html", "*.pyc", ".*")
 
 
 def examples_folder() -> Path:
@@ -83,7 +83,13 @@ def copy_example(name: str, directory: str | None, force: bool) -> None:
     target = Path(directory if directory is not None else name)
     if target.exists() and any(target.iterdir()) and not force:
         raise click.BadParameter(f"{target} is not empty; use --force to overwrite", param_hint="DIRECTORY")
-    shutil.copytree(examples_folder() / name, target, ignore=_LEFTOVERS, dirs_exist_ok=True)
+    from pitchpoint.io.target import write_file
+
+    folder = examples_folder() / name
+    for path in sorted(folder.rglob("*")):
+        below = path.relative_to(folder)
+        if path.is_file() and not any(fnmatch(part, left) for part in below.parts for left in _LEFTOVERS):
+            write_file(target / below, path.read_bytes())
     show(f"copied to {target}")
     for path in sorted(target.glob("*.yaml")):
         show(f"  pitchpoint check {path}")

@@ -7,6 +7,7 @@ A table has named dimensions with coordinates and variables over them, all of fi
 
 from __future__ import annotations
 
+import math
 import os
 import time
 from collections.abc import Mapping, Sequence
@@ -92,7 +93,14 @@ class TableWriter:
         texts: Mapping[str, Sequence[str]] | None = None,
     ) -> None:
         self._begun = time.perf_counter()
-        self._container = container = Container(path, header)
+        lengths = {a.name: a.values if isinstance(a.values, int) else len(a.values) for a in axes}
+        values = sum(
+            (64 if q.dtype == "text" else int(q.dtype[1:]))
+            * math.prod(lengths.get(name, 0) for name in q.axes)
+            for q in quantities
+        )
+        variables = len(axes) + len(quantities) + len(growing) + 1
+        self._container = container = Container(path, header, variables, values)
         with container.writing():
             self._make(axes, quantities, growing, growing_name)
             for name, words in (texts or {}).items():

@@ -185,7 +185,7 @@ class ResultWriter:
         self._seen = 0
         self._blocks = 0
         self._begun = time.perf_counter()
-        self._container = Container(path, header)
+        self._container = Container(path, header, variables=2 * len(names) + 8)
         self._events: list[Any] = []
         with self._container.writing():
             self._make_variables(block)

@@ -8,11 +8,14 @@ and making a model and its system takes hundredths of a second.
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 import math
 import threading
 import zlib
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -86,7 +89,8 @@ def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
     """Make the function that gives the hash of all inputs of a case.
 
     Inputs are the content of the model, the recording options of the plan, the values and the seed of the
-    case, and the version of the package; not its place in the plan, nor the names of factors.
+    case, files that the values name with what is in them, and the version of the package; not the position in
+    the plan, nor the names of factors.
     """
     common = {
         "model": content_hash(model),
@@ -97,7 +101,30 @@ def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
         "jitter": dict(plan.jitter),
     }
     base = content_hash(common)
-    return lambda case: content_hash({"base": base, "changes": dict(case.changes), "seed": case.seed})
+    folder = Path(model.file).parent if model.file else Path()
+
+    def key_of(case: PlannedCase) -> str:
+        """Hash the inputs of one case."""
+        changes = dict(case.changes)
+        inputs = {"base": base, "changes": changes, "seed": case.seed, "files": _files(changes, folder)}
+        return content_hash(inputs)
+
+    return key_of
+
+
+def _files(data: Any, folder: Path) -> list[str]:
+    """Hashes of the files that values name, as `FILE` or `FILE.py:function`."""
+    if isinstance(data, Mapping):
+        return [digest for value in data.values() for digest in _files(value, folder)]
+    if isinstance(data, list | tuple):
+        return [digest for value in data for digest in _files(value, folder)]
+    if not isinstance(data, str):
+        return []
+    file = folder / data.partition(":")[0]
+    with suppress(OSError, ValueError):  # too long or with a zero: not the name of a file
+        if file.is_file():
+            return [hashlib.sha256(file.read_bytes()).hexdigest()]
+    return []
 
 
 def lead(plan: DatasetPlan) -> int:

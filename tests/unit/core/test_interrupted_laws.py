@@ -7,6 +7,7 @@ import ctypes
 import signal
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -30,6 +31,16 @@ try:
         time.sleep(0.01)
 except KeyboardInterrupt:
     print("heard")
+"""
+
+IN_LAPACK = """\
+import numpy
+from pitchpoint.cli.interrupt import end_at_the_second_interrupt
+
+end_at_the_second_interrupt()
+matrix = numpy.random.default_rng(1).normal(size=(4000, 4000))
+print("begins", flush=True)
+numpy.linalg.eig(matrix)
 """
 
 
@@ -71,3 +82,17 @@ def test_a_ctrl_c_that_is_lost_in_a_destructor_is_sent_again_and_is_no_second_on
     )
     assert child.stdout.split() == ["lost", "heard"] and child.returncode == 0
     assert child.stderr == ""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_the_second_ctrl_c_ends_a_decomposition_at_once():
+    """LAPACK returns after a minute and the first Ctrl-C acts then; a line on stderr says so."""
+    with subprocess.Popen(
+        [sys.executable, "-c", IN_LAPACK], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as child:
+        assert child.stdout and child.stderr and child.stdout.readline() == "begins\n"
+        time.sleep(0.5)  # LAPACK has begun
+        child.send_signal(signal.SIGINT)
+        assert "press Ctrl-C again" in child.stderr.readline()
+        child.send_signal(signal.SIGINT)
+        assert child.wait(timeout=10) == 130

@@ -137,6 +137,17 @@ def test_what_goes_into_the_name(tmp_path: Path) -> None:
         assert other != name
 
 
+def test_a_changed_file_that_a_value_names_is_another_case(tmp_path: Path) -> None:
+    plan, model = both(tmp_path)
+    case = dataclasses.replace(next(plan.cases()), changes={"loads.input.torque": {"python": "law.py:f"}})
+    names = set()
+    for factor in (1.0, 2.0):
+        text = f"def f(t, x, parameters):\n    return {factor}\n"
+        (Path(model.file).parent / "law.py").write_text(text, encoding="utf-8")
+        names |= {key_maker(plan, model)(case), key_maker(plan, model)(case)}
+    assert len(names) == 2
+
+
 def test_failures_have_a_status_and_a_sentence(planned: tuple[DatasetPlan, Model]) -> None:
     plan, model = planned
     case = next(plan.cases())
