@@ -498,7 +498,7 @@ def test_front_flank_touches_beyond_plus_half_the_gap() -> None:
     for side in (1, -1):
         m.press(1e-7, side)
         assert m.get("contact_state") == side
-        assert side * m.get("deflection") > 0.5 * m.row["gap"]
+        assert side * m.get("deflection") > 0.5 * m.row["now"]["gap"]
         m.press(-1e-7, side)
         assert m.get("contact_state") == 0.0
 
@@ -506,7 +506,7 @@ def test_front_flank_touches_beyond_plus_half_the_gap() -> None:
 def test_contact_state_is_2_where_both_flanks_carry() -> None:
     m = OneMesh(make_pair(widening=-2e-5), MeshLaws(stiffness=PARABOLA))
     m.evaluate()
-    assert m.row["gap"] < 0.0
+    assert m.row["now"]["gap"] < 0.0
     assert m.get("contact_state") == 2.0
 
 
@@ -527,7 +527,7 @@ def test_deflection_is_travel_less_excitation_and_counts_the_gap() -> None:
     e = 3e-6 * math.cos(2.0 * math.pi * m.get("mesh_phase"))
     assert m.get("transmission_error") - m.get("deflection") == pytest.approx(e, rel=1e-9)
     stretch = m.get("mesh_force") / m.get("mesh_stiffness")
-    assert m.get("deflection") == pytest.approx(0.5 * m.row["gap"] + stretch, rel=1e-9)
+    assert m.get("deflection") == pytest.approx(0.5 * m.row["now"]["gap"] + stretch, rel=1e-9)
 
 
 def test_mesh_phase_counts_base_pitches_from_point_A() -> None:
@@ -544,7 +544,7 @@ def test_mesh_phase_counts_base_pitches_from_point_A() -> None:
     m.frames["phi"] -= psi[-1] * 2 * math.pi * np.array([1.0 / m.pair.gear1.z, -1.0 / m.pair.gear2.z])
     m.evaluate()
     assert (m.get("mesh_phase") + 0.5) % 1.0 == pytest.approx(0.5, abs=1e-9)
-    assert m.row["xi_A"] == pytest.approx(m.pair.T1A - m.pair.T1C, rel=1e-9)
+    assert m.row["now"]["xi_A"] == pytest.approx(m.pair.T1A - m.pair.T1C, rel=1e-9)
 
 
 def test_mesh_phase_is_the_mean_travel_of_both_gears() -> None:
@@ -597,9 +597,9 @@ def test_force_parts_are_those_on_gear_2() -> None:
     F = both.evaluate()[1]
     assert both.get("contact_state") == 2.0
     # each flank pushes with k |j|/2; around, they cancel
-    assert both.get("normal_force") == pytest.approx(4e8 * abs(both.row["gap"]), rel=1e-9)
+    assert both.get("normal_force") == pytest.approx(4e8 * abs(both.row["now"]["gap"]), rel=1e-9)
     assert np.linalg.norm(F[:3]) == pytest.approx(
-        both.get("normal_force") * float(both.row["sin_a"]), rel=1e-9
+        both.get("normal_force") * float(both.row["now"]["sin_a"]), rel=1e-9
     )
 
 
@@ -664,7 +664,7 @@ def test_misalignment_is_the_lean_of_axis_2() -> None:
         for tilted in (False, True):
             m = OneMesh(make_pair(beta=0.0), MeshLaws(stiffness=FOURIER))
             m.evaluate()
-            turn = np.cross([0.0, 0.0, 1.0], 1e-4 * m.row[name])
+            turn = np.cross([0.0, 0.0, 1.0], 1e-4 * m.row["now"][name])
             if tilted:
                 m.frames = moved(m.frames, 1, np.array([0.0, 0.0, 0.0, *turn]))
             else:
@@ -681,7 +681,7 @@ def test_friction_turns_round_at_the_pitch_point() -> None:
     m.frames["spin"] = [50.0, -50.0 * r1 / r2]
     m.frames["tw"][:, 5] = m.frames["spin"]
     m.press(5e-6)
-    pitch = -m.row["xi_A"] / m.row["p_bt"] - m.get("mesh_phase")
+    pitch = -m.row["now"]["xi_A"] / m.row["p_bt"] - m.get("mesh_phase")
     start = m.frames["phi"].copy()
     for beyond in (-0.05, 0.05):
         way = (pitch + beyond) * m.row["p_bt"]

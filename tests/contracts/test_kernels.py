@@ -129,3 +129,39 @@ def test_the_door_uses_what_numba_documents_and_nothing_else():
                 assert {a.name for a in node.names} <= documented[source]
             if isinstance(node, ast.Import):
                 assert not [a.name for a in node.names if a.name.startswith(("numba.", "llvmlite."))]
+
+
+OF_THE_LAW = {"power_force", "low_load", "stored_energy", "series_energy", "static_dynamic"}
+OF_THE_LAW |= {"ramp", "linear_ramp", "damping_force"}
+STATUS_OF_THE_CONTROL = {"bad", "badkind"}
+
+
+def test_meshes_take_the_law_of_their_flanks_from_one_place() -> None:
+    meshes = [path for path in python_files("src/pitchpoint/elements") if "mesh" in path.stem]
+    assert len(meshes) > 10
+    for path in meshes:
+        imported = {
+            alias.name
+            for node in ast.walk(tree(path))
+            if isinstance(node, ast.ImportFrom)
+            for alias in node.names
+        }
+        assert not imported & OF_THE_LAW, path
+
+
+@pytest.mark.parametrize("name", [name for name in KERNELS if name.startswith("src/pitchpoint/elements")])
+def test_elements_leave_the_control_record_alone(name: str) -> None:
+    """All elements share it: one that rewrites it for its own evaluation changes the others if it stops."""
+    from pitchpoint.multibody.channels import CTL
+
+    fields = set(CTL.names or ()) - STATUS_OF_THE_CONTROL
+    for node in ast.walk(KERNELS[name]):
+        targets = node.targets if isinstance(node, ast.Assign) else ()
+        targets = (node.target,) if isinstance(node, ast.AugAssign) else targets
+        flat = [t for one in targets for t in (one.elts if isinstance(one, ast.Tuple) else (one,))]
+        for target in flat:
+            if not isinstance(target, ast.Subscript) or not isinstance(target.slice, ast.Constant):
+                continue
+            base = target.value.value if isinstance(target.value, ast.Subscript) else target.value
+            if isinstance(base, ast.Name) and base.id in {"c", "ctl", "control"}:
+                assert target.slice.value not in fields, f"{name}, line {target.lineno}"

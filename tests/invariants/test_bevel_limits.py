@@ -39,7 +39,7 @@ def limit(Sigma, beta, flank):
         m.roll(0.31)
         straight.press(1e-5, flank)
         m.press(1e-5, flank)
-        left += [m.row["eps"] - pair.eps_alpha, m.get("mesh_phase") - straight.get("mesh_phase")]
+        left += [m.row["now"]["eps"] - pair.eps_alpha, m.get("mesh_phase") - straight.get("mesh_phase")]
         scale = abs(straight.get("mesh_force"))
         for name in ("mesh_force", "circumferential_force", "radial_force", "axial_force", "normal_force"):
             left.append((m.get(name) - straight.get(name)) / scale)
@@ -71,7 +71,7 @@ def test_the_cycle_of_the_stiffness_is_that_of_the_formula(pair, flank, shape):
         m.roll(0.137)
         m.press(1e-6, flank)
         psi = (
-            m.get("mesh_phase") if flank > 0 else float(m.row["psi"])
+            m.get("mesh_phase") if flank > 0 else float(m.row["now"]["psi"])
         )  # the back flank is the last one summed
         ratio = m.get("mesh_stiffness") / (shape.c_prime * square_mean(m.pair))
         expected = np.interp(psi, cycle.phase, cycle.stiffness_ratio)
@@ -103,8 +103,8 @@ def test_numbering_the_gears_the_other_way_changes_nothing(pair, flank):
         m.roll(0.29)
         m.press(1e-5, flank)
         other.press(1e-5, flank)
-        pitches = [x.get("mesh_phase") if flank > 0 else float(x.row["psi"]) for x in (m, other)]
-        other.roll(flank * (m.row["eps"] - pitches[0] - pitches[1]))
+        pitches = [x.get("mesh_phase") if flank > 0 else float(x.row["now"]["psi"]) for x in (m, other)]
+        other.roll(flank * (m.row["now"]["eps"] - pitches[0] - pitches[1]))
         other.press(1e-5, flank)
         for name in (
             "mesh_force",
@@ -159,9 +159,13 @@ def test_sliding_is_that_of_two_rolling_cones():
     assert relative == pytest.approx(100.0 * math.sin(m.pair.Sigma) / math.sin(m.pair.gear2.delta), rel=1e-9)
     forces = sorted(f for f in m.out[N_OUT : N_OUT + int(row["n_pair"])] if f > 0.0)
     psi = m.get("mesh_phase")
-    sigma = [(row["xi_A"] + (psi + q) * row["p_bt"]) / row["R_m"] for q in range(2) if psi + q < row["eps"]]
+    sigma = [
+        (row["now"]["xi_A"] + (psi + q) * row["p_bt"]) / row["R_m"]
+        for q in range(2)
+        if psi + q < row["now"]["eps"]
+    ]
     assert len(forces) == len(sigma)
-    zeta = [2.0 * (psi + q) / row["eps"] - 1.0 for q in range(len(sigma))]
+    zeta = [2.0 * (psi + q) / row["now"]["eps"] - 1.0 for q in range(len(sigma))]
     order = sorted(range(len(sigma)), key=lambda q: 1.0 - 0.2 * zeta[q] ** 2)
     lost = sum(0.1 * forces[i] * relative * row["R_m"] * abs(math.sin(sigma[q])) for i, q in enumerate(order))
     assert m.get("friction_power") == pytest.approx(lost, rel=1e-4)

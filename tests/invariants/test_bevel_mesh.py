@@ -216,11 +216,11 @@ def test_the_damper_brakes_the_travel_that_is_told(pair):
     m.frames["tw"] = twist
     m.evaluate()
     assert m.get("mesh_force") == pytest.approx(1e3 * (told[1] - told[0]) / (2 * h), rel=1e-4)
-    gap = float(m.row["gap"])
+    gap = float(m.row["now"]["gap"])
     apart = np.zeros(6)
-    apart[:3] = 1e-4 * m.row["e"]
+    apart[:3] = 1e-4 * m.row["now"]["e"]
     m.evaluate(moved(m.frames, 1, apart))
-    assert m.row["gap"] - gap == pytest.approx(2e-4 * math.sin(m.pair.alpha_t), rel=1e-2)
+    assert m.row["now"]["gap"] - gap == pytest.approx(2e-4 * math.sin(m.pair.alpha_t), rel=1e-2)
 
 
 @both_flanks
@@ -272,11 +272,11 @@ def test_every_pair_is_told_apart_however_many_there_are(flank):
         m.roll(0.21 * (step > 0))
         m.press(1e-5, flank)
         row = m.row
-        way = row["xi_0"] + row["travel"] if flank > 0 else row["xi_b"] - row["travel"]
-        psi = float(row["start"][0 if flank > 0 else 1] + way / row["p_bt"])
+        way = row["xi_0"] + row["now"]["travel"] if flank > 0 else row["xi_b"] - row["now"]["travel"]
+        psi = float(row["now"]["start"][0 if flank > 0 else 1] + way / row["p_bt"])
         per_ln = flank * row["tan_b"] * row["R_m"] / row["p_bt"]
         first, last = sorted(per_ln * math.log1p(row[z] / row["R_m"]) for z in ("z_lo", "z_hi"))
-        lines = [q for q in range(-30, 31) if -last < psi % 1.0 + q < row["eps"] - first]
+        lines = [q for q in range(-30, 31) if -last < psi % 1.0 + q < row["now"]["eps"] - first]
         carried = flank * m.out[N_OUT:]
         assert len(lines) >= 9 and (carried >= 0.0).all()
         assert np.count_nonzero(carried) == len(lines)
@@ -302,24 +302,29 @@ def test_leaning_gears_touch_along_a_part_of_the_width(beta, flank):
     m.frames = moved(m.frames, 1, apart)
     m.evaluate()
     row = m.row
-    cos_a, sin_a = row["cos_a"], math.sqrt(1.0 - row["cos_a"] ** 2)
-    across = flank * cos_a * row["t"] + sin_a * row["e"] - flank * row["tan_b"] * row["m"]
+    cos_a, sin_a = row["now"]["cos_a"], math.sqrt(1.0 - row["now"]["cos_a"] ** 2)
+    across = (
+        flank * cos_a * row["now"]["t"] + sin_a * row["now"]["e"] - flank * row["tan_b"] * row["now"]["m"]
+    )
     m.press(0.0, flank)  # at mid-face they just touch
     F = m.evaluate()
     n = 40_000
     R = row["R_m"] + row["z_lo"] + (row["z_hi"] - row["z_lo"]) * (np.arange(n) + 0.5) / n
     force, moment, touched = np.zeros(3), 0.0, []
-    N, p = sin_a * row["t"] - flank * cos_a * row["e"], np.array(row["m"])
+    N, p = sin_a * row["now"]["t"] - flank * cos_a * row["now"]["e"], np.array(row["now"]["m"])
     psi = m.get("mesh_phase")
     if flank < 0:
-        psi = float(row["start"][1] + (row["xi_b"] - row["travel"]) / row["p_bt"]) % 1.0
+        psi = float(row["now"]["start"][1] + (row["xi_b"] - row["now"]["travel"]) / row["p_bt"]) % 1.0
     for q in range(-4, 5):
         place = psi + q + flank * row["tan_b"] * row["R_m"] / row["p_bt"] * np.log(R / row["R_m"])
-        sigma = (row["xi_A"] + place * row["p_bt"]) / row["R_m"]
+        sigma = (row["now"]["xi_A"] + place * row["p_bt"]) / row["R_m"]
         r = np.cos(sigma)[:, None] * p + np.sin(sigma)[:, None] * np.cross(N, p)
         normal = np.cross(N, r) - flank * row["tan_b"] * r
-        x = R * (flank * row["u"] - 0.5 * row["gap"] - across @ row["d"]) / row["R_m"] + normal @ row["d"]
-        zeta = 2 * place / row["eps"] - 1
+        x = (
+            R * (flank * row["now"]["u"] - 0.5 * row["now"]["gap"] - across @ row["now"]["d"]) / row["R_m"]
+            + normal @ row["now"]["d"]
+        )
+        zeta = 2 * place / row["now"]["eps"] - 1
         k = 14e9 * (1 - 0.2 * zeta**2) * (abs(zeta) <= 1) * (row["z_hi"] - row["z_lo"]) / n
         touched.append([((x > 0) & (k > 0)).sum(), (k > 0).sum()])
         f = k * np.maximum(x, 0)
@@ -339,7 +344,7 @@ def test_a_working_cone_may_be_wider_than_a_plane(teeth, tilt):
     Sigma = wide + math.asin(math.sin(wide) * 17 / 43)
     m = OneBevel(make_bevels(*teeth, Sigma=Sigma), MeshLaws(stiffness=CONSTANT))
     m.evaluate()
-    turn = rotation(np.array(m.row["t"]), tilt)
+    turn = rotation(np.array(m.row["now"]["t"]), tilt)
     m.frames["R"][1] = turn @ m.frames["R"][1]
     m.frames["r"][1] = np.array(m.at) - m.apexes[1] * m.frames["R"][1][:, 2]
     m.press(2e-5)

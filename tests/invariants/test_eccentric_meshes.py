@@ -62,8 +62,10 @@ def mesh_wrenches(system, state):
     whole = system.workspace.fr["F"].copy()
     records = system.records["gear_mesh"]
     kept = records.copy()
-    for name in ("c_prime", "d_in", "d_out", "d_gap", "mu", "mu_s"):
+    for name in ("c_prime", "d_gap"):
         records[name] = 0.0
+    for name in ("d_in", "d_out", "mu", "mu_s"):
+        records["contact"][name] = 0.0
     evaluate.residual(system, state)
     bare = system.workspace.fr["F"].copy()
     records[:] = kept

@@ -53,15 +53,15 @@ def along_the_path(m, speeds):
     load = 14e9 * 8e-6 * MU * math.sqrt(1.0 + row["tan_b"] ** 2)  # per width, of 8 µm on every line
     found = np.zeros(2)
     for q in range(-9, 9):
-        ends = [row["z_lo"], row["z_hi"]]
-        if row["lam"] != 0.0:
-            for p in (0.0, row["eps"], -row["xi_A"] / row["p_bt"]):
-                ends.append(min(max((p - row["psi"] - q) / row["lam"], ends[0]), ends[1]))
+        ends = [row["now"]["z_lo"], row["now"]["z_hi"]]
+        if row["now"]["lam"] != 0.0:
+            for p in (0.0, row["now"]["eps"], -row["now"]["xi_A"] / row["p_bt"]):
+                ends.append(min(max((p - row["now"]["psi"] - q) / row["now"]["lam"], ends[0]), ends[1]))
         ends.sort()
         for a, c in zip(ends[:-1], ends[1:], strict=True):
-            p = row["psi"] + q + 0.5 * row["lam"] * (a + c)
-            if 0.0 < p < row["eps"]:
-                xi = row["xi_A"] + p * row["p_bt"]
+            p = row["now"]["psi"] + q + 0.5 * row["now"]["lam"] * (a + c)
+            if 0.0 < p < row["now"]["eps"]:
+                xi = row["now"]["xi_A"] + p * row["p_bt"]
                 rolls = np.array([row["r_b1"] * tan_a + xi, row["r_b2"] * tan_a - xi])
                 sliding = speeds[0] * rolls[0] + speeds[1] * rolls[1]
                 found -= math.copysign(load * (c - a), sliding) * rolls
@@ -99,13 +99,13 @@ def test_straight_bevel_gears_have_the_arm_of_their_plane_of_action(pair, flank)
         m.evaluate()
         row = m.row
         delta = np.array([m.pair.gear1.delta, m.pair.gear2.delta])
-        base = np.arcsin(np.sin(delta) * row["cos_a"])
+        base = np.arcsin(np.sin(delta) * row["now"]["cos_a"])
         gamma = np.arccos(np.cos(delta) / np.cos(base))
-        psi = m.get("mesh_phase") if flank > 0 else row["psi"]  # that of the flank looked at last
-        places = [psi + q for q in range(-9, 9) if 0.0 < psi + q < row["eps"]]
+        psi = m.get("mesh_phase") if flank > 0 else row["now"]["psi"]  # that of the flank looked at last
+        places = [psi + q for q in range(-9, 9) if 0.0 < psi + q < row["now"]["eps"]]
         expected = np.zeros(2)
         for p in places:
-            sigma = (row["xi_A"] + p * row["p_bt"]) / row["R_m"]
+            sigma = (row["now"]["xi_A"] + p * row["p_bt"]) / row["R_m"]
             arms = row["R_m"] * np.cos(base) * np.sin(gamma + np.array([sigma, -sigma]))
             force = MU * abs(m.get("mesh_force")) / len(places)
             expected -= math.copysign(force, float(speeds @ arms)) * arms
@@ -132,7 +132,7 @@ def test_they_are_what_friction_adds_to_the_wrenches_and_take_its_power(kind, fl
     speeds = spun(m, 0.003)
     F = m.evaluate()
     torques, lost = m.friction_torques(), m.get("friction_power")
-    m.rec["mu"] = 0.0
+    m.rec["contact"]["mu"] = 0.0
     added = F - m.evaluate()
     axes = np.array([R[:, 2] for R in m.frames["R"]])
     assert torques == pytest.approx((added[:, 3:] * axes).sum(axis=1), rel=1e-9)

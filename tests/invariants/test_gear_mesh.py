@@ -131,7 +131,7 @@ def test_tangent_is_the_derivative_of_the_force(pair, shape, flank):
             step[k] = sign * h
             slope -= m.evaluate(moved(m.frames, 1, step)) * sign / (2 * h)
         # what is left: the line of action turns (F/a), the phase moves along the ramp at most (F/(L p_bt))
-        ramp = max(m.row["L"], 0.1) * m.row["p_bt"]
+        ramp = max(m.row["now"]["L"], 0.1) * m.row["p_bt"]
         left = abs(m.get("mesh_force")) * (1.2 / ramp + 2.0 / abs(m.pair.a_w))
         assert abs(K[:, :, 1, k] - slope)[:, :3].max() < left
 
@@ -190,7 +190,7 @@ def test_swapping_the_gears_changes_nothing(shape, beta):
     b.frames["phi"][1] -= math.pi / pair.gear2.z
     B = b.evaluate()
     # the path runs from A to E of the other gear: the phase counts backwards, so lopsided shapes turn round
-    turned = (psi + b.get("mesh_phase") - a.row["eps"]) % 1.0
+    turned = (psi + b.get("mesh_phase") - a.row["now"]["eps"]) % 1.0
     assert min(turned, 1.0 - turned) < 1e-9
     if shape not in ("fourier", "table"):
         assert np.allclose(B[::-1], A, rtol=0.0, atol=1e-9 * abs(A).max())
@@ -224,7 +224,7 @@ def test_never_pulls_and_parts_in_the_gap(pair, shape):
                 fr["tw"][0, 5] = flank * speed / m.row["r_b1"]
                 m.evaluate(fr)
                 assert flank * m.get("mesh_force") >= 0.0
-    m.press(-0.5 * m.row["gap"])
+    m.press(-0.5 * m.row["now"]["gap"])
     assert not m.evaluate().any()
     assert m.get("contact_state") == 0.0
 
@@ -256,9 +256,9 @@ def test_exact_width_integral_is_the_closed_one(beta, b, flank):
     for phi in np.linspace(0, 2 * math.pi / pair.gear1.z, 7):
         m.frames["phi"] = [phi, -phi * m.row["r_b1"] / m.row["r_b2"]]
         m.press(8e-6, flank)
-        eps = m.row["eps"]
+        eps = m.row["now"]["eps"]
         L = shape.T_R * (eps % 1.0)
-        K = width_moments(m.row["psi"], m.row["lam"], b, eps, shape.S_R, L)[0] * shape.c_prime
+        K = width_moments(m.row["now"]["psi"], m.row["now"]["lam"], b, eps, shape.S_R, L)[0] * shape.c_prime
         assert m.get("mesh_stiffness") == pytest.approx(K, rel=1e-11)
         assert flank * m.get("mesh_force") == pytest.approx(K * 8e-6, rel=1e-8)
 
@@ -284,8 +284,13 @@ def test_exact_width_integral_of_a_table_has_pieces_between_its_points(table, be
     for phi in np.linspace(0, 2 * math.pi / m.pair.gear1.z, 7):
         m.frames["phi"] = [phi, -phi * m.row["r_b1"] / m.row["r_b2"]]
         m.press(8e-6, flank)
-        eps, L = m.row["eps"], T_R * (m.row["eps"] % 1.0)
-        K = table_width_moments(m.row["psi"], m.row["lam"], b, eps, values.size, values, L, 0)[0] * 14e9
+        eps, L = m.row["now"]["eps"], T_R * (m.row["now"]["eps"] % 1.0)
+        K = (
+            table_width_moments(m.row["now"]["psi"], m.row["now"]["lam"], b, eps, values.size, values, L, 0)[
+                0
+            ]
+            * 14e9
+        )
         assert m.get("mesh_stiffness") == pytest.approx(K, rel=1e-11)
         assert flank * m.get("mesh_force") == pytest.approx(K * 8e-6, rel=1e-8)
 
@@ -303,7 +308,9 @@ def test_smooth_tables_of_many_points_are_close_without_such_pieces(points, limi
             m.press(8e-6)
             found.append(m.get("mesh_stiffness") / 14e9)
             row = m.row
-            K = table_width_moments(row["psi"], row["lam"], b, row["eps"], points, values, 0.0, 0)[0]
+            K = table_width_moments(
+                row["now"]["psi"], row["now"]["lam"], b, row["now"]["eps"], points, values, 0.0, 0
+            )[0]
             exact.append(K)
         assert np.abs(np.subtract(found, exact)).max() < limit * np.mean(exact)
 
@@ -318,8 +325,8 @@ def test_exact_width_integral_where_the_ramps_of_a_short_path_overlap(flank):
     for phi in np.linspace(0, 2 * math.pi / pair.gear1.z, 7):
         m.frames["phi"] = [phi, -phi * m.row["r_b1"] / m.row["r_b2"]]
         m.press(8e-6, flank)
-        eps = m.row["eps"]
-        K = width_moments(m.row["psi"], m.row["lam"], 0.06, eps, 0.8, eps)[0] * 14e9
+        eps = m.row["now"]["eps"]
+        K = width_moments(m.row["now"]["psi"], m.row["now"]["lam"], 0.06, eps, 0.8, eps)[0] * 14e9
         assert m.get("mesh_stiffness") == pytest.approx(K, rel=1e-11)
 
 
@@ -452,7 +459,7 @@ def test_contact_damping_acts_on_the_rate_of_the_real_penetration(pair, flank, m
             fr = moved(fr, body, sign * 1e-8 * twist[body])
         m.evaluate(fr)
         force.append(flank * m.get("mesh_force"))
-    expected = (force[1] - force[0]) / 2e-8 * 3e4 / m.row["k_ref"]
+    expected = (force[1] - force[0]) / 2e-8 * 3e4 / m.row["contact"]["k_ref"]
     m.frames["tw"] = twist
     m.frames["spin"] = twist[:, 5]
     m.evaluate()
@@ -517,7 +524,7 @@ def test_force_triangle_of_a_helical_mesh():
     assert m.get("radial_force") == pytest.approx(500.0 * math.tan(g1.alpha_n) / math.cos(beta), rel=1e-9)
     assert abs(m.get("axial_force")) == pytest.approx(88.16, abs=5e-3)
     # deflection with k_n 1e6 N/m normal to the flanks: along the pitch circle 5.838e-4 m
-    depth = m.get("deflection") - 0.5 * m.row["gap"]
+    depth = m.get("deflection") - 0.5 * m.row["now"]["gap"]
     assert depth / math.cos(m.pair.alpha_wt) == pytest.approx(5.838e-4, abs=5e-8)
     assert np.linalg.norm(F[1, :3]) == pytest.approx(m.get("normal_force"), rel=1e-12)
 
@@ -530,10 +537,12 @@ def test_backlash_follows_the_centre_distance(internal):
     for da in (0.0, 5e-5, -2e-5):
         fr = moved(m.frames, 1, np.append(da * out, [0, 0, 0]))
         m.evaluate(fr)
-        assert m.row["gap"] == pytest.approx(m.pair.at_center_distance(m.pair.a_w + sign * da).j_bt, rel=1e-9)
+        assert m.row["now"]["gap"] == pytest.approx(
+            m.pair.at_center_distance(m.pair.a_w + sign * da).j_bt, rel=1e-9
+        )
     fr = moved(m.frames, 1, np.append(sign * -4e-5 * out, [0, 0, 0]))
     m.evaluate(fr)
-    assert m.row["gap"] < 0.0 and m.get("contact_state") == 2.0
+    assert m.row["now"]["gap"] < 0.0 and m.get("contact_state") == 2.0
 
 
 @pytest.mark.parametrize("smooth, share", [(False, 0.25), (True, 0.15625)])

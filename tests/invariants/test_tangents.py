@@ -147,7 +147,7 @@ def pressed(system, rng, speed, flank, tilt):
     state.v[two] = -state.v[one] * r1 / r2
     for _ in range(3):
         values = evaluate.observe(system, state)
-        gap = float(system.records["gear_mesh"][0]["gap"])
+        gap = float(system.records["gear_mesh"][0]["now"]["gap"])
         aim = flank * (0.5 * gap + 3e-5) - float(values[system.layout.channel("deflection[m]")])
         state.q[one] += aim / r1
     return state

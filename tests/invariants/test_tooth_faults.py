@@ -67,7 +67,7 @@ def faulty(pair, kind, shape="parabola", **laws):
 def turned_to_load(m, flank, depth=3e-5):
     """A place of the gears at which some, but not all of the force is lost."""
     whole = OneMesh(m.pair, m.laws, theta=m.theta)
-    least = 0.2 if m.row["power"] == 1.0 else 0.1  # powers of the penetration lose more
+    least = 0.2 if m.row["contact"]["power"] == 1.0 else 0.1  # powers of the penetration lose more
     for step in range(40):
         s = 0.37 * step * m.row["p_bt"]
         m.frames["phi"] = whole.frames["phi"] = [s / m.row["r_b1"], -s / m.row["r_b2"]]
@@ -321,7 +321,7 @@ def test_damping_acts_on_the_overlap_of_the_contact(power, laws, speed):
     if "chi" in laws:
         wanted = F * (1.0 + 3.0 * w)
     else:
-        wanted = F + (4e4 if w > 0 else 2e4) * c * width / m.row["k_ref"] * u / 4e-5 * w
+        wanted = F + (4e4 if w > 0 else 2e4) * c * width / m.row["contact"]["k_ref"] * u / 4e-5 * w
     assert m.get("mesh_force") == pytest.approx(wanted, rel=1e-8)
     assert abs(wanted - F) > 1e-3 * F
     for ck, cd, key, size in ((1.0, 0.0, "phi", 1e-9), (0.0, 1.0, "tw", 1e-4)):

@@ -47,7 +47,7 @@ class MeshAlone:
         fr = self.frames if frames is None else frames
         for _ in range(3):
             self.evaluate(fr)
-            aim = flank * (0.5 * self.row["gap"] + depth)
+            aim = flank * (0.5 * self.row["now"]["gap"] + depth)
             fr["phi"][0] += (aim - self.get("deflection")) / self.row["r_b1"]
         self.evaluate(fr)
 

@@ -15,7 +15,7 @@ import numpy as np
 from pitchpoint.core.kernel import address
 from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import entry
-from pitchpoint.elements.mesh_apart import apart
+from pitchpoint.elements.mesh_pairs import deviating_line
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
@@ -108,6 +108,6 @@ class OneMesh(MeshAlone):
             reach = abs(float(self.row[f"rho_a{gear + 1}"]))
             self.rec["roll"][0, gear] = 0.3 * reach, 1.1 * reach
         self.rec["n_sep"] = self.rec["stride"] = 1
-        self.rec["apart"] = address(apart)
+        self.rec["deviating"] = address(deviating_line)
         self.pool = np.concatenate([*self.kept, np.zeros(1)])
         self.rec["pool"] = self.pool.ctypes.data

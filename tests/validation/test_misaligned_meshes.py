@@ -36,7 +36,7 @@ def one_mesh(kind, shape, tilted, skew):
     """Mesh with gear 2 tilted about the middle of its face, or with the same misalignment."""
     m = OneMesh(make_pair(**PAIRS[kind]), MeshLaws(stiffness=SHAPES[shape]))
     m.evaluate()
-    e, t = (np.array(m.row[name]) for name in "et")
+    e, t = (np.array(m.row["now"][name]) for name in "et")
     if tilted:
         lean = skew[0] * t + skew[1] * e
         m.frames = moved(m.frames, 1, np.array([0.0, 0.0, 0.0, *np.cross([0.0, 0.0, 1.0], lean)]))
@@ -99,12 +99,12 @@ def test_moment_of_a_misaligned_face():
         m = one_mesh("spur", "constant", False, (3e-5, 2e-5))
         m.press(20e-6, flank)
         F = m.evaluate()
-        kappa = flank * m.row["cos_a"] * 3e-5 + m.row["sin_a"] * 2e-5
-        n = flank * m.row["cos_a"] * m.row["t"] + m.row["sin_a"] * m.row["e"]
-        about = F[1, 3:] - np.cross(m.row["P"] - m.frames["r"][1], F[1, :3])
+        kappa = flank * m.row["now"]["cos_a"] * 3e-5 + m.row["now"]["sin_a"] * 2e-5
+        n = flank * m.row["now"]["cos_a"] * m.row["now"]["t"] + m.row["now"]["sin_a"] * m.row["now"]["e"]
+        about = F[1, 3:] - np.cross(m.row["now"]["P"] - m.frames["r"][1], F[1, :3])
         width = m.row["b1"]
         wanted = -4e8 / width * kappa * width**3 / 12.0
-        assert about @ np.cross(m.row["m"], n) == pytest.approx(wanted, rel=1e-9)
+        assert about @ np.cross(m.row["now"]["m"], n) == pytest.approx(wanted, rel=1e-9)
 
 
 @pytest.mark.parametrize("internal", [False, True])

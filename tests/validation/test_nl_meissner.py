@@ -73,7 +73,7 @@ class Pair:
         self.row = self.system.records["gear_mesh"][0]
         self.r_b = float(self.row["r_b1"])
         mass = 0.5 * self.model.bodies["driver"].inertia / self.r_b**2
-        self.natural = math.sqrt(float(self.row["k_ref"]) / mass)
+        self.natural = math.sqrt(float(self.row["contact"]["k_ref"]) / mass)
 
     def matrix(self, omega):
         """Matrix over one mesh period of (deflection, its rate / natural frequency)."""

@@ -9,7 +9,7 @@ sigma from p is r = cos(sigma) p + sin(sigma) e0 with e0 = N x p, and the line o
 e = N x r. Gears whose apexes coincide roll exactly, whatever their shaft angle is: base cones stay, working
 pitch cones and backlash follow, as with the centre distance of cylindrical gears.
 
-Apexes that lie d apart open the flanks by the part of d along their normal, so that the penetration along the
+Apexes at a distance d open the flanks by the part of d along their normal, so that the penetration along the
 base tangent at the cone distance R is
 
     x = R (f u - gap/2)/R_m + (e - f tan(beta_b) r) . d
@@ -40,6 +40,7 @@ def put_row(A, k, a):
 @kernel
 def axes_of_action(b, f, g):
     """Fill directions, cone angles and places of mesh `b` from the frames `f` and `g` of its bodies."""
+    now = b["now"]
     n1 = column(f["R"], 2)
     n2 = column(g["R"], 2)
     one = times(b["side"][0], n1)
@@ -65,40 +66,41 @@ def axes_of_action(b, f, g):
     A1 = plus(triple(f["r"], 0), b["apex"][0], n1)
     A2 = plus(triple(g["r"], 0), b["apex"][1], n2)
     d = less(A1, A2)
-    put_row(b["axis"], 0, one)
-    put_row(b["axis"], 1, two)
-    put_row(b["away"], 0, across)
-    put_row(b["away"], 1, cross(t, two))
-    b["cos_a"] = cos_a
-    b["sin_a"] = math.sqrt(1.0 - cos_a * cos_a)
-    b["sin_S"] = s
-    b["cone"][0] = c1
-    b["cone"][1] = c2
-    b["open"][0] = s1 * c2 / s
-    b["open"][1] = c1 * s2 / s
+    put_row(now["axis"], 0, one)
+    put_row(now["axis"], 1, two)
+    put_row(now["away"], 0, across)
+    put_row(now["away"], 1, cross(t, two))
+    now["cos_a"] = cos_a
+    now["sin_a"] = math.sqrt(1.0 - cos_a * cos_a)
+    now["sin_S"] = s
+    now["cone"][0] = c1
+    now["cone"][1] = c2
+    now["open"][0] = s1 * c2 / s
+    now["open"][1] = c1 * s2 / s
     for k in range(3):
-        b["d"][k] = d[k]
-        b["m"][k] = p[k]
-        b["e"][k] = q[k]
-        b["t"][k] = t[k]
-        b["P"][k] = 0.5 * (A1[k] + A2[k]) + b["R_m"] * p[k]
+        now["d"][k] = d[k]
+        now["m"][k] = p[k]
+        now["e"][k] = q[k]
+        now["t"][k] = t[k]
+        now["P"][k] = 0.5 * (A1[k] + A2[k]) + b["R_m"] * p[k]
     return OK
 
 
 @kernel
 def _roll(b, gear):
     """Roll up to the pitch ray of a gear and its turn about the axis less that, both as arcs [rad]."""
+    now = b["now"]
     s = b["base"][gear]
-    across = s / b["cos_a"] * b["sin_a"]
-    sigma = math.atan2(across, b["cone"][gear])
-    return sigma, sigma - s * math.atan2(across, s * b["cone"][gear])
+    across = s / now["cos_a"] * now["sin_a"]
+    sigma = math.atan2(across, now["cone"][gear])
+    return sigma, sigma - s * math.atan2(across, s * now["cone"][gear])
 
 
 @kernel
 def _turned(b, f, gear):
     """How far the pitch ray has turned about the z axis of a body, seen from its frame, since rest."""
     sense = 1.0 if gear == 0 else -1.0
-    to = triple(b["away"][gear], 0)
+    to = triple(b["now"]["away"][gear], 0)
     x = sense * dot(to, column(f["R"], 0))
     y = sense * dot(to, column(f["R"], 1))
     c = b["towards"][gear, 0]
@@ -109,17 +111,18 @@ def _turned(b, f, gear):
 @kernel
 def place_flanks(b, f, g):
     """Backlash, path of contact, travel and phases of mesh `b`, after `axes_of_action`."""
+    now = b["now"]
     p_bt = b["p_bt"]
     R = b["R_m"]
     roll1, inv1 = _roll(b, 0)
     roll2, inv2 = _roll(b, 1)
-    b["gap"] = b["gap_0"] + 2.0 * R * (inv1 + inv2)
-    b["xi_A"] = R * (roll2 - b["tip"][1])
-    b["eps"] = (R * (b["tip"][0] - roll1) - b["xi_A"]) / p_bt
-    b["L"] = b["T_R"] * (b["eps"] - math.floor(b["eps"]))
-    middle = (-0.5 * R * (inv1 - inv2) - b["xi_A"]) / p_bt
-    b["start"][0] = middle
-    b["start"][1] = middle
+    now["gap"] = b["gap_0"] + 2.0 * R * (inv1 + inv2)
+    now["xi_A"] = R * (roll2 - b["tip"][1])
+    now["eps"] = (R * (b["tip"][0] - roll1) - now["xi_A"]) / p_bt
+    now["L"] = b["T_R"] * (now["eps"] - math.floor(now["eps"]))
+    middle = (-0.5 * R * (inv1 - inv2) - now["xi_A"]) / p_bt
+    now["start"][0] = middle
+    now["start"][1] = middle
     first = b["r_b1"] * (f["phi"] - _turned(b, f, 0))
     second = b["r_b2"] * (g["phi"] - _turned(b, g, 1))
     u = first + second + b["u0"]
@@ -135,21 +138,13 @@ def place_flanks(b, f, g):
         u -= p_bt * k
         n = 2 * n1 + k
     half = n % 2
-    d = triple(b["d"], 0)
-    b["aside"][0] = b["cos_a"] * dot(triple(b["t"], 0), d) - b["tan_b"] * dot(triple(b["m"], 0), d)
-    b["aside"][1] = -2.0 * b["sin_a"] * dot(triple(b["e"], 0), d)
-    b["u"] = u + b["aside"][0]
-    b["gap"] += b["aside"][1]
-    b["turn"] = (n - half) // 2
-    b["travel"] = 0.5 * (first - second + p_bt * half)
-
-
-@kernel
-def phase_of_flank(b, flank):
-    """Mesh phase of the front (+1) or back (-1) flank, whole base pitches included up to `turn`."""
-    k = 0 if flank > 0 else 1
-    way = b["xi_0"] + b["travel"] if flank > 0 else b["xi_b"] - b["travel"]
-    return b["start"][k] + way / b["p_bt"]
+    d = triple(now["d"], 0)
+    now["aside"][0] = now["cos_a"] * dot(triple(now["t"], 0), d) - b["tan_b"] * dot(triple(now["m"], 0), d)
+    now["aside"][1] = -2.0 * now["sin_a"] * dot(triple(now["e"], 0), d)
+    now["u"] = u + now["aside"][0]
+    now["gap"] += now["aside"][1]
+    now["turn"] = (n - half) // 2
+    now["travel"] = 0.5 * (first - second + p_bt * half)
 
 
 @kernel
@@ -159,42 +154,46 @@ def turn_of_plane(b, side, w, bends):
     `bends` is the change of the pressure angle per shaft angle, signed by the flank, or 0 for the plane of
     the axes alone. The turns that both gears make together add up to that of the machine.
     """
-    t = triple(b["t"], 0)
+    now = b["now"]
+    t = triple(now["t"], 0)
     along = dot(t, w)
-    other = triple(b["axis"][1 - side], 0)
+    other = triple(now["axis"][1 - side], 0)
     sign = 1.0 if side == 0 else -1.0
-    by = sign * dot(triple(b["away"][side], 0), w) / b["sin_S"]
-    share = b["open"][1 - side]
-    p = triple(b["m"], 0)
+    by = sign * dot(triple(now["away"][side], 0), w) / now["sin_S"]
+    share = now["open"][1 - side]
+    p = triple(now["m"], 0)
     return add(plus(times(by, other), share * along, t), times(sign * bends * along, p))
 
 
 @kernel
 def _couple(b, side, v, bends):
     """Couple on the gear `side` of a vector v that acts on the turn of the plane: transpose of the above."""
-    t = triple(b["t"], 0)
+    now = b["now"]
+    t = triple(now["t"], 0)
     sign = 1.0 if side == 0 else -1.0
-    by = sign * dot(triple(b["axis"][1 - side], 0), v) / b["sin_S"]
-    share = b["open"][1 - side]
-    along = share * dot(t, v) + sign * bends * dot(triple(b["m"], 0), v)
-    return plus(times(by, triple(b["away"][side], 0)), along, t)
+    by = sign * dot(triple(now["axis"][1 - side], 0), v) / now["sin_S"]
+    share = now["open"][1 - side]
+    along = share * dot(t, v) + sign * bends * dot(triple(now["m"], 0), v)
+    return plus(times(by, triple(now["away"][side], 0)), along, t)
 
 
 @kernel
 def _pressure_change(b):
     """Change of the pressure angle per shaft angle, cot(alpha) cos(delta1) cos(delta2)/sin(Sigma)."""
-    return b["cos_a"] * b["cone"][0] * b["cone"][1] / (b["sin_a"] * b["sin_S"])
+    now = b["now"]
+    return now["cos_a"] * now["cone"][0] * now["cone"][1] / (now["sin_a"] * now["sin_S"])
 
 
 @kernel
 def _normal_row(b, row, G, bends):
     """A row of the basis for a force along G at the apexes, with what the turn of G takes."""
-    d = triple(b["d"], 0)
+    now = b["now"]
+    d = triple(now["d"], 0)
     v = cross(G, d)
     for side in range(2):
         B = b["basis_i"] if side == 0 else b["basis_j"]
         sign = -1.0 if side == 0 else 1.0
-        arm = times(sign * b["side"][side] * b["apex"][side], triple(b["axis"][side], 0))
+        arm = times(sign * b["side"][side] * b["apex"][side], triple(now["axis"][side], 0))
         M = less(cross(arm, G), _couple(b, side, v, bends))
         for k in range(3):
             B[row, k] = sign * G[k]
@@ -214,11 +213,12 @@ def _couple_row(b, row, M):
 def normal_rows(b, flank):
     """Rows 0 to 2 of the basis of a flank; of the damper along the travel (flank 0) at the pitch ray, all in
     row 0."""
-    t = triple(b["t"], 0)
-    p = triple(b["m"], 0)
-    q = triple(b["e"], 0)
-    c = b["cos_a"] if flank >= 0 else -b["cos_a"]
-    s = b["sin_a"] if flank != 0 else 0.0
+    now = b["now"]
+    t = triple(now["t"], 0)
+    p = triple(now["m"], 0)
+    q = triple(now["e"], 0)
+    c = now["cos_a"] if flank >= 0 else -now["cos_a"]
+    s = now["sin_a"] if flank != 0 else 0.0
     tan = b["tan_b"] if flank >= 0 else -b["tan_b"]
     N = plus(times(s, t), -c, q)
     e0 = plus(times(c, t), s, q)
@@ -230,7 +230,7 @@ def normal_rows(b, flank):
             b["basis_j"][0, 3 + k] += b["R_m"] * N[k]
         return
     for k in range(3):
-        b["N"][k] = N[k]
+        now["N"][k] = N[k]
     _normal_row(b, 1, times(-1.0, plus(p, tan, e0)), bends)
     _couple_row(b, 2, N)
 
@@ -238,9 +238,10 @@ def normal_rows(b, flank):
 @kernel
 def friction_rows(b, f, g):
     """Rows 3 to 5: friction along N at the apex, and its moments per R cos(sigma) and R sin(sigma)."""
-    N = triple(b["N"], 0)
-    p = triple(b["m"], 0)
-    at = plus(triple(b["P"], 0), -b["R_m"], p)
+    now = b["now"]
+    N = triple(now["N"], 0)
+    p = triple(now["m"], 0)
+    at = plus(triple(now["P"], 0), -b["R_m"], p)
     one = cross(less(at, triple(f["r"], 0)), N)
     two = cross(less(at, triple(g["r"], 0)), N)
     for k in range(3):
@@ -253,30 +254,22 @@ def friction_rows(b, f, g):
 
 
 @kernel
-def rate_of_row(b, f, g, row):
-    """Rate of both bodies against a row of the basis: the power it takes from them."""
-    s = 0.0
-    for k in range(6):
-        s -= b["basis_i"][row, k] * f["tw"][k] + b["basis_j"][row, k] * g["tw"][k]
-    return s
-
-
-@kernel
 def rates_of_place(b, f, g):
     """How fast travel, phases and path of contact change."""
+    now = b["now"]
     w1 = triple(f["tw"], 3)
     w2 = triple(g["tw"], 3)
     plane = add(turn_of_plane(b, 0, w1, 0.0), turn_of_plane(b, 1, w2, 0.0))
-    one = b["R_m"] * b["base"][0] * dot(triple(b["axis"][0], 0), less(w1, plane))
-    two = b["R_m"] * b["base"][1] * dot(triple(b["axis"][1], 0), less(w2, plane))
-    wider = dot(triple(b["t"], 0), less(w2, w1))  # of the shaft angle
+    one = b["R_m"] * b["base"][0] * dot(triple(now["axis"][0], 0), less(w1, plane))
+    two = b["R_m"] * b["base"][1] * dot(triple(now["axis"][1], 0), less(w2, plane))
+    wider = dot(triple(now["t"], 0), less(w2, w1))  # of the shaft angle
     p_bt = b["p_bt"]
-    by = b["R_m"] * wider / b["sin_a"]
-    xi_A_rate = by * b["open"][1]
-    b["xi_A_rate"] = xi_A_rate
-    b["eps_rate"] = -by / p_bt
-    b["travel_rate"] = 0.5 * (one - two)
-    spread = by * b["sin_a"] * b["sin_a"] * (b["open"][0] - b["open"][1])
+    by = b["R_m"] * wider / now["sin_a"]
+    xi_A_rate = by * now["open"][1]
+    now["xi_A_rate"] = xi_A_rate
+    now["eps_rate"] = -by / p_bt
+    now["travel_rate"] = 0.5 * (one - two)
+    spread = by * now["sin_a"] * now["sin_a"] * (now["open"][0] - now["open"][1])
     middle = -0.5 * spread - xi_A_rate
-    b["phase_rate"][0] = (middle + b["travel_rate"]) / p_bt
-    b["phase_rate"][1] = (middle - b["travel_rate"]) / p_bt
+    now["phase_rate"][0] = (middle + now["travel_rate"]) / p_bt
+    now["phase_rate"][1] = (middle - now["travel_rate"]) / p_bt

@@ -10,8 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from pitchpoint.contact.flank_law import FLANK_LAW
 from pitchpoint.elements.gear_mesh_record import EVENTS, PHASE, PROFILE, mesh_outputs
 from pitchpoint.elements.gear_mesh_record import OUTPUTS as OF_MESHES
+from pitchpoint.elements.mesh_sums import scratch_of_sums
 
 __all__ = ["EVENTS", "N_OUT", "N_OWN", "OUTPUTS", "PHASE", "PROFILE", "RECORD", "mesh_outputs"]
 
@@ -24,10 +26,7 @@ ROWS = 6
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
-    (
-        "carried",
-        "i8",
-    ),  # gear whose carrier takes the plane of the axes round, 0: both hang on one base
+    ("carried", "i8"),  # gear whose carrier turns the plane of the axes, 0: both hang on one base
     ("z1", "i8"),
     ("z2", "i8"),  # numbers of teeth, signed by the side that the cone opens to
     ("r_b1", "f8"),
@@ -49,7 +48,7 @@ _GEOMETRY = [
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
     ("n_sep", "i8"),  # 1: some teeth have a face or a place of their own
-    ("n_t", "i8", 2),  # teeth that the tables of both gears tell apart, 0: none
+    ("n_t", "i8", 2),  # teeth that the tables of both gears distinguish, 0: none
     ("teeth", "i8", 2),  # offsets of these tables in the pool [tooth, N_OWN]
     ("sep_min", "f8"),  # smallest sum of both gaps, at R_m
 ]
@@ -62,23 +61,13 @@ _LAW = [
     ("n_table", "i8"),  # a total stiffness is constant, a pair has a parabola
     ("c_prime", "f8"),  # PROFILE: of one pair per face width [N/m^2]; PHASE: total at R_m [N/m]
     ("spread", "f8"),  # PHASE: c_prime times this is the stiffness per width [1/m]
-    ("power", "f8"),  # 1
     ("S_R", "f8"),
     ("T_R", "f8"),
     ("load_limit", "f8"),
-    ("k_ref", "f8"),
     ("k_step", "f8"),
-    ("d_in", "f8"),
-    ("d_out", "f8"),
-    ("s_0", "f8"),
-    ("smooth", "i8"),
-    ("chi", "f8"),
+    ("contact", FLANK_LAW),  # power 1
     ("d_gap", "f8"),
-    ("mu", "f8"),
-    ("v_eps", "f8"),
-    ("mu_s", "f8"),
-    ("v_s", "f8"),
-    ("turning", "i8"),  # address of `bevel_mesh_turning.turning`, where exact tangents are asked for
+    ("turning", "i8"),  # address of `bevel_mesh_turning.turning`, where exact tangents are required
 ]
 
 #: Scratch: filled and read within one call, carries nothing from call to call.
@@ -121,22 +110,10 @@ _SCRATCH = [
     ("hi", "f8"),  # shared face of the pair being summed, from R_m
     ("lacks", "f8"),  # gap of its teeth at R_m
     ("lam", "f8"),  # base pitches per ln(R/R_m) along a contact line
-    ("x", "f8", ROWS),  # penetration over cos(sigma), sin(sigma) and R, first three
-    ("w", "f8", ROWS),  # rates over the rows of the basis
-    ("lever", "f8", ROWS),  # of one node: cos(sigma), sin(sigma), R; 1, R cos(sigma), R sin(sigma)
-    ("acc", "f8", ROWS),  # forces over the rows
-    ("T", "f8", (ROWS, ROWS)),  # tangents over the rows
-    (
-        "more",
-        "f8",
-        7,
-    ),  # fields named in `bevel_mesh_sums`
-    ("basis_i", "f8", (ROWS, 6)),
-    ("basis_j", "f8", (ROWS, 6)),
+    ("x", "f8", 3),  # penetration over cos(sigma), sin(sigma) and R
+    # levers of a node: cos(sigma), sin(sigma), R; 1, R cos(sigma), R sin(sigma)
     ("moved", "f8", (3, 12)),
     ("slope", "f8", (3, 12)),
-    ("here", "i8"),
-    ("control", "i8"),
 ]
 
 RECORD = np.dtype(
@@ -144,7 +121,9 @@ RECORD = np.dtype(
         *_BODIES,
         *_GEOMETRY,
         *_LAW,
-        *_SCRATCH,
+        ("now", np.dtype(_SCRATCH, align=True)),
+        *scratch_of_sums(ROWS),
+        ("here", "i8"),  # address of this record, for calls through an address
         ("n_pair", "i8"),
         ("rubs", "i8"),
         ("pool", "i8"),  # address of the float array that holds all tables

@@ -11,7 +11,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.bevel_mesh_place import axes_of_action, normal_rows
 from pitchpoint.elements.bevel_mesh_record import RECORD
-from pitchpoint.multibody.channels import frame_args
+from pitchpoint.elements.mesh_sums import asked_arrays
 from pitchpoint.multibody.vectors import column, cross, triple, unit
 
 STEP = 2e-4
@@ -37,22 +37,24 @@ def _sample(b, f, g, body, motion, h, flank):
 @kernel
 def _change(b, f, g, side, motion, flank):
     """Derivative of the rows by one motion of the body `side`, into the scratch `moved`."""
+    now = b["now"]
     h = STEP * b["R_m"] if motion < 3 else STEP
     for row in range(3):
         for k in range(12):
-            b["moved"][row, k] = 0.0
+            now["moved"][row, k] = 0.0
     for step in (-2, -1, 1, 2):
         weight = (2.0 / 3.0 if abs(step) == 1 else -1.0 / 6.0) / (step * h)
         _sample(b, f, g, f if side == 0 else g, motion, step * h, flank)
         for row in range(3):
             for k in range(6):
-                b["moved"][row, k] += weight * b["basis_i"][row, k]
-                b["moved"][row, 6 + k] += weight * b["basis_j"][row, k]
+                now["moved"][row, k] += weight * b["basis_i"][row, k]
+                now["moved"][row, 6 + k] += weight * b["basis_j"][row, k]
 
 
 @kernel
 def _turn_of_forces(b, f, g, kk, ck, flank):
     """Forces along changed rows; what the change does to the rates goes to the scratch `slope`."""
+    now = b["now"]
     rows = 1 if flank == 0 else 3
     for motion in range(12):
         side = motion // 6
@@ -60,26 +62,30 @@ def _turn_of_forces(b, f, g, kk, ck, flank):
         for row in range(rows):
             s = 0.0
             for k in range(6):
-                one = b["moved"][row, k]
-                two = b["moved"][row, 6 + k]
-                kk[b["ii"] if side == 0 else b["ij"], k, motion % 6] -= ck * b["acc"][row] * one
-                kk[b["ji"] if side == 0 else b["jj"], k, motion % 6] -= ck * b["acc"][row] * two
+                one = now["moved"][row, k]
+                two = now["moved"][row, 6 + k]
+                kk[b["ask"]["ii"] if side == 0 else b["ask"]["ij"], k, motion % 6] -= (
+                    ck * b["sums"]["force"][row] * one
+                )
+                kk[b["ask"]["ji"] if side == 0 else b["ask"]["jj"], k, motion % 6] -= (
+                    ck * b["sums"]["force"][row] * two
+                )
                 s -= one * f["tw"][k] + two * g["tw"][k]
-            b["slope"][row, motion] = s
+            now["slope"][row, motion] = s
 
 
 @kernel
-def turning(record, control, flank):
+def turning(record, flank, _):
     """Add ck times the change of the wrenches of one mesh with their directions.
 
-    Forces over the rows are in acc, damping coefficients in T [N s/m]. `flank` 0 stands for the damper.
-    Compiled only where exact tangents are asked for.
+    Sums of forces are those of the flank, tangents its damping coefficients alone [N s/m]. `flank` 0 is the
+    damper. Compiled only where exact tangents are requested.
     """
     b = view(record, 1, RECORD)[0]
-    ctl, fr, kk = frame_args(control)
-    ck = ctl[0]["ck"]
-    f = fr[b["i"]]
-    g = fr[b["j"]]
+    fr, kk = asked_arrays(b)
+    ck = b["ask"]["ck"]
+    f = fr[b["ask"]["i"]]
+    g = fr[b["ask"]["j"]]
     _turn_of_forces(b, f, g, kk, ck, flank)
     axes_of_action(b, f, g)
     normal_rows(b, flank)
@@ -89,8 +95,12 @@ def turning(record, control, flank):
         for row in range(rows):
             s = 0.0
             for q in range(rows):
-                s += b["T"][row, q] * b["slope"][q, motion]
+                s += b["sums"]["tangent"][row, q] * b["now"]["slope"][q, motion]
             for k in range(6):
-                kk[b["ii"] if side == 0 else b["ij"], k, motion % 6] -= ck * s * b["basis_i"][row, k]
-                kk[b["ji"] if side == 0 else b["jj"], k, motion % 6] -= ck * s * b["basis_j"][row, k]
+                kk[b["ask"]["ii"] if side == 0 else b["ask"]["ij"], k, motion % 6] -= (
+                    ck * s * b["basis_i"][row, k]
+                )
+                kk[b["ask"]["ji"] if side == 0 else b["ask"]["jj"], k, motion % 6] -= (
+                    ck * s * b["basis_j"][row, k]
+                )
     return OK

@@ -9,6 +9,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from pitchpoint.contact.flank_law import FLANK_LAW
+from pitchpoint.elements.mesh_sums import scratch_of_sums
+
 #: Sources of the stiffness, field `source`.
 PROFILE = 0  # one tooth pair over its path of contact, superposed over all pairs (parabola or table)
 PHASE = 1  # prescribed total stiffness over the mesh phase
@@ -16,15 +19,10 @@ PHASE = 1  # prescribed total stiffness over the mesh phase
 #: Form of a prescribed stiffness given by a user law; the others are those of `contact.pair_shape`.
 USER = 3
 
-#: Sums over the nodes of one flank. With y = z + f tan(beta_b) xi, the lever of the normal force: 0-1 normal
-#: force (times 1, y), 2-4 friction force (times 1, z, xi), 5-7 normal tangent (1, y, yy), 8-13 tangent of
-#: friction over displacement (rows 1, z, xi; columns 1, y), 14-19 of friction over velocity (1, z, xi, zz,
-#: z xi, xi xi), 20 stiffness, 21 friction power, 22 damping power, 23 parametric power, 24 energy, from ROLL
-#: on tangent over the rate of the path position (of normal force times 1, y, of friction times 1, z, xi). No
-#: sum is NEAREST: the largest force over stiffness of a node [m], below zero where it would pull or is open.
-N_ACC = 31
-ROLL = 25
-NEAREST = 30
+ROWS = 5
+"""Rows of the wrench basis: normal force times 1 and y, friction times 1, z and xi. With the lever
+y = z + f tan(beta_b) xi of the normal force: axial force times path and transverse force times width turn the
+gears about the same axis."""
 
 #: What the table of a gear holds for a tooth: row of its gap, of its added compliance and of its level, -1
 #: where it has none; first and last station between which gap and compliance, and the level, change over z.
@@ -35,7 +33,7 @@ _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 _GEOMETRY = [
     ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
     ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both stand on one base
-    ("displaced", "i8"),  # 1: a gear sits beside the axis of its body or askew on it
+    ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body
     ("askew", "i8"),  # where they sit, offset in the pool; see `mesh_eccentric`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
@@ -69,7 +67,6 @@ _STIFFNESS = [
     ("source", "i8"),
     ("slices", "i8"),  # 0: exact width integral
     ("c_prime", "f8"),  # PROFILE: of one pair per face width [N/m^(power + 1)]; PHASE: mean total [N/m]
-    ("power", "f8"),  # PROFILE: exponent of the elastic force over the penetration; 1 is linear
     ("S_R", "f8"),
     ("T_R", "f8"),
     ("n_table", "i8"),
@@ -78,26 +75,17 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
-    ("apart", "i8"),  # address of `mesh_apart.apart`, where some teeth have grids of their own
-    ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are asked for
+    ("deviating", "i8"),  # address of `mesh_pairs.deviating_line`, where some teeth have grids of their own
+    ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are required
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
-    ("k_ref", "f8"),  # mean mesh stiffness, the reference of the damping shares [N/m^power]
     ("k_step", "f8"),  # usual slope of the force, from which time steps are guessed [N/m]
 ]
 
 _LOSSES = [
-    ("d_in", "f8"),
-    ("d_out", "f8"),  # contact damping at k_ref [N s/m]
-    ("s_0", "f8"),  # penetration of full damping
-    ("smooth", "i8"),  # 0: the damping grows in proportion up to s_0, 1: by a smooth cubic
-    ("chi", "f8"),  # instead: share of the elastic force per speed of approach [s/m], 0: none
+    ("contact", FLANK_LAW),
     ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
-    ("mu", "f8"),
-    ("v_eps", "f8"),  # dynamic coefficient of friction and the sliding velocity from which on it holds [m/s]
-    ("mu_s", "f8"),
-    ("v_s", "f8"),  # static coefficient and its sliding velocity, 0 < v_s < v_eps [m/s]
 ]
 
 _EXCITATION = [
@@ -111,7 +99,7 @@ _EXCITATION = [
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
     ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh_separation`
-    ("n_t", "i8", 2),  # teeth that the tables of both gears tell apart
+    ("n_t", "i8", 2),  # teeth that the tables of both gears distinguish
     ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
     ("n_sz", "i8", 4),
     ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
@@ -170,18 +158,12 @@ _SCRATCH = [
     ("per_z", "f8", 4),
     ("per_roll", "f8", 4),  # steps of the grids per metre
     ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
-    ("line", "f8", 3),  # a contact line for `mesh_apart`: path position and penetration at z = 0, its force
+    ("line", "f8", 3),  # of a contact line for `deviating_line`: path position, penetration at z = 0, force
     ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
     ("z_lo", "f8"),
     ("z_hi", "f8"),  # shared face width
     ("lo_slope", "f8"),
     ("hi_slope", "f8"),  # their change per axial offset of the gears
-    ("rate", "f8", 5),  # normal rate at the pitch point and its slope over y; sliding likewise over z and xi
-    ("acc", "f8", N_ACC),
-    ("basis_i", "f8", (5, 6)),
-    ("basis_j", "f8", (5, 6)),  # wrench basis on both bodies: 1, y of the normal force; 1, z, xi of friction
-    ("here", "i8"),
-    ("control", "i8"),  # addresses of this record and of the control, for calls through an address
     ("moved", "f8", (2, 12)),  # exact tangents: change of its first rows with one motion of one body
     ("slope", "f8", (2, 12)),  # and of the normal rates with each motion of both bodies
 ]
@@ -193,7 +175,9 @@ RECORD = np.dtype(
         *_STIFFNESS,
         *_LOSSES,
         *_EXCITATION,
-        *_SCRATCH,
+        ("now", np.dtype(_SCRATCH, align=True)),
+        *scratch_of_sums(ROWS),
+        ("here", "i8"),  # address of this record, for calls through an address
         ("n_pair", "i8"),
         ("rubs", "i8"),  # 1: torques of friction are observed
         ("pool", "i8"),  # address of the float array that holds all tables
@@ -229,7 +213,7 @@ FRICTION = (
     ("friction_torque_2", "N m", "friction of the flanks on gear 2 about its axis"),
 )
 
-#: Event functions of one mesh: they change sign at the instants that users ask for. Those of contact are
+#: Event functions of one mesh: they change sign at the instants that users request. Those of contact are
 #: positive exactly where the forces of a flank add up to more than zero, as `contact_state` has it; perfect
 #: flanks without contact damping give their penetration [m]. Those of pairs rise where the mesh phase goes on
 #: and fall where it goes back: a pair that passes A backwards leaves there. Each wraps round from 1/2 to -1/2

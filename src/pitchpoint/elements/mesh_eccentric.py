@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears that sit beside the axis of their body or askew on it: the frames a mesh sees in place of theirs.
+"""Eccentric and wobbling gears: the frames that a mesh sees in place of those of their bodies.
 
 The centre of such a gear is displaced in its mid-face and its axis leans, both fixed to the turning body. Its
 own frame has the same spin phi: with B the small turn that leans the axis in the axes of the body, the body
@@ -15,7 +15,7 @@ back by its transpose,
 where rho turns with the body: the last term, and v' that changes by w x (theta x rho) at a constant twist,
 make exact tangents whole. The latter needs the damping part of the tangent alone, which the mesh sums again.
 
-The transmission error is told as if the gears sat well: what their bodies do.
+The transmission error is reported as for centred gears: it is that of the bodies.
 """
 
 from __future__ import annotations
@@ -26,8 +26,9 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh_line import line_of_action, pooled
+from pitchpoint.elements.mesh_observed import observed
 from pitchpoint.elements.wrench import angular_velocity
-from pitchpoint.multibody.channels import F8, FRAME, observations
+from pitchpoint.multibody.channels import F8, FRAME
 from pitchpoint.multibody.vectors import add, column, cross, dot, times, triple, unit
 
 PLACE = 8
@@ -88,65 +89,58 @@ def _displace(f, own, zc, place, arms, side):
 
 
 @kernel
-def begin_displaced(b, c, fr):
-    """Turn mesh `b` towards frames and tangents of its own; gives these and what to put back."""
+def begin_displaced(b, fr):
+    """Turn the evaluation of mesh `b` towards frames of its own, which it gives."""
+    ask = b["ask"]
     where = pooled(b, b["askew"])
     own = view(where + 8 * _FRAMES, 2, FRAME)
     place = view(where, PLACE, F8)
-    if c["out"] != 0:
+    if ask["out"] != 0:
         line_of_action(b, fr[b["i"]], fr[b["j"]])
-        view(where + 8 * _TRAVEL, 1, F8)[0] = b["u"]
+        view(where + 8 * _TRAVEL, 1, F8)[0] = b["now"]["u"]
     arms = view(where + 8 * _ARMS, (2, 3), F8)
     _displace(fr[b["i"]], own[0], b["zc1"], place, arms, 0)
     _displace(fr[b["j"]], own[1], b["zc2"], place, arms, 1)
-    kept = (b["i"], b["j"], b["ii"], b["ij"], b["ji"], b["jj"])
-    there = (c["fr"], c["kk"], c["nb"], c["np"])
-    b["i"] = 0
-    b["j"] = 1
-    b["ii"] = 0
-    b["ij"] = 1
-    b["ji"] = 2
-    b["jj"] = 3
-    c["fr"] = where + 8 * _FRAMES
-    c["nb"] = 2
-    c["np"] = 4
-    return own, _own_tangents(b, c, _TANGENTS), kept, there
+    ask["i"] = 0
+    ask["j"] = 1
+    ask["ii"] = 0
+    ask["ij"] = 1
+    ask["ji"] = 2
+    ask["jj"] = 3
+    ask["fr"] = where + 8 * _FRAMES
+    ask["nb"] = 2
+    ask["np"] = 4
+    return own
 
 
 @kernel
-def _own_tangents(b, c, first):
+def _own_tangents(b, first):
     """Tangents of the displaced frames, set to zero, where the mesh finds them."""
-    where = pooled(b, b["askew"]) + 8 * first
-    kk = view(where, (4, 6, 6), F8)
-    if c["jac"] != 0:
+    ask = b["ask"]
+    ask["kk"] = pooled(b, b["askew"]) + 8 * first
+    kk = view(ask["kk"], (4, 6, 6), F8)
+    if ask["jac"] != 0:
         for p in range(4):
             for r in range(6):
                 for k in range(6):
                     kk[p, r, k] = 0.0
-    c["kk"] = where
     return kk
 
 
 @kernel
-def damping_alone(b, c):
-    """Make the next sum one of the damping tangents alone; gives where they go and what `whole` puts back."""
-    kept = (c["ck"], c["cd"], c["jac"], c["out"], c["ev"])
-    c["ck"] = 0.0
-    c["cd"] = 1.0
-    c["jac"] = 1
-    c["out"] = 0
-    c["ev"] = 0
-    return _own_tangents(b, c, _DAMPING), kept
+def damping_alone(b):
+    """Where the next sum puts its tangents, which are those of the damping alone."""
+    b["ask"]["jac"] = 1
+    return _own_tangents(b, _DAMPING)
 
 
 @kernel
-def whole(b, c, own, kept):
-    """Make the next sum the one that was asked for; gives where its tangents go."""
-    c["ck"], c["cd"], c["jac"], c["out"], c["ev"] = kept
+def whole(b, own):
+    """Where the requested sum puts its tangents; forces of an earlier one are dropped."""
     for side in range(2):
         for r in range(6):
             own[side]["F"][r] = 0.0
-    return _own_tangents(b, c, _TANGENTS)
+    return _own_tangents(b, _TANGENTS)
 
 
 @kernel
@@ -182,21 +176,18 @@ def _carry(source, target, left, right):
 
 
 @kernel
-def end_displaced(b, ctl, fr, kk, held):
-    """Bring wrenches and tangents of displaced gears back to their bodies and turn mesh `b` back to them."""
-    c = ctl[0]
-    own, own_kk, kept, there = held
+def end_displaced(b, ctl, fr, kk, own):
+    """Bring wrenches and tangents of the displaced gears `own` back to their bodies."""
     where = pooled(b, b["askew"])
+    own_kk = view(where + 8 * _TANGENTS, (4, 6, 6), F8)
     arms = view(where + 8 * _ARMS, (2, 3), F8)
-    if c["jac"] == 2 and c["ck"] != 0.0:
-        _swing_rates(own_kk, view(where + 8 * _DAMPING, (4, 6, 6), F8), own, arms, c["ck"])
-    b["i"], b["j"], b["ii"], b["ij"], b["ji"], b["jj"] = kept
-    c["fr"], c["kk"], c["nb"], c["np"] = there
-    if c["out"] != 0:
-        observations(ctl)[b["out"]] = view(where + 8 * _TRAVEL, 1, F8)[0]
+    if ctl["jac"] == 2 and ctl["ck"] != 0.0:
+        _swing_rates(own_kk, view(where + 8 * _DAMPING, (4, 6, 6), F8), own, arms, ctl["ck"])
+    if ctl["out"] != 0:
+        observed(b)["transmission_error"] = view(where + 8 * _TRAVEL, 1, F8)[0]
     one = triple(arms[0], 0)
     two = triple(arms[1], 0)
-    if c["jac"] != 0:
+    if ctl["jac"] != 0:
         _carry(own_kk[0], kk[b["ii"]], one, one)
         _carry(own_kk[1], kk[b["ij"]], one, two)
         _carry(own_kk[2], kk[b["ji"]], two, one)
@@ -209,9 +200,9 @@ def end_displaced(b, ctl, fr, kk, held):
         for r in range(3):
             f["F"][r] += force[r]
             f["F"][3 + r] += own[side]["F"][3 + r] + moment[r]
-        if c["jac"] == 2:
+        if ctl["jac"] == 2:
             block = kk[b["ii"]] if side == 0 else kk[b["jj"]]
             for k in range(3):
                 more = cross(cross(unit(k), arm), force)
                 for r in range(3):
-                    block[3 + r, 3 + k] -= c["ck"] * more[r]
+                    block[3 + r, 3 + k] -= ctl["ck"] * more[r]

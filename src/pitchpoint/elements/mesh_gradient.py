@@ -31,19 +31,20 @@ def gradient(b, f, g, p, q_u, q_a, q_z):
 
     where an axis n turns at w: dn = w x n; m is the unit vector of the weighted sum of both.
     """
+    now = b["now"]
     Rf = f["R"]
     Rg = g["R"]
-    m = b["m"]
-    e = b["e"]
-    q_e = b["q_e"]
-    q_m = b["q_m"]
-    q_n = b["q_n"]
-    a = b["a"]
-    dz = b["dz"]
-    c1 = b["c1"]
-    c2 = b["c2"]
-    w1 = b["w1"] * b["inv_m"]
-    w2 = (1.0 - b["w1"]) * b["inv_m"]
+    m = now["m"]
+    e = now["e"]
+    q_e = now["q_e"]
+    q_m = now["q_m"]
+    q_n = now["q_n"]
+    a = now["a"]
+    dz = now["dz"]
+    c1 = now["c1"]
+    c2 = now["c2"]
+    w1 = b["w1"] * now["inv_m"]
+    w2 = (1.0 - b["w1"]) * now["inv_m"]
     h1 = q_u * b["r_b1"] / (1.0 - c1 * c1)
     h2 = q_u * b["r_b2"] / (1.0 - c2 * c2)
     Bi = b["basis_i"]
@@ -86,16 +87,17 @@ def _moments(B, p, R, e, h, c):
 
 @kernel
 def _no_axes(b):
+    now = b["now"]
     for k in range(3):
-        b["q_e"][k] = 0.0
-        b["q_m"][k] = 0.0
-        b["q_n"][k] = 0.0
+        now["q_e"][k] = 0.0
+        now["q_m"][k] = 0.0
+        now["q_n"][k] = 0.0
 
 
 @kernel
 def _parallel(b):
     """Whether the axes are parallel to the last digit, which gears that only turn and shift keep for ever."""
-    dn = b["dn"]
+    dn = b["now"]["dn"]
     skew = b["skew"]
     return dn[0] == 0.0 and dn[1] == 0.0 and dn[2] == 0.0 and skew[0] == 0.0 and skew[1] == 0.0
 
@@ -113,40 +115,42 @@ def _lean(B, q, R, side):
 @kernel
 def flank_tilt(b, flank):
     """Tilt of the axes against each other along t and e; how a flank opens over its lever goes to kappa."""
-    dn = b["dn"]
-    e = b["e"]
-    t = b["t"]
+    now = b["now"]
+    dn = now["dn"]
+    e = now["e"]
+    t = now["t"]
     tilt_t = dn[0] * t[0] + dn[1] * t[1] + dn[2] * t[2] + b["skew"][0]
     tilt_e = dn[0] * e[0] + dn[1] * e[1] + dn[2] * e[2] + b["skew"][1]
-    b["kappa"] = flank * b["cos_a"] * tilt_t + b["sin_a"] * tilt_e
+    now["kappa"] = flank * now["cos_a"] * tilt_t + now["sin_a"] * tilt_e
     return tilt_t, tilt_e
 
 
 @kernel
 def normal_directions(b, f, g, flank):
     """Rows 0 and 1 of the wrench basis, -dx_0 and d(kappa), and kappa itself."""
-    m = b["m"]
-    e = b["e"]
-    t = b["t"]
-    dn = b["dn"]
-    ca = flank * b["cos_a"]
-    sa = b["sin_a"]
+    now = b["now"]
+    m = now["m"]
+    e = now["e"]
+    t = now["t"]
+    dn = now["dn"]
+    ca = flank * now["cos_a"]
+    sa = now["sin_a"]
     tilt_t, tilt_e = flank_tilt(b, flank)
     _no_axes(b)
-    gradient(b, f, g, 0, -float(flank), sa, b["kappa"] * b["w_z"] - flank * b["tan_b"])
+    gradient(b, f, g, 0, -float(flank), sa, now["kappa"] * b["w_z"] - flank * b["tan_b"])
     for k in range(3):
-        b["q_n"][k] = ca * t[k] + sa * e[k]
+        now["q_n"][k] = ca * t[k] + sa * e[k]
     if _parallel(b):
-        _lean(b["basis_i"], b["q_n"], f["R"], -1.0)
-        _lean(b["basis_j"], b["q_n"], g["R"], 1.0)
+        _lean(b["basis_i"], now["q_n"], f["R"], -1.0)
+        _lean(b["basis_j"], now["q_n"], g["R"], 1.0)
         return
     for k in range(3):
         k1 = (k + 1) % 3
         k2 = (k + 2) % 3
-        b["q_e"][k] = ca * (dn[k1] * m[k2] - dn[k2] * m[k1]) + sa * dn[k]
-        b["q_m"][k] = ca * (e[k1] * dn[k2] - e[k2] * dn[k1])
+        now["q_e"][k] = ca * (dn[k1] * m[k2] - dn[k2] * m[k1]) + sa * dn[k]
+        now["q_m"][k] = ca * (e[k1] * dn[k2] - e[k2] * dn[k1])
     # d(alpha) = cos(alpha) / (a sin(alpha)) da
-    q_a = (b["cos_a"] * tilt_e - flank * sa * tilt_t) * b["cos_a"] / (b["a"] * sa)
+    q_a = (now["cos_a"] * tilt_e - flank * sa * tilt_t) * now["cos_a"] / (now["a"] * sa)
     gradient(b, f, g, 1, 0.0, q_a, 0.0)
 
 
@@ -162,3 +166,35 @@ def offset_direction(b, f, g):
     """Row 2 of the wrench basis: d(dz), the axial offset of the gears."""
     _no_axes(b)
     gradient(b, f, g, 2, 0.0, 0.0, 1.0)
+
+
+@kernel
+def friction_directions(b, f, g, flank):
+    """Rows 2 to 4 of the wrench basis: friction along tau = m x n_f at the pitch point, per z and per xi."""
+    now = b["now"]
+    m = now["m"]
+    e = now["e"]
+    t = now["t"]
+    P = now["P"]
+    ca = flank * now["cos_a"]
+    sa = now["sin_a"]
+    for side in range(2):
+        B = b["basis_i"] if side == 0 else b["basis_j"]
+        o = f["r"] if side == 0 else g["r"]
+        sign = -1.0 if side == 0 else 1.0
+        for k in range(3):
+            k1 = (k + 1) % 3
+            k2 = (k + 2) % 3
+            n1 = ca * t[k1] + sa * e[k1]
+            n2 = ca * t[k2] + sa * e[k2]
+            B[2, k] = sign * (m[k1] * n2 - m[k2] * n1)
+            B[3, k] = 0.0
+            B[3, 3 + k] = -sign * (ca * t[k] + sa * e[k])
+            B[4, k] = 0.0
+            B[4, 3 + k] = sign * m[k]
+        x = P[0] - o[0]
+        y = P[1] - o[1]
+        z = P[2] - o[2]
+        B[2, 3] = y * B[2, 2] - z * B[2, 1]
+        B[2, 4] = z * B[2, 0] - x * B[2, 2]
+        B[2, 5] = x * B[2, 1] - y * B[2, 0]

@@ -40,17 +40,18 @@ def line_of_action(b, f, g):
 
     Gears that only spin keep their line of action: compile fills it once with `fixed` = 0.
     """
+    now = b["now"]
     if b["fixed"] == 1:
         _travel(b, f["phi"], f["turns"], g["phi"], g["turns"])
-        return countable(b["u"], b["travel"], b["p_bt"], b["eps"])
+        return countable(now["u"], now["travel"], b["p_bt"], now["eps"])
     w1 = b["w1"]
     w2 = 1.0 - w1
     rb = b["r_b1"] + b["r_b2"]
-    m = b["m"]
-    e = b["e"]
-    t = b["t"]
-    dn = b["dn"]
-    P = b["P"]
+    m = now["m"]
+    e = now["e"]
+    t = now["t"]
+    dn = now["dn"]
+    P = now["P"]
     Rf = f["R"]
     Rg = g["R"]
     # axes, line of centres, pitch point
@@ -61,7 +62,7 @@ def line_of_action(b, f, g):
         m[k] = w1 * Rf[k, 2] + w2 * Rg[k, 2]
         dn[k] = Rg[k, 2] - Rf[k, 2]
     s = 1.0 / math.sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2])
-    b["inv_m"] = s
+    now["inv_m"] = s
     m[0] *= s
     m[1] *= s
     m[2] *= s
@@ -76,9 +77,9 @@ def line_of_action(b, f, g):
     e[0] = ex / signed_a
     e[1] = ey / signed_a
     e[2] = ez / signed_a
-    b["a"] = signed_a
-    b["c1"] = e[0] * Rf[0, 2] + e[1] * Rf[1, 2] + e[2] * Rf[2, 2]
-    b["c2"] = e[0] * Rg[0, 2] + e[1] * Rg[1, 2] + e[2] * Rg[2, 2]
+    now["a"] = signed_a
+    now["c1"] = e[0] * Rf[0, 2] + e[1] * Rf[1, 2] + e[2] * Rf[2, 2]
+    now["c2"] = e[0] * Rg[0, 2] + e[1] * Rg[1, 2] + e[2] * Rg[2, 2]
     t[0] = m[1] * e[2] - m[2] * e[1]
     t[1] = m[2] * e[0] - m[0] * e[2]
     t[2] = m[0] * e[1] - m[1] * e[0]
@@ -86,9 +87,9 @@ def line_of_action(b, f, g):
     P[1] = f["r"][1] + b["zc1"] * Rf[1, 2] + w1 * cy
     P[2] = f["r"][2] + b["zc1"] * Rf[2, 2] + w1 * cz
     c = rb / signed_a
-    b["cos_a"] = c
-    b["sin_a"] = math.sqrt(1.0 - c * c)
-    b["inv_a"] = b["sin_a"] / c - math.acos(c)
+    now["cos_a"] = c
+    now["sin_a"] = math.sqrt(1.0 - c * c)
+    now["inv_a"] = now["sin_a"] / c - math.acos(c)
     # how far the line of centres has turned, seen from each gear
     x = e[0] * Rf[0, 0] + e[1] * Rf[1, 0] + e[2] * Rf[2, 0]
     y = e[0] * Rf[0, 1] + e[1] * Rf[1, 1] + e[2] * Rf[2, 1]
@@ -96,8 +97,8 @@ def line_of_action(b, f, g):
     x = e[0] * Rg[0, 0] + e[1] * Rg[1, 0] + e[2] * Rg[2, 0]
     y = e[0] * Rg[0, 1] + e[1] * Rg[1, 1] + e[2] * Rg[2, 1]
     turn2 = math.atan2(b["cos2"] * y - b["sin2"] * x, b["cos2"] * x + b["sin2"] * y)
-    b["dz"] = dz
-    b["gap"] = 2.0 * rb * (b["inv_a"] - b["inv_w0"])
+    now["dz"] = dz
+    now["gap"] = 2.0 * rb * (now["inv_a"] - b["inv_w0"])
     _place(b)
     whole1 = f["turns"]
     whole2 = g["turns"]
@@ -112,7 +113,7 @@ def line_of_action(b, f, g):
         whole1 -= turned
         whole2 -= turned
     _travel(b, f["phi"] - turn1, whole1, g["phi"] - turn2, whole2)
-    return countable(b["u"], b["travel"], b["p_bt"], b["eps"])
+    return countable(now["u"], now["travel"], b["p_bt"], now["eps"])
 
 
 @kernel
@@ -161,15 +162,16 @@ def carried_turns(f, g, turn_f, turn_g):
 @kernel
 def _travel(b, phi1, turns1, phi2, turns2):
     """Base-tangent travel and mean travel; whole turns enter as integers, so nothing grows with them."""
+    now = b["now"]
     s1 = b["r_b1"] * phi1
     s2 = b["r_b2"] * phi2
     n1 = b["z1"] * turns1
     n2 = b["z2"] * turns2
-    b["u"] = s1 + s2 + b["p_bt"] * (n1 + n2) + b["u0"] + b["tan_b"] * b["dz"]
+    now["u"] = s1 + s2 + b["p_bt"] * (n1 + n2) + b["u0"] + b["tan_b"] * now["dz"]
     n = n1 - n2
     half = n % 2
-    b["turn"] = (n - half) // 2
-    b["travel"] = 0.5 * (s1 - s2 + b["p_bt"] * half)
+    now["turn"] = (n - half) // 2
+    now["travel"] = 0.5 * (s1 - s2 + b["p_bt"] * half)
 
 
 @kernel
@@ -178,46 +180,64 @@ def _place(b):
 
     A and E are where the tip circles cut the line of action; widths count from the plane of the pitch point.
     """
-    tan_a = b["sin_a"] / b["cos_a"]
+    now = b["now"]
+    tan_a = now["sin_a"] / now["cos_a"]
     xi_A = b["r_b2"] * tan_a - b["rho_a2"]
     eps = (b["rho_a1"] - b["r_b1"] * tan_a - xi_A) / b["p_bt"]
-    b["xi_A"] = xi_A
-    b["eps"] = eps
-    b["L"] = b["T_R"] * (eps - math.floor(eps))
-    dz = b["dz"]
+    now["xi_A"] = xi_A
+    now["eps"] = eps
+    now["L"] = b["T_R"] * (eps - math.floor(eps))
+    dz = now["dz"]
     shift = b["w1"] * dz
     lo2 = dz - 0.5 * b["b2"]
     hi2 = dz + 0.5 * b["b2"]
-    b["z_lo"] = max(-0.5 * b["b1"], lo2) - shift
-    b["z_hi"] = min(0.5 * b["b1"], hi2) - shift
-    b["lo_slope"] = (1.0 if lo2 >= -0.5 * b["b1"] else 0.0) - b["w1"]
-    b["hi_slope"] = (1.0 if hi2 < 0.5 * b["b1"] else 0.0) - b["w1"]
-    middle = -0.5 * (b["r_b1"] - b["r_b2"]) * b["inv_a"] - xi_A
+    now["z_lo"] = max(-0.5 * b["b1"], lo2) - shift
+    now["z_hi"] = min(0.5 * b["b1"], hi2) - shift
+    now["lo_slope"] = (1.0 if lo2 >= -0.5 * b["b1"] else 0.0) - b["w1"]
+    now["hi_slope"] = (1.0 if hi2 < 0.5 * b["b1"] else 0.0) - b["w1"]
+    middle = -0.5 * (b["r_b1"] - b["r_b2"]) * now["inv_a"] - xi_A
     skew = b["tan_b"] * (b["w1"] - 0.5) * dz
-    b["start"][0] = (middle + skew) / b["p_bt"]
-    b["start"][1] = (middle - skew) / b["p_bt"]
+    now["start"][0] = (middle + skew) / b["p_bt"]
+    now["start"][1] = (middle - skew) / b["p_bt"]
 
 
 @kernel
 def flank_phase(b, flank):
     """Mesh phase of the front (+1) or back (-1) flank, whole base pitches included up to `turn`."""
+    now = b["now"]
     if flank > 0:
-        return b["start"][0] + (b["xi_0"] + b["travel"]) / b["p_bt"]
-    return b["start"][1] + (b["xi_b"] - b["travel"]) / b["p_bt"]
+        return now["start"][0] + (b["xi_0"] + now["travel"]) / b["p_bt"]
+    return now["start"][1] + (b["xi_b"] - now["travel"]) / b["p_bt"]
+
+
+@kernel
+def begin_flank(b, flank, width):
+    """Phase of a flank and slope of its contact lines over `width` [m], into the scratch.
+
+    `width`: 1 m for lines straight over the face width, the mean cone distance for lines over its logarithm.
+    """
+    now = b["now"]
+    now["flank"] = flank
+    psi = flank_phase(b, flank)
+    whole = math.floor(psi)
+    now["psi"] = psi - whole
+    now["tooth"] = int(whole) + flank * now["turn"]
+    now["lam"] = flank * b["tan_b"] * width / b["p_bt"]
 
 
 @kernel
 def excitation(b, f, g, psi):
     """Static transmission error e(psi, phi1, phi2) and its rate, into the scratch."""
-    b["e_t"] = 0.0
-    b["e_rate"] = 0.0
+    now = b["now"]
+    now["e_t"] = 0.0
+    now["e_rate"] = 0.0
     if b["n_e"] > 0:
         n = b["n_e"]
         value, slope = phase_stiffness(
             psi, 0, n, view(pooled(b, b["e_cos"]), n, F8), view(pooled(b, b["e_sin"]), n, F8)
         )
-        b["e_t"] = value - 1.0
-        b["e_rate"] = slope * b["phase_rate"][0]
+        now["e_t"] = value - 1.0
+        now["e_rate"] = slope * now["phase_rate"][0]
     if b["n_e1"] > 0:
         _shaft_orders(b, view(pooled(b, b["e1"]), (b["n_e1"], 3), F8), f["phi"], f["turns"], f["spin"])
     if b["n_e2"] > 0:
@@ -226,9 +246,10 @@ def excitation(b, f, g, psi):
 
 @kernel
 def _shaft_orders(b, rows, phi, turns, omega):
+    now = b["now"]
     for k in range(rows.shape[0]):
         order = rows[k, 0]
         whole = order * turns
         angle = order * phi + 2.0 * math.pi * (whole - math.floor(whole)) + rows[k, 2]
-        b["e_t"] += rows[k, 1] * math.cos(angle)
-        b["e_rate"] -= rows[k, 1] * math.sin(angle) * order * omega
+        now["e_t"] += rows[k, 1] * math.cos(angle)
+        now["e_rate"] -= rows[k, 1] * math.sin(angle) * order * omega

@@ -16,12 +16,13 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.gear_mesh_record import N_ACC, PROFILE, RECORD
+from pitchpoint.elements.gear_mesh_record import PROFILE, RECORD, ROWS
 from pitchpoint.elements.mesh_gradient import flank_tilt
-from pitchpoint.elements.mesh_line import countable, flank_phase
+from pitchpoint.elements.mesh_line import begin_flank, countable
 from pitchpoint.elements.mesh_pairs import pair_line, pair_node, pair_teeth
 from pitchpoint.elements.mesh_separation import begin_separation, find_rows
-from pitchpoint.multibody.channels import CTL, F8
+from pitchpoint.elements.mesh_sums import begin_sums
+from pitchpoint.multibody.channels import F8
 
 #: One question about one flank, and its answer.
 LINES = np.dtype(
@@ -45,46 +46,44 @@ _INSIDE = 1e-9
 @kernel
 def _begin(b, flank, deflection):
     """What the nodes of a flank read, into the scratch, for bodies at rest; gives its penetration."""
-    b["flank"] = flank
-    psi = flank_phase(b, flank)
-    whole = math.floor(psi)
-    b["psi"] = psi - whole
-    b["tooth"] = int(whole) + flank * b["turn"]
-    b["lam"] = flank * b["tan_b"] / b["p_bt"]
-    b["kappa"] = 0.0
+    now = b["now"]
+    begin_flank(b, flank, 1.0)
+    now["kappa"] = 0.0
     if b["fixed"] == 0:
         flank_tilt(b, flank)
-    b["tilt"] = b["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
-    b["growth"] = 0.0
-    for k in range(5):
+    now["tilt"] = now["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
+    now["growth"] = 0.0
+    for k in range(ROWS):
         b["rate"][k] = 0.0
-    for k in range(N_ACC):
-        b["acc"][k] = 0.0
+    b["ask"]["jac"] = 0
+    begin_sums(b)
     if b["n_sep"] > 0:
         begin_separation(b)
-    return flank * deflection - 0.5 * b["gap"]
+    return flank * deflection - 0.5 * now["gap"]
 
 
 @kernel
-def _loads(b, c, p_0, x_q, apart, loads):
+def _loads(b, p_0, x_q, deviating, loads):
     """Loads per width at even places on the part of a contact line that lies on the flanks."""
-    a = b["z_lo"]
-    end = b["z_hi"]
-    lam = b["lam"]
+    now = b["now"]
+    a = now["z_lo"]
+    end = now["z_hi"]
+    lam = now["lam"]
     if lam != 0.0:
         u = -p_0 / lam
-        v = (b["eps"] - p_0) / lam
+        v = (now["eps"] - p_0) / lam
         a = max(a, min(u, v))
         end = min(end, max(u, v))
     n = loads.size
     for s in range(n):
         share = _INSIDE + (1.0 - 2.0 * _INSIDE) * s / (n - 1)
-        loads[s] = pair_node(b, c, None, p_0, x_q, a + share * (end - a), 1.0, apart)
+        loads[s] = pair_node(b, None, p_0, x_q, a + share * (end - a), 1.0, deviating)
 
 
 @kernel
-def contact_lines(b, c, question):
+def contact_lines(b, question):
     """Forces and loads of all pairs of one flank."""
+    now = b["now"]
     n = b["n_pair"]
     stations = question["stations"]
     forces = view(question["forces"], n, F8)
@@ -92,38 +91,37 @@ def contact_lines(b, c, question):
     flank = question["flank"]
     deflection = question["deflection"]
     x_0 = _begin(b, flank, deflection)
-    question["pairs"] = b["tooth"]
-    question["psi"] = b["psi"]
+    question["pairs"] = now["tooth"]
+    question["psi"] = now["psi"]
     for k in range(n):
         forces[k] = 0.0
         for s in range(stations):
             loads[k, s] = 0.0
-    if b["source"] != PROFILE or n == 0 or b["eps"] <= 0.0 or b["z_hi"] <= b["z_lo"]:
+    if b["source"] != PROFILE or n == 0 or now["eps"] <= 0.0 or now["z_hi"] <= now["z_lo"]:
         return
-    if countable(deflection, b["travel"], b["p_bt"], b["eps"]) != OK:
+    if countable(deflection, now["travel"], b["p_bt"], now["eps"]) != OK:
         return
-    middle = b["psi"] + 0.5 * b["lam"] * (b["z_lo"] + b["z_hi"])
-    reach = 0.5 * abs(b["lam"]) * (b["z_hi"] - b["z_lo"])
+    middle = now["psi"] + 0.5 * now["lam"] * (now["z_lo"] + now["z_hi"])
+    reach = 0.5 * abs(now["lam"]) * (now["z_hi"] - now["z_lo"])
     q = float(math.ceil(-middle - reach))
-    last = math.floor(b["eps"] - middle + reach)
+    last = math.floor(now["eps"] - middle + reach)
     while q <= last:
-        p_0 = b["psi"] + q
-        x_q = x_0 - b["kappa"] * flank * b["tan_b"] * (b["xi_A"] + p_0 * b["p_bt"])
-        slot = (b["tooth"] - int(q)) % n
+        p_0 = now["psi"] + q
+        x_q = x_0 - now["kappa"] * flank * b["tan_b"] * (now["xi_A"] + p_0 * b["p_bt"])
+        slot = (now["tooth"] - int(q)) % n
         if b["n_sep"] > 0 and find_rows(b, pair_teeth(b, q)):
-            forces[slot] += flank * pair_line(b, c, None, p_0, x_q, 1)
-            _loads(b, c, p_0, x_q, 1, loads[slot])
+            forces[slot] += flank * pair_line(b, None, p_0, x_q, 1)
+            _loads(b, p_0, x_q, 1, loads[slot])
         else:
-            forces[slot] += flank * pair_line(b, c, None, p_0, x_q, None)
-            _loads(b, c, p_0, x_q, None, loads[slot])
+            forces[slot] += flank * pair_line(b, None, p_0, x_q, None)
+            _loads(b, p_0, x_q, None, loads[slot])
         q += 1.0
 
 
 @kernel
-def answer(ctl, where, n):
+def answer(_, where, n):
     """Answer n questions about flanks; `where` is the address of the first."""
-    c = view(ctl, 1, CTL)[0]
     questions = view(where, n, LINES)
     for k in range(n):
-        contact_lines(view(questions[k]["record"], 1, RECORD)[0], c, questions[k])
+        contact_lines(view(questions[k]["record"], 1, RECORD)[0], questions[k])
     return OK

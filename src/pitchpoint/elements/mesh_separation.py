@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What flanks have of their own besides the involute: grids of both gears, read at the point of contact.
+"""Deviations of flanks from the involute: grids of both gears, read at the point of contact.
 
 Of every gear there are two stacks of grids over its width and its length of roll. The first holds gaps along
 the base tangent and added compliances, both from station to station; the second, finer where it has to be,
@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.gear_mesh_record import N_ROW, ROLL
+from pitchpoint.elements.gear_mesh_record import N_ROW
 from pitchpoint.elements.mesh_line import pooled
 from pitchpoint.multibody.channels import F8
 
@@ -24,32 +24,36 @@ _NEAR = 1e-9
 @kernel
 def begin_separation(b):
     """What all nodes of a flank need to read the grids, into the scratch."""
-    b["tan_a"] = b["sin_a"] / b["cos_a"]
-    b["tan_rate"] = b["xi_A_rate"] / b["r_b2"]
+    now = b["now"]
+    now["tan_a"] = now["sin_a"] / now["cos_a"]
+    now["tan_rate"] = now["xi_A_rate"] / b["r_b2"]
     for s in range(4):
         gear = s % 2
-        b["per_z"][s] = (b["n_sz"][s] - 1) / (b["b1"] if gear == 0 else b["b2"])
-        b["per_roll"][s] = (b["n_sx"][s] - 1) / (b["roll"][gear, 1] - b["roll"][gear, 0])
+        now["per_z"][s] = (b["n_sz"][s] - 1) / (b["b1"] if gear == 0 else b["b2"])
+        now["per_roll"][s] = (b["n_sx"][s] - 1) / (b["roll"][gear, 1] - b["roll"][gear, 0])
 
 
 @kernel
 def runs_damped(b):
     """Whether contact damping feels how fast contacts run over separated flanks."""
-    return b["n_sep"] > 0 and (b["d_in"] > 0.0 or b["d_out"] > 0.0 or b["chi"] > 0.0)
+    return b["n_sep"] > 0 and (
+        b["contact"]["d_in"] > 0.0 or b["contact"]["d_out"] > 0.0 or b["contact"]["chi"] > 0.0
+    )
 
 
 @kernel
 def find_rows(b, teeth):
     """Whether one of two teeth has rows of its own; they go into the scratch."""
-    flank = 0 if b["flank"] > 0 else 1
+    now = b["now"]
+    flank = 0 if now["flank"] > 0 else 1
     found = False
     for gear in range(2):
         n = b["n_t"][gear]
         table = view(pooled(b, b["teeth"][gear]), (2, n, N_ROW), F8)
         tooth = (teeth[0] if gear == 0 else teeth[1]) % n
         for k in range(N_ROW):
-            b["rows"][gear, k] = int(table[flank, tooth, k])
-        if b["rows"][gear, 0] >= 0 or b["rows"][gear, 1] >= 0 or b["rows"][gear, 2] >= 0:
+            now["rows"][gear, k] = int(table[flank, tooth, k])
+        if now["rows"][gear, 0] >= 0 or now["rows"][gear, 1] >= 0 or now["rows"][gear, 2] >= 0:
             found = True
     return found
 
@@ -60,10 +64,11 @@ def _place_on(b, gear, z, xi):
 
     z counts from the plane of the pitch point; each grid has its own mid-face.
     """
-    z1 = z + b["w1"] * b["dz"]
+    now = b["now"]
+    z1 = z + b["w1"] * now["dz"]
     if gear == 0:
-        return z1, xi + b["r_b1"] * b["tan_a"]
-    return z1 - b["dz"], b["r_b2"] * b["tan_a"] - xi
+        return z1, xi + b["r_b1"] * now["tan_a"]
+    return z1 - now["dz"], b["r_b2"] * now["tan_a"] - xi
 
 
 @kernel
@@ -73,25 +78,26 @@ def pair_separation(b, z, xi, z_rate, xi_rate):
     Gap along the base tangent [m], its rate where the place moves at z_rate and xi_rate [m/s], its slope over
     xi; what is broken out [m] and its rate; added compliance per face width [m^2/N] and its rate.
     """
+    now = b["now"]
     gap = gap_rate = slope = level = level_rate = soft = soft_rate = 0.0
-    z_rate += b["w1"] * b["dz_rate"]
+    z_rate += b["w1"] * now["dz_rate"]
     for gear in range(2):
         at, roll = _place_on(b, gear, z, xi)
         way = 1.0 if gear == 0 else -1.0
-        along = way * xi_rate + (b["r_b1"] if gear == 0 else b["r_b2"]) * b["tan_rate"]
-        across = z_rate if gear == 0 else z_rate - b["dz_rate"]
-        row = b["rows"][gear, 0]
+        along = way * xi_rate + (b["r_b1"] if gear == 0 else b["r_b2"]) * now["tan_rate"]
+        across = z_rate if gear == 0 else z_rate - now["dz_rate"]
+        row = now["rows"][gear, 0]
         if row >= 0:
             value, over_z, over_roll = _read(b, gear, row, at, roll)
             gap += value
             gap_rate += over_z * across + over_roll * along
             slope += way * over_roll
-        row = b["rows"][gear, 1]
+        row = now["rows"][gear, 1]
         if row >= 0:
             value, over_z, over_roll = _read(b, gear, row, at, roll)
             soft += value
             soft_rate += over_z * across + over_roll * along
-        row = b["rows"][gear, 2]
+        row = now["rows"][gear, 2]
         if row >= 0:
             value, over_z, over_roll = _read(b, 2 + gear, row, at, roll)
             if value > 0.0:
@@ -103,26 +109,27 @@ def pair_separation(b, z, xi, z_rate, xi_rate):
 @kernel
 def has_level(b, gear):
     """Whether something may be broken out of the tooth of gear 1 or 2 (0 or 1)."""
-    return b["rows"][gear, 2] >= 0
+    return b["now"]["rows"][gear, 2] >= 0
 
 
 @kernel
 def level_at(b, gear, z, xi):
     """Level of the tooth of gear 1 or 2 (0 or 1) at a place of a contact line [m]; below 0: whole."""
     at, roll = _place_on(b, gear, z, xi)
-    return _read(b, 2 + gear, b["rows"][gear, 2], at, roll)[0]
+    return _read(b, 2 + gear, b["now"]["rows"][gear, 2], at, roll)[0]
 
 
 @kernel
 def gap_at(b, z, xi):
     """All that both teeth lack at a place of a contact line [m]."""
+    now = b["now"]
     gap = 0.0
     for gear in range(2):
         at, roll = _place_on(b, gear, z, xi)
-        row = b["rows"][gear, 0]
+        row = now["rows"][gear, 0]
         if row >= 0:
             gap += _read(b, gear, row, at, roll)[0]
-        row = b["rows"][gear, 2]
+        row = now["rows"][gear, 2]
         if row >= 0:
             gap += max(0.0, _read(b, 2 + gear, row, at, roll)[0])
     return gap
@@ -133,7 +140,7 @@ def softening_at(b, z, xi):
     """Compliance that both teeth add at a place of a contact line [m^2/N]."""
     soft = 0.0
     for gear in range(2):
-        row = b["rows"][gear, 1]
+        row = b["now"]["rows"][gear, 1]
         if row >= 0:
             at, roll = _place_on(b, gear, z, xi)
             soft += _read(b, gear, row, at, roll)[0]
@@ -146,21 +153,22 @@ def next_station(b, a, end):
 
     Of gaps and compliances, which are smooth, pieces span several stations (`stride`).
     """
+    now = b["now"]
     for s in range(4):
         gear = s % 2
-        first = b["rows"][gear, 3 + 2 * (s // 2)]
-        last = b["rows"][gear, 4 + 2 * (s // 2)]
+        first = now["rows"][gear, 3 + 2 * (s // 2)]
+        last = now["rows"][gear, 4 + 2 * (s // 2)]
         if last <= first:
             continue
-        zero = 0.5 * (b["n_sz"][s] - 1) / b["per_z"][s]
-        shift = b["w1"] * b["dz"]
+        zero = 0.5 * (b["n_sz"][s] - 1) / now["per_z"][s]
+        shift = b["w1"] * now["dz"]
         if gear == 1:
-            shift -= b["dz"]
+            shift -= now["dz"]
         stride = b["stride"] if s < 2 else 1
-        here = (a + shift + zero) * b["per_z"][s] + _NEAR
+        here = (a + shift + zero) * now["per_z"][s] + _NEAR
         i = min(max(first, (int(math.floor(here / stride)) + 1) * stride), last)
         if i > here:
-            stop = i / b["per_z"][s] - zero - shift
+            stop = i / now["per_z"][s] - zero - shift
             if stop > a and stop < end:
                 end = stop
     return end
@@ -169,11 +177,12 @@ def next_station(b, a, end):
 @kernel
 def spin_direction(b):
     """Row 0 of the wrench basis where the gears only spin: the torques of a base-tangent force of one."""
-    m = b["m"]
+    now = b["now"]
+    m = now["m"]
     for k in range(3):
         b["basis_i"][0, k] = b["basis_j"][0, k] = 0.0
-        b["basis_i"][0, 3 + k] = -b["flank"] * b["r_b1"] * m[k]
-        b["basis_j"][0, 3 + k] = -b["flank"] * b["r_b2"] * m[k]
+        b["basis_i"][0, 3 + k] = -now["flank"] * b["r_b1"] * m[k]
+        b["basis_j"][0, 3 + k] = -now["flank"] * b["r_b2"] * m[k]
 
 
 @kernel
@@ -183,19 +192,20 @@ def add_roll_tangent(b, kk, rows):
     That of the mean travel, half of r_b1 omega1 - r_b2 omega2; `rows` of the wrench basis are in use. How the
     place of the contact moves with the other rates is left out, like the turning of the line of action.
     """
-    m = b["m"]
-    half = 0.5 * b["flank"]
+    now = b["now"]
+    m = now["m"]
+    half = 0.5 * now["flank"]
     for p in range(rows):
-        c1 = half * b["r_b1"] * b["acc"][ROLL + p]
-        c2 = half * b["r_b2"] * b["acc"][ROLL + p]
+        c1 = half * b["r_b1"] * b["sums"]["roll"][p]
+        c2 = half * b["r_b2"] * b["sums"]["roll"][p]
         for k in range(6):
             Bi = b["basis_i"][p, k]
             Bj = b["basis_j"][p, k]
             for n in range(3):
-                kk[b["ii"], k, 3 + n] -= Bi * c1 * m[n]
-                kk[b["ij"], k, 3 + n] += Bi * c2 * m[n]
-                kk[b["ji"], k, 3 + n] -= Bj * c1 * m[n]
-                kk[b["jj"], k, 3 + n] += Bj * c2 * m[n]
+                kk[b["ask"]["ii"], k, 3 + n] -= Bi * c1 * m[n]
+                kk[b["ask"]["ij"], k, 3 + n] += Bi * c2 * m[n]
+                kk[b["ask"]["ji"], k, 3 + n] -= Bj * c1 * m[n]
+                kk[b["ask"]["jj"], k, 3 + n] += Bj * c2 * m[n]
 
 
 @kernel
@@ -205,11 +215,12 @@ def _read(b, stack, row, z, roll):
     `stack` 0 and 1: gaps and compliances of gear 1 and 2; 2 and 3: levels. Bilinear between the stations,
     constant beyond the edges.
     """
+    now = b["now"]
     nz = b["n_sz"][stack]
     nx = b["n_sx"][stack]
     grid = view(pooled(b, b["sep"][stack] + row * nz * nx), (nz, nx), F8)
-    per_z = b["per_z"][stack]
-    per_roll = b["per_roll"][stack]
+    per_z = now["per_z"][stack]
+    per_roll = now["per_roll"][stack]
     sign = 1.0 if roll > 0.0 else -1.0
     z = z * per_z + 0.5 * (nz - 1)
     x = (sign * roll - b["roll"][stack % 2, 0]) * per_roll

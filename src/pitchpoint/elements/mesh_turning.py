@@ -17,7 +17,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.gear_mesh_record import RECORD
 from pitchpoint.elements.mesh_gradient import normal_directions, offset_direction, travel_direction
 from pitchpoint.elements.mesh_line import line_of_action
-from pitchpoint.multibody.channels import frame_args
+from pitchpoint.elements.mesh_sums import asked_arrays
 
 STEP = 2e-4
 """Distance of the points of a difference: turn [rad], or translation over centre distance."""
@@ -58,8 +58,9 @@ def _nudged(b, f, g, body, c, h, flank):
 @kernel
 def _change(b, f, g, body, c, flank):
     """Derivative of the directions by the motion c of one body, into the scratch `moved`."""
-    h = STEP * abs(b["a"]) if c < 3 else STEP
-    moved = b["moved"]
+    now = b["now"]
+    h = STEP * abs(now["a"]) if c < 3 else STEP
+    moved = now["moved"]
     for p in range(2):
         for k in range(12):
             moved[p, k] = 0.0
@@ -75,58 +76,61 @@ def _change(b, f, g, body, c, flank):
 @kernel
 def _turn(b, f, g, body, side, ki, kj, ck, flank):
     """Add the turn of the forces with the motions of one body; keep what they do to the rates in `slope`."""
-    acc = b["acc"]
+    now = b["now"]
+    force = b["sums"]["force"]
     rows = 1 if flank == 0 else 2
     for c in range(6):
         _change(b, f, g, body, c, flank)
         for p in range(rows):
             s = 0.0
             for k in range(6):
-                di = b["moved"][p, k]
-                dj = b["moved"][p, 6 + k]
-                ki[k, c] -= ck * acc[p] * di
-                kj[k, c] -= ck * acc[p] * dj
+                di = now["moved"][p, k]
+                dj = now["moved"][p, 6 + k]
+                ki[k, c] -= ck * force[p] * di
+                kj[k, c] -= ck * force[p] * dj
                 s -= di * f["tw"][k] + dj * g["tw"][k]
-            b["slope"][p, 6 * side + c] = s
+            now["slope"][p, 6 * side + c] = s
 
 
 @kernel
 def _brake(b, B, side, ki, kj, ck, flank):
     """Add damping forces along the changed rates, and the lever of the force that moves with the width."""
-    acc = b["acc"]
+    now = b["now"]
+    force = b["sums"]["force"]
+    damping = b["sums"]["tangent"]
     Bi = b["basis_i"]
     Bj = b["basis_j"]
     for c in range(6):
         across = 0.0 if flank == 0 else b["w_z"] * B[2, c]
-        at_point = b["slope"][0, 6 * side + c] + b["rate"][1] * across
-        s = acc[5] * at_point
+        at_point = now["slope"][0, 6 * side + c] + b["rate"][1] * across
+        s = damping[0, 0] * at_point
         e = 0.0
         if flank != 0:
-            per_lever = b["slope"][1, 6 * side + c]
-            s += acc[6] * per_lever
-            e = acc[6] * at_point + acc[7] * per_lever + acc[0] * across
+            per_lever = now["slope"][1, 6 * side + c]
+            s += damping[0, 1] * per_lever
+            e = damping[0, 1] * at_point + damping[1, 1] * per_lever + force[0] * across
         for k in range(6):
             ki[k, c] -= ck * (s * Bi[0, k] + e * Bi[1, k])
             kj[k, c] -= ck * (s * Bj[0, k] + e * Bj[1, k])
 
 
 @kernel
-def turning(record, control, flank):
+def turning(record, flank, _):
     """Add ck times the change of the wrenches of one mesh with their directions.
 
-    Forces are acc[0] and acc[1], damping coefficients acc[5] to acc[7] (1, y, yy) [N s/m]. `flank` 0 stands
-    for the mesh damper. Compiled only where exact tangents are asked for.
+    Sums of forces are those of the flank, tangents its damping coefficients alone [N s/m]. `flank` 0 is the
+    mesh damper. Compiled only where exact tangents are requested.
     """
     b = view(record, 1, RECORD)[0]
-    ctl, fr, kk = frame_args(control)
-    ck = ctl[0]["ck"]
-    f = fr[b["i"]]
-    g = fr[b["j"]]
-    _turn(b, f, g, f, 0, kk[b["ii"]], kk[b["ji"]], ck, flank)
-    _turn(b, f, g, g, 1, kk[b["ij"]], kk[b["jj"]], ck, flank)
+    fr, kk = asked_arrays(b)
+    ck = b["ask"]["ck"]
+    f = fr[b["ask"]["i"]]
+    g = fr[b["ask"]["j"]]
+    _turn(b, f, g, f, 0, kk[b["ask"]["ii"]], kk[b["ask"]["ji"]], ck, flank)
+    _turn(b, f, g, g, 1, kk[b["ask"]["ij"]], kk[b["ask"]["jj"]], ck, flank)
     _directions(b, f, g, flank)
     if flank != 0:
         offset_direction(b, f, g)
-    _brake(b, b["basis_i"], 0, kk[b["ii"]], kk[b["ji"]], ck, flank)
-    _brake(b, b["basis_j"], 1, kk[b["ij"]], kk[b["jj"]], ck, flank)
+    _brake(b, b["basis_i"], 0, kk[b["ask"]["ii"]], kk[b["ask"]["ji"]], ck, flank)
+    _brake(b, b["basis_j"], 1, kk[b["ask"]["ij"]], kk[b["ask"]["jj"]], ck, flank)
     return OK

@@ -1,86 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From the sums of a mesh to wrenches and tangents on its two bodies.
+"""From the sums of a mesh to wrenches and tangents on its two bodies, for cylindrical and bevel gears.
 
-Gears that only spin, without friction, need one number: the torque of a base-tangent force F is -r_b F about
-both axes (signed r_b). All others get the full wrench in the basis of `mesh_nodes`.
+Every row of the wrench basis is the wrench of a unit force on both bodies. Sums over the rows give forces,
+sums over pairs of rows tangents; the power that a row takes from the bodies is its rate. Gears that only
+spin, without friction, need one number: the torque of a base-tangent force F is -r_b F about both axes.
 """
 
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.mesh_gradient import travel_direction
+from pitchpoint.elements.mesh_sums import begin_sums
 
 
 @kernel
-def spin_flank_rates(b, rate):
-    """Normal rate of the current flank when the gears only spin."""
-    r = b["rate"]
-    r[0] = b["flank"] * rate
-    r[1] = 0.0
-    r[2] = 0.0
-    r[3] = 0.0
-    r[4] = 0.0
-
-
-@kernel
-def add_spin_torque(b, f, g, force):
-    """Torques of the base-tangent force `force` [N], front flank positive."""
-    s1 = force * b["r_b1"]
-    s2 = force * b["r_b2"]
-    m = b["m"]
-    for k in range(3):
-        f["F"][3 + k] -= s1 * m[k]
-        g["F"][3 + k] -= s2 * m[k]
-
-
-@kernel
-def add_spin_tangent(b, kk, c):
-    """Tangent `c` of the base-tangent force along the travel."""
-    m = b["m"]
-    r1 = b["r_b1"]
-    r2 = b["r_b2"]
-    for k in range(3):
-        for n in range(3):
-            s = c * m[k] * m[n]
-            kk[b["ii"], 3 + k, 3 + n] += r1 * r1 * s
-            kk[b["ij"], 3 + k, 3 + n] += r1 * r2 * s
-            kk[b["ji"], 3 + k, 3 + n] += r1 * r2 * s
-            kk[b["jj"], 3 + k, 3 + n] += r2 * r2 * s
-
-
-@kernel
-def friction_directions(b, f, g, flank):
-    """Rows 2 to 4 of the wrench basis: friction along tau = m x n_f at the pitch point, per z and per xi."""
-    m = b["m"]
-    e = b["e"]
-    t = b["t"]
-    P = b["P"]
-    ca = flank * b["cos_a"]
-    sa = b["sin_a"]
-    for side in range(2):
-        B = b["basis_i"] if side == 0 else b["basis_j"]
-        o = f["r"] if side == 0 else g["r"]
-        sign = -1.0 if side == 0 else 1.0
-        for k in range(3):
-            k1 = (k + 1) % 3
-            k2 = (k + 2) % 3
-            n1 = ca * t[k1] + sa * e[k1]
-            n2 = ca * t[k2] + sa * e[k2]
-            B[2, k] = sign * (m[k1] * n2 - m[k2] * n1)
-            B[3, k] = 0.0
-            B[3, 3 + k] = -sign * (ca * t[k] + sa * e[k])
-            B[4, k] = 0.0
-            B[4, 3 + k] = sign * m[k]
-        x = P[0] - o[0]
-        y = P[1] - o[1]
-        z = P[2] - o[2]
-        B[2, 3] = y * B[2, 2] - z * B[2, 1]
-        B[2, 4] = z * B[2, 0] - x * B[2, 2]
-        B[2, 5] = x * B[2, 1] - y * B[2, 0]
-
-
-@kernel
-def _along(b, f, g, p):
+def rate_of_row(b, f, g, p):
     """Rate of both bodies against row `p` of the wrench basis: the power it takes from them."""
     s = 0.0
     for k in range(6):
@@ -89,80 +22,68 @@ def _along(b, f, g, p):
 
 
 @kernel
-def flank_rates(b, f, g):
-    """Normal and sliding rates of the current flank at the pitch point, with their slopes."""
-    r = b["rate"]
-    r[0] = _along(b, f, g, 0) - b["flank"] * b["e_rate"]
-    r[1] = _along(b, f, g, 1)
-    if b["mu"] > 0.0:
-        r[2] = _along(b, f, g, 2)
-        r[3] = _along(b, f, g, 3)
-        r[4] = _along(b, f, g, 4)
-
-
-@kernel
-def add_wrench(b, f, g):
-    """Add the summed forces of the current flank to both bodies."""
-    acc = b["acc"]
-    n = 5 if b["mu"] > 0.0 else 2
-    for p in range(n):
-        s = acc[p]
+def push(b, f, g, kk, rows):
+    """Add the summed forces of the first rows to both bodies, and their tangents to the four pair blocks."""
+    sums = b["sums"]
+    for p in range(rows):
+        s = sums["force"][p]
         for k in range(6):
             f["F"][k] += s * b["basis_i"][p, k]
             g["F"][k] += s * b["basis_j"][p, k]
-
-
-@kernel
-def _coefficient(acc, p, q):
-    """Entry (p, q) of the tangent in the wrench basis."""
-    if p < 2:
-        return acc[5 + p + q] if q < 2 else 0.0
-    r = p - 2
-    if q < 2:
-        return acc[8 + 2 * r + q]
-    s = q - 2
-    lo = min(r, s)
-    hi = max(r, s)
-    return acc[14 + hi] if lo == 0 else acc[16 + lo + hi - 1] if lo == 1 else acc[19]
-
-
-@kernel
-def add_tangent(b, kk):
-    """Add the summed tangents of the current flank to the four pair blocks."""
-    acc = b["acc"]
-    size = 5 if b["mu"] > 0.0 else 2
-    for p in range(size):
-        for q in range(size):
-            c = _coefficient(acc, p, q)
+    if b["ask"]["jac"] == 0:
+        return
+    for p in range(rows):
+        for q in range(rows):
+            c = sums["tangent"][p, q]
             if c == 0.0:
                 continue
             for k in range(6):
-                ci = c * b["basis_i"][p, k]
-                cj = c * b["basis_j"][p, k]
+                one = c * b["basis_i"][p, k]
+                two = c * b["basis_j"][p, k]
                 for n in range(6):
-                    kk[b["ii"], k, n] += ci * b["basis_i"][q, n]
-                    kk[b["ij"], k, n] += ci * b["basis_j"][q, n]
-                    kk[b["ji"], k, n] += cj * b["basis_i"][q, n]
-                    kk[b["jj"], k, n] += cj * b["basis_j"][q, n]
+                    kk[b["ask"]["ii"], k, n] += one * b["basis_i"][q, n]
+                    kk[b["ask"]["ij"], k, n] += one * b["basis_j"][q, n]
+                    kk[b["ask"]["ji"], k, n] += two * b["basis_i"][q, n]
+                    kk[b["ask"]["jj"], k, n] += two * b["basis_j"][q, n]
 
 
 @kernel
-def mesh_damper(b, ctl, f, g, kk):
-    """Damper along the travel, in the gap too; returns its force and its rate."""
-    travel_direction(b, f, g)
-    Bi = b["basis_i"]
-    Bj = b["basis_j"]
-    rate = _along(b, f, g, 0) - b["e_rate"]
-    s = b["d_gap"] * rate
-    for k in range(6):
-        f["F"][k] += s * Bi[0, k]
-        g["F"][k] += s * Bj[0, k]
-    if ctl["jac"] != 0:
-        c = ctl["cd"] * b["d_gap"]
-        for k in range(6):
-            for n in range(6):
-                kk[b["ii"], k, n] += c * Bi[0, k] * Bi[0, n]
-                kk[b["ij"], k, n] += c * Bi[0, k] * Bj[0, n]
-                kk[b["ji"], k, n] += c * Bj[0, k] * Bi[0, n]
-                kk[b["jj"], k, n] += c * Bj[0, k] * Bj[0, n]
-    return s, rate
+def mesh_damper(b, f, g, kk, e_rate):
+    """Damper along the travel, row 0 of the basis, in the gap too; returns its force and its rate.
+
+    `e_rate` is the rate of the transmission error, which the damper does not feel [m/s].
+    """
+    rate = rate_of_row(b, f, g, 0) - e_rate
+    force = b["d_gap"] * rate
+    begin_sums(b)
+    b["sums"]["force"][0] = force
+    b["sums"]["tangent"][0, 0] = b["ask"]["cd"] * b["d_gap"]
+    push(b, f, g, kk, 1)
+    b["sums"]["tangent"][0, 0] = b["d_gap"]
+    return force, rate
+
+
+@kernel
+def add_spin_torque(b, f, g, force):
+    """Torques of the base-tangent force `force` [N], front flank positive."""
+    s1 = force * b["r_b1"]
+    s2 = force * b["r_b2"]
+    m = b["now"]["m"]
+    for k in range(3):
+        f["F"][3 + k] -= s1 * m[k]
+        g["F"][3 + k] -= s2 * m[k]
+
+
+@kernel
+def add_spin_tangent(b, kk, c):
+    """Tangent `c` of the base-tangent force along the travel."""
+    m = b["now"]["m"]
+    r1 = b["r_b1"]
+    r2 = b["r_b2"]
+    for k in range(3):
+        for n in range(3):
+            s = c * m[k] * m[n]
+            kk[b["ask"]["ii"], 3 + k, 3 + n] += r1 * r1 * s
+            kk[b["ask"]["ij"], 3 + k, 3 + n] += r1 * r2 * s
+            kk[b["ask"]["ji"], 3 + k, 3 + n] += r1 * r2 * s
+            kk[b["ask"]["jj"], 3 + k, 3 + n] += r2 * r2 * s

@@ -84,31 +84,33 @@ class BevelLines:
     def cone(self) -> tuple[float, float]:
         """Mean cone distance [m] and pitch cone angle of gear 2 [rad], as in the first frame."""
         b = self.first
-        return float(b["R_m"]), math.acos(float(b["axis"][1] @ b["m"]))
+        now = b["now"]
+        return float(b["R_m"]), math.acos(float(now["axis"][1] @ now["m"]))
 
     def placed(self, width: Array, path: Array, normal: Array) -> Array:
         """Places of the plane of action in the first frame, at ζ and x on the line of action `normal` [m]."""
         b, R_m = self.first, float(self.first["R_m"])
         R, sigma = R_m * np.exp(width / R_m), path / R_m
         along, across = R * np.cos(sigma) - R_m, R * np.sin(sigma)
-        return np.asarray(b["P"] + along[..., None] * b["m"] + across[..., None] * normal)
+        return np.asarray(b["now"]["P"] + along[..., None] * b["now"]["m"] + across[..., None] * normal)
 
     def look(self, frame: int) -> None:
         """Keep what the record holds of the flanks now."""
         b = self.record[0]
+        now = b["now"]
         if frame == 0:
             self.first = self.record.copy()[0]
         R, p_bt = b["R_m"], b["p_bt"]
-        ways = (b["xi_0"] + b["travel"], b["xi_b"] - b["travel"])
+        ways = (b["xi_0"] + now["travel"], b["xi_b"] - now["travel"])
         for k, (side, way) in enumerate(zip((1, -1), ways, strict=True)):
-            self.travel[frame, k] = b["xi_A"] + (b["start"][k] + side * b["turn"]) * p_bt + way
-        self.deflection[frame] = b["u"]
+            self.travel[frame, k] = now["xi_A"] + (now["start"][k] + side * now["turn"]) * p_bt + way
+        self.deflection[frame] = now["u"]
         face = (R * math.log1p(b["z_lo"] / R), R * math.log1p(b["z_hi"] / R))
-        path = (b["xi_A"], b["xi_A"] + b["eps"] * p_bt)
-        self.line[frame] = (*path, *face, math.atan2(b["sin_a"], b["cos_a"]), b["gap"])
-        self.axes[frame] = np.column_stack([b["e"], b["t"], b["m"]])
-        self.apart[frame] = self.axes[frame].T @ b["d"]
-        self.aside[frame] = b["aside"]
+        path = (now["xi_A"], now["xi_A"] + now["eps"] * p_bt)
+        self.line[frame] = (*path, *face, math.atan2(now["sin_a"], now["cos_a"]), now["gap"])
+        self.axes[frame] = np.column_stack([now["e"], now["t"], now["m"]])
+        self.apart[frame] = self.axes[frame].T @ now["d"]
+        self.aside[frame] = now["aside"]
 
     def close(self) -> None:
         """Loads of all frames, once they have been kept."""

@@ -90,7 +90,7 @@ class ContactLines:
             return
         for m, mesh in enumerate(self.found):
             b, channel = mesh.record[0], self.deflection[m]
-            travel = b["u"] - b["e_t"] if channel is None else channel[frame]
+            travel = b["now"]["u"] - b["now"]["e_t"] if channel is None else channel[frame]
             for k in range(2):
                 one = self.questions[2 * m + k]
                 one["deflection"] = travel
@@ -120,10 +120,16 @@ class _Mesh:
     def keep(self, frame: int, answers: NDArray[np.void]) -> None:
         """Take over what is not written in place."""
         b = self.record[0]
-        self.travel[frame] = b["xi_A"] + (answers["pairs"] + answers["psi"]) * b["p_bt"]
+        now = b["now"]
+        self.travel[frame] = now["xi_A"] + (answers["pairs"] + answers["psi"]) * b["p_bt"]
         self.deflection[frame] = answers[0]["deflection"]
-        ends = b["xi_A"], b["xi_A"] + b["eps"] * b["p_bt"], b["z_lo"], b["z_hi"]
-        self.line[frame] = (*ends, math.atan2(b["sin_a"], b["cos_a"]), b["gap"])
+        ends = (
+            now["xi_A"],
+            now["xi_A"] + now["eps"] * b["p_bt"],
+            now["z_lo"],
+            now["z_hi"],
+        )
+        self.line[frame] = (*ends, math.atan2(now["sin_a"], now["cos_a"]), now["gap"])
         if frame == 0:
             self.first = self.record.copy()[0]
 
@@ -255,13 +261,14 @@ def _surfaces(
     radius.
     """
     b = mesh.first
+    now = b["now"]
     k = 0 if side > 0 else 1
     width = np.linspace(mesh.line[0, 2], mesh.line[0, 3], GRID[0])[:, None]
     path = np.linspace(mesh.line[0, 0], mesh.line[0, 1], GRID[1])[None, :]
     line = mesh.travel[0, k] + side * float(b["tan_b"]) * width
     half = 0.5 * (side * mesh.deflection[0] - 0.5 * mesh.line[0, 5])
-    normal = side * b["cos_a"] * b["t"] + b["sin_a"] * b["e"]
-    points = b["P"] + width[..., None] * b["m"] + path[..., None] * normal
+    normal = side * now["cos_a"] * now["t"] + now["sin_a"] * now["e"]
+    points = now["P"] + width[..., None] * now["m"] + path[..., None] * normal
     if isinstance(mesh, BevelLines):
         points = mesh.placed(width, path, normal)
     found = []
@@ -279,7 +286,7 @@ def _surfaces(
             tooth, step = bevel_tooth_at(model, own, placed), side if gear else -side
         else:
             pair_0 = b.copy()
-            pair_0["flank"], pair_0["tooth"] = side, 0
+            pair_0["now"]["flank"], pair_0["now"]["tooth"] = side, 0
             tooth = int(pair_teeth.py_func(pair_0, 0)[gear]) % abs(z)
             step = -side if gear == 0 else side * (1 if z > 0 else -1)
         found.append(

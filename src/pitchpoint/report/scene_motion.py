@@ -137,7 +137,7 @@ def motion(
         frames = system.workspace.fr
         found.place[i], found.axes[i] = frames["r"], frames["R"]
         for m, record in enumerate(meshes):
-            found.pitch_points[i, m] = record["P"]
+            found.pitch_points[i, m] = record["now"]["P"]
             found.directions[i, m] = force_directions(record)
         if look is not None:
             look(i)

@@ -21,7 +21,14 @@ from pitchpoint.solvers.element_tangents import tangents
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.flanks import pressed_flanks
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_places, mesh_record, mesh_records
+from pitchpoint.system.meshes import (
+    is_bevel,
+    mesh_names,
+    mesh_places,
+    mesh_record,
+    mesh_records,
+    shared_width,
+)
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -62,7 +69,7 @@ def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) ->
     kinks = _kinks(record, flank, pool)
     if both:
         # one phase falls as the other rises: both travel with the gears
-        turned = float(record["start"].sum() + (record["xi_0"] + record["xi_b"]) / record["p_bt"])
+        turned = float(record["now"]["start"].sum() + (record["xi_0"] + record["xi_b"]) / record["p_bt"])
         kinks = np.append(kinks, turned - _kinks(record, -flank, pool))
     kinks = np.unique(kinks % 1.0)
     lengths = np.diff(np.append(kinks, kinks[0] + 1.0))
@@ -76,11 +83,12 @@ def _kinks(record: np.void, flank: int, pool: Array) -> Array:
     if record["source"] == mesh.PHASE:
         return np.array([0.0, pool[int(record["cosine"]) + 2]])
     lam = flank * record["tan_b"] / record["p_bt"]
-    eps, L, n = float(record["eps"]), float(record["L"]), int(record["n_table"])
+    now, n = record["now"], int(record["n_table"])
+    eps, L = float(now["eps"]), float(now["L"])
     places = [0.0, eps, L, eps - L, 0.5 * eps]
     if n > 2:
         places += list(np.linspace(0.0, eps, n if n <= MOST_SPLIT else 17)[1:-1])
-    ends = lam * np.array([record["z_lo"], record["z_hi"]], dtype=float)
+    ends = lam * np.array(shared_width(record))
     if is_bevel(record):  # contact lines of bevel gears are spirals
         ends = lam * record["R_m"] * np.log1p(ends / (lam * record["R_m"])) if lam != 0.0 else ends
     return np.asarray(np.subtract.outer(places, ends).ravel())
@@ -100,12 +108,13 @@ def touching(system: System, state: State) -> dict[str, int]:
     loose = []
     evaluate.residual(system, state)
     for k, record in enumerate(mesh_records(system)):
-        depth = abs(record["u"] - record["e_t"]) - 0.5 * record["gap"] - record["sep_min"]
+        now = record["now"]
+        depth = abs(now["u"] - now["e_t"]) - 0.5 * now["gap"] - record["sep_min"]
         # without backlash round-off presses both flanks of an unloaded mesh
         if depth < TOUCH:
             loose.append(k)
-            if depth > 0.0 and record["gap"] > TOUCH:
-                leaning[k] = -1 if record["u"] < record["e_t"] else 1
+            if depth > 0.0 and now["gap"] > TOUCH:
+                leaning[k] = -1 if now["u"] < now["e_t"] else 1
     names, found = mesh_names(system), pressed_flanks(system, loose, leaning)
     _touch(system, state, found)
     return {names[k]: found[k] for k in loose}
@@ -117,9 +126,9 @@ def _touch(system: System, state: State, flanks: Mapping[int, int]) -> None:
     for _ in range(2):  # the excitation follows the phase
         evaluate.residual(system, state)
         for k, flank in flanks.items():
-            record = records[k]
-            aim = flank * (0.5 * record["gap"] + record["sep_min"] + TOUCH)
-            record["u0"] += aim - (record["u"] - record["e_t"])
+            record, now = records[k], records[k]["now"]
+            aim = flank * (0.5 * now["gap"] + record["sep_min"] + TOUCH)
+            record["u0"] += aim - (now["u"] - now["e_t"])
 
 
 @dataclass(frozen=True)
@@ -228,7 +237,7 @@ def _observed(
         contact, front = (
             float(values[system.layout.channel(f"{c}[{names[m]}]")]) for c in ("contact_state", "mesh_phase")
         )
-        yield m, (contact, {1: front, -1: float(records[m]["psi"])})
+        yield m, (contact, {1: front, -1: float(records[m]["now"]["psi"])})
 
 
 def _cycle(system: System, m: int, observed: tuple[float, dict[int, float]]) -> _Cycle:
@@ -236,7 +245,7 @@ def _cycle(system: System, m: int, observed: tuple[float, dict[int, float]]) -> 
     record, (kind, n) = mesh_record(system, m), mesh_places(system)[m]
     contact, phase = observed
     flank = -1 if contact < 0.0 else 1
-    both = bool(contact == 2.0 or record["gap"] < 0.0)
+    both = bool(contact == 2.0 or record["now"]["gap"] < 0.0)
     phases, weights = cycle_nodes(record, flank, system.pools.get(kind, np.zeros(0)), both)
     return _Cycle(flank, phase[flank], phases, weights, blocks_of(system, kind, n))
 

@@ -154,7 +154,7 @@ def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
 def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]:
     """Note on unloaded meshes whose stiffness grows with the load: at the point of touch they have none."""
     records = zip(mesh_names(system), mesh_records(system), strict=True)
-    names = [name for name, record in records if name in loose and record["power"] > 1.0]
+    names = [name for name, record in records if name in loose and record["contact"]["power"] > 1.0]
     if not names:
         return []
     return [

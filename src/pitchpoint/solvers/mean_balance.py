@@ -107,7 +107,7 @@ def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
 
     The start alone where nothing turns, no flank has friction, loops close the machine, or it is large.
     """
-    rough = any(np.any(bank["mu"] > 0.0) for bank in system.banks(MESH))
+    rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in system.banks(MESH))
     rates = np.zeros(0)
     if rough and system.sizes["nd"] <= MOST_COORDINATES and not is_looped(system):
         body = system.program["body"]

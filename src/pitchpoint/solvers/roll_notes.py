@@ -78,7 +78,7 @@ def friction_notes(system: System) -> tuple[str, ...]:
     rubbing = [
         name
         for name, record in zip(mesh_names(system), mesh_records(system), strict=True)
-        if record["mu"] > 0.0
+        if record["contact"]["mu"] > 0.0
     ]
     if not rubbing:
         return ()

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements.gear_mesh_record import PHASE
 from pitchpoint.system import evaluate
-from pitchpoint.system.meshes import mesh_record
+from pitchpoint.system.meshes import mesh_record, shared_width
 from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
@@ -60,7 +60,7 @@ def heights(system: System, state: State, surfaces: Sequence[Surface]) -> Array:
     values = evaluate.event_values(system, state)
     found = np.zeros(len(surfaces))
     for n, (event, mesh, lean, place) in enumerate(surfaces):
-        low, high = (float(mesh_record(system, mesh)[key]) for key in ("z_lo", "z_hi"))
+        low, high = shared_width(mesh_record(system, mesh))
         height = values[event] + lean * (low + place * (high - low))
         found[n] = height - np.floor(height + 0.5)
     return found

@@ -14,12 +14,12 @@ def without_friction(system: System) -> System:
     Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
     into modes that real sliding does not.
     """
-    rough = [k for k in system.kinds(MESH) if system.records[k]["mu"].any()]
+    rough = [k for k in system.kinds(MESH) if system.records[k]["contact"]["mu"].any()]
     if not rough:
         return system
     smooth = {kind: system.records[kind].copy() for kind in rough}
     for records in smooth.values():
-        records["mu"] = 0.0
+        records["contact"]["mu"] = 0.0
     return system.with_params(smooth)
 
 

@@ -52,11 +52,11 @@ def touching_error(system: System, clear: State, m: int, contact: float) -> floa
     names = mesh_names(system)
     u, pushes = (system.layout.channel(f"{c}[{names[m]}]") for c in ("transmission_error", "mesh_force"))
     nowhere = SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, clear)
-    power = float(record["power"])
-    aim = DEPTH**power * float(record["k_ref"])
+    power = float(record["contact"]["power"])
+    aim = DEPTH**power * float(record["contact"]["k_ref"])
     state = clear.copy()
     evaluate.residual(system, state)
-    span = abs(float(record["gap"])) + 1e-6
+    span = abs(float(record["now"]["gap"])) + 1e-6
     for _ in range(200):
         # force against depth beyond any gap: go in until it bites, then down to the edge
         values = evaluate.observe(system, state)

@@ -38,8 +38,8 @@ def law_fault(system: System, kind: str, number: int) -> str:
 def _arguments(system: System, record: Any, pool: Any) -> tuple[float, float, int, int]:
     """Time, second argument, place and number of the parameters in the failed call."""
     t = float(system.workspace.ctl[0]["t"])
-    if "psi" in record.dtype.names:  # a mesh: the stiffness law is no function of time
-        return 0.0, float(record["psi"]), int(record["params"]), len(pool)
+    if "now" in record.dtype.names:  # a mesh
+        return t, float(record["now"]["psi"]), int(record["params"]), len(pool)
     if "slot" in record.dtype.names:  # a signal of another signal
         return t, float(pool[int(record["a"])]), int(record["start"]), int(record["n"])
     if "free" in record.dtype.names:  # a spring along a line

@@ -45,11 +45,22 @@ def is_bevel(record: np.void) -> bool:
     return "apex" in (record.dtype.names or ())
 
 
+def shared_width(record: np.void) -> tuple[float, float]:
+    """Ends of the face width that both gears share, of an evaluated mesh [m].
+
+    They count from the pitch point along parallel axes; of bevel gears, whose faces do not move, from the
+    mean cone distance.
+    """
+    part = record if is_bevel(record) else record["now"]
+    return float(part["z_lo"]), float(part["z_hi"])
+
+
 def force_directions(record: np.void) -> NDArray[np.float64]:
     """Directions of the circumferential, radial and axial force on gear 2 of an evaluated mesh, rows."""
+    now = record["now"]
     if is_bevel(record):
-        return np.array((record["t"], record["away"][1], record["axis"][1]))
-    return np.array([record[field] for field in "tem"])
+        return np.array((now["t"], now["away"][1], now["axis"][1]))
+    return np.array([now[field] for field in "tem"])
 
 
 def mesh_names(system: System) -> tuple[str, ...]:

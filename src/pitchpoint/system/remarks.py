@@ -81,16 +81,17 @@ def weak_damping(system: System, statistics: Mapping[str, Mapping[str, Any]]) ->
     """
     found = []
     for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
+        law = record["contact"]
         row, state = (statistics.get(f"{word}[{name}]") for word in ("penetration", "contact_state"))
-        if row is None or state is None or max(record["d_in"], record["d_out"]) <= 0.0:
+        if row is None or state is None or max(law["d_in"], law["d_out"]) <= 0.0:
             continue
-        depth = float(row["mean"]) * math.hypot(1.0, record["tan_b"])
-        if not 0.0 < depth < record["s_0"] or state["share_zero"] != 0.0:
+        depth = float(row["mean"]) * float(law["normal"])
+        if not 0.0 < depth < law["s_0"] or state["share_zero"] != 0.0:
             continue
-        share = depth / float(record["s_0"])
-        share = share * share * (3.0 - 2.0 * share) if record["smooth"] else share
+        share = depth / float(law["s_0"])
+        share = share * share * (3.0 - 2.0 * share) if law["smooth"] else share
         if share < FULL_DAMPING:
-            reached, full = (format_quantity(x, "length", 3) for x in (depth, float(record["s_0"])))
+            reached, full = (format_quantity(x, "length", 3) for x in (depth, float(law["s_0"])))
             mesh = system.model.every_mesh.get(name) if system.model is not None else None
             ratio = None if mesh is None or mesh.damping is None else mesh.damping.ratio
             acts = "" if ratio is None else f" (ratio {ratio:g} acts as {share * ratio:.2g})"

@@ -48,7 +48,7 @@ def asked(system, flank: int, stations: int) -> tuple[np.ndarray, np.ndarray, fl
     question = np.zeros(1, LINES)
     forces, loads = np.full(record[0]["n_pair"], np.nan), np.full((record[0]["n_pair"], stations), np.nan)
     question["record"], question["flank"] = record.ctypes.data, flank
-    question["deflection"], question["stations"] = record[0]["u"] - record[0]["e_t"], stations
+    question["deflection"], question["stations"] = record[0]["now"]["u"] - record[0]["now"]["e_t"], stations
     question["forces"], question["loads"] = forces.ctypes.data, loads.ctypes.data
     assert invoke(answer, system.workspace.at, question.ctypes.data, 1) == OK
     return forces, loads, float(question[0]["pairs"] + question[0]["psi"])
@@ -85,7 +85,7 @@ def test_loads_are_the_density_of_the_forces():
     evaluate.observe(system, turned(system, 0.1, 45e-6))
     forces, loads, _ = asked(system, 1, 4001)
     record = system.records["gear_mesh"][0]
-    width = record["z_hi"] - record["z_lo"]
+    width = record["now"]["z_hi"] - record["now"]["z_lo"]
     middles = 0.5 * (loads[:, 1:] + loads[:, :-1]).mean(axis=1) * width
     assert forces.max() > 100.0
     assert middles == pytest.approx(forces, abs=1e-6 * forces.max())

@@ -271,7 +271,9 @@ def test_the_stiffness_jumps_with_the_ramps() -> None:
     def mean(addendum: float, law: str) -> float:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ValidityWarning)
-            return compile_model(high_contact_ratio(addendum, law)).records["gear_mesh"]["k_ref"][0]
+            return compile_model(high_contact_ratio(addendum, law)).records["gear_mesh"]["contact"]["k_ref"][
+                0
+            ]
 
     from scipy.optimize import brentq
 

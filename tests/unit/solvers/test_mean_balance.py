@@ -100,7 +100,7 @@ def test_friction_of_flanks_is_balanced_in_the_mean_of_a_mesh_cycle():
     stiffness = "{law: din3990, tip_relief_factor: 0}"
     start = begun(gearbox("100 N m", stiffness, FRICTION))
     record = start.system.records["gear_mesh"][0]
-    p, eps, begin = float(record["p_bt"]), float(record["eps"]), float(record["xi_A"])
+    p, eps, begin = float(record["p_bt"]), float(record["now"]["eps"]), float(record["now"]["xi_A"])
     places = begin + (np.arange(2000) + 0.5) / 2000 * p
     sharing = [[x + k * p for k in range(3) if x + k * p < begin + eps * p] for x in places]
     sliding = np.mean([np.mean(np.abs(pairs)) for pairs in sharing])

@@ -58,10 +58,10 @@ def test_events_of_gears_that_turn_to_and_fro(method: str) -> None:
     done = run_time(system)
     assert done.status == OK
     record = system.records["gear_mesh"][0]
-    eps, pitch = float(record["eps"]), -float(record["xi_A"]) / float(record["p_bt"])
+    eps, pitch = float(record["now"]["eps"]), -float(record["now"]["xi_A"]) / float(record["p_bt"])
     # travel of 30 teeth at the driven speed; the load keeps the front flanks in contact
     t = np.linspace(0.0, 0.2, 400_001)
-    psi = float(record["start"][0] + record["xi_0"] / record["p_bt"])
+    psi = float(record["now"]["start"][0] + record["xi_0"] / record["p_bt"])
     psi += 30.0 / (2.0 * np.pi) * 60.0 / (20.0 * np.pi) * np.sin(20.0 * np.pi * t)
     expected = []
     for place, forward, backward in (

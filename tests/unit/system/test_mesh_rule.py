@@ -6,10 +6,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
+from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.machines import compiled
 
@@ -74,7 +76,7 @@ def test_partly_overlapping_gears_touch_over_the_same_width(law, helical, shift)
         machine(law, motion, internal=False, helical=helical, shift=shift) for motion in ("torsion", "free")
     )
     one, six = (solve_equilibrium(system) for system in (spins, all_six))
-    low, high = (spins.records["gear_mesh"][key][0] for key in ("z_lo", "z_hi"))
+    low, high = (spins.records["gear_mesh"]["now"][key][0] for key in ("z_lo", "z_hi"))
     assert high - low == pytest.approx(min(20e-3, 22.5e-3 - abs(shift) * 1e-3), abs=1e-12)
     for channel in ("transmission_error[stage]", "mesh_force[stage]"):
         assert float(one[channel]) == pytest.approx(float(six[channel]), rel=1e-6)
@@ -100,3 +102,18 @@ def test_a_users_stiffness_gets_the_time(tmp_path):
     assert found["mesh_stiffness"] == pytest.approx(k, rel=1e-12)
     feed = 0.5 * (found["mesh_force"] / k) ** 2 * 1e8 * 500.0
     assert found["parametric_power"] == pytest.approx(feed, rel=1e-6)
+
+
+def test_a_users_stiffness_that_fails_later_is_named_with_the_time(tmp_path):
+    (tmp_path / "law.py").write_text(
+        "from math import sqrt\n\n\ndef k(t, psi, p):\n    return p[0] * sqrt(1.0 - 1000.0 * t)\n"
+    )
+    law = '{law: user, python: {python: "law.py:k", parameters: [1e8]}}'
+    text = PAIR.format(helix="", other="", motion="torsion", shift=0, a=161.0, law=law)
+    (tmp_path / "m.yaml").write_text(text)
+    system = compile_model(load_model(tmp_path / "m.yaml", allow_code=True))
+    state = system.initial_state()
+    evaluate.residual(system, state)
+    state.t = 2e-3
+    with pytest.raises(SolverError, match=r"k .*\(t = 0.002 s, x = "):
+        evaluate.residual(system, state)

@@ -46,7 +46,7 @@ def test_an_arm_counts_with_its_gear(joint):
     assert M[spin, spin] == pytest.approx(0.002 + ARM, rel=1e-12)
     mass = 1.0 / (R_B1**2 / (0.002 + ARM) + (1.5 * R_B1) ** 2 / 0.01)
     expected = 2.0 * 0.03 * math.sqrt(3e8 * mass)
-    assert system.records["gear_mesh"]["d_in"][0] == pytest.approx(expected, rel=1e-9)
+    assert system.records["gear_mesh"]["contact"]["d_in"][0] == pytest.approx(expected, rel=1e-9)
 
 
 def test_the_mode_of_the_mesh_has_the_ratio():

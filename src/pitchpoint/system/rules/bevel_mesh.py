@@ -27,7 +27,7 @@ from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.model.shafts import middle_of
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
-from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses
+from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses, put_losses
 from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
@@ -122,7 +122,7 @@ def _assembly(row: Any, pair: BevelPair, place: Placement, backlash: float) -> N
 
 
 def _stiffness(row: Any, pair: BevelPair, stiffness: Description) -> None:
-    row["power"] = 1.0
+    row["contact"]["power"] = 1.0
     if isinstance(stiffness, PairShape):
         row["source"] = layout.PROFILE
         row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
@@ -156,12 +156,8 @@ def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float
     _cones(row, pair, place)
     _assembly(row, pair, place, pair.R_m * pair.sigma_j if backlash is None else backlash)
     _stiffness(row, pair, laws.stiffness)
-    row["k_ref"] = row["k_step"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
-    for name in ("d_in", "d_out", "s_0", "smooth", "chi", "d_gap", "mu", "v_eps"):
-        row[name] = getattr(laws, name)
-    row["rubs"] = laws.mu > 0.0
-    row["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
-    row["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
+    row["contact"]["k_ref"] = row["k_step"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
+    put_losses(row, laws)
     return row
 
 

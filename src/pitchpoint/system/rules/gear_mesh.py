@@ -29,7 +29,7 @@ from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.gear_seat import put_seats, sits_off
-from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, usual_slope
+from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, put_losses, usual_slope
 from pitchpoint.system.rules.places import Places
 from pitchpoint.system.rules.separation import separation_grids
 from pitchpoint.system.rules.stiffness import user_law
@@ -132,12 +132,12 @@ def _stiffness(row: Any, stiffness: Description, keep: Keep) -> None:
     if isinstance(stiffness, PairShape):
         row["source"] = layout.PROFILE
         row["c_prime"], row["S_R"], row["T_R"] = stiffness.c_prime, stiffness.S_R, stiffness.T_R
-        row["load_limit"], row["power"] = stiffness.load_limit, stiffness.power
+        row["load_limit"], row["contact"]["power"] = stiffness.load_limit, stiffness.power
         if stiffness.table is not None:
             row["n_table"], row["table"] = stiffness.table.size, keep(stiffness.table)
         return
     row["source"] = layout.PHASE
-    row["c_prime"], row["power"] = stiffness.mean, 1.0
+    row["c_prime"], row["contact"]["power"] = stiffness.mean, 1.0
     row["form"] = stiffness.form
     row["n_k"], first, second = stiffness.arrays()
     row["cosine"], row["sine"] = keep(first), keep(second)
@@ -174,13 +174,9 @@ def mesh_row(
     row["inv_w0"] = inv(alpha) - gap / (2.0 * r_b)
     _stiffness(row, laws.stiffness, keep)
     row["slices"] = laws.slices
-    row["k_ref"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
+    row["contact"]["k_ref"] = laws.k_ref or mean_stiffness(pair, laws.stiffness)
     row["k_step"] = usual_slope(pair, laws.stiffness)
-    for name in ("d_in", "d_out", "s_0", "smooth", "chi", "d_gap", "mu", "v_eps"):
-        row[name] = getattr(laws, name)
-    row["rubs"] = laws.mu > 0.0
-    row["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
-    row["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
+    put_losses(row, laws)
     if laws.user is not None:
         row["form"], row["params"] = layout.USER, keep(laws.user)
     if laws.e_cos.size:
@@ -287,29 +283,6 @@ def _freeze(row: Any, place: Placement) -> None:
     status = invoke(entry, ctl.ctypes.data, rows.ctypes.data, 1)
     if status != OK:
         raise CompileError(f"a mesh cannot be placed: {sentence(status)}")
-    for name in (
-        "m",
-        "e",
-        "t",
-        "P",
-        "dn",
-        "a",
-        "c1",
-        "c2",
-        "inv_m",
-        "lo_slope",
-        "hi_slope",
-        "cos_a",
-        "sin_a",
-        "inv_a",
-        "dz",
-        "xi_A",
-        "eps",
-        "L",
-        "z_lo",
-        "z_hi",
-    ):
-        row[name] = rows[name][0]
-    row["start"] = rows["start"][0]
-    row["gap"] = 2.0 * (row["r_b1"] + row["r_b2"]) * (row["inv_a"] - row["inv_w0"])
+    row["now"] = rows["now"][0]
+    row["now"]["gap"] = 2.0 * (row["r_b1"] + row["r_b2"]) * (row["now"]["inv_a"] - row["inv_w0"])
     row["fixed"] = 1

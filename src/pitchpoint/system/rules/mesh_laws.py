@@ -114,6 +114,26 @@ def flank_losses(
     return found
 
 
+def put_losses(row: Any, laws: MeshLaws) -> None:
+    """Fill damping and friction of the record of a mesh, which knows its geometry.
+
+    Parameters
+    ----------
+    row
+        Record of a mesh of cylindrical or bevel gears.
+    laws
+        Its laws.
+    """
+    contact = row["contact"]
+    for name in ("d_in", "d_out", "s_0", "smooth", "chi", "mu", "v_eps"):
+        contact[name] = getattr(laws, name)
+    contact["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
+    contact["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
+    contact["normal"] = math.sqrt(1.0 + row["tan_b"] * row["tan_b"])
+    row["d_gap"] = laws.d_gap
+    row["rubs"] = laws.mu > 0.0
+
+
 def contact_damping(
     damping: ContactDamping, pair: GearPair, stiffness: Description, k: float, critical: float
 ) -> dict[str, Any]:

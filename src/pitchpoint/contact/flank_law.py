@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The flank law: what two flanks do to each other at one place, from penetration to force and tangents.
+
+Scalars in, scalars out. The law knows neither gears nor sums: cylindrical and bevel meshes, and every other
+description of contacting flanks, call it for each of their places (nodes) and add up what it gives.
+
+The elastic force k x^power, softer at low load and in series with an added compliance where there is one, is
+damped in proportion to the rate of the overlap: at a share that grows from first contact to the penetration
+s_0, or in proportion to the elastic force (impact damping with a coefficient of restitution). Flanks push and
+never pull. Friction acts against the local sliding, smoothed around zero.
+
+Forces, penetrations and rates are along the base tangent.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.contact.damping import linear_ramp, ramp
+from pitchpoint.contact.elastic import low_load, power_force, series_energy, series_overlap, stored_energy
+from pitchpoint.contact.friction import static_dynamic
+from pitchpoint.core.kernel import kernel
+
+#: Numbers of the law of one mesh.
+FLANK_LAW = np.dtype(
+    [
+        ("power", "f8"),  # exponent of the elastic force over the overlap; 1 is linear
+        ("k_ref", "f8"),  # mean mesh stiffness, to which the damping of places is in proportion [N/m^power]
+        ("d_in", "f8"),
+        ("d_out", "f8"),  # contact damping at k_ref of flanks that approach and separate [N s/m]
+        ("s_0", "f8"),  # penetration of full damping [m]
+        ("smooth", "i8"),  # 0: the damping grows in proportion up to s_0, 1: by a smooth cubic
+        ("chi", "f8"),  # instead: share of the elastic force per speed of approach [s/m], 0: none
+        ("mu", "f8"),
+        (
+            "v_eps",
+            "f8",
+        ),  # dynamic coefficient of friction and the sliding velocity at which it is reached [m/s]
+        ("mu_s", "f8"),
+        ("v_s", "f8"),  # static coefficient and its sliding velocity, 0 < v_s < v_eps [m/s]
+        ("normal", "f8"),  # force normal to the flanks over that along the base tangent, 1/cos(beta_b)
+    ],
+    align=True,
+)
+
+
+@kernel(inline=True)
+def flank_force(law, x, k, limit, w, soft):
+    """Force of flanks that overlap at one place, and its derivatives.
+
+    Parameters
+    ----------
+    law
+        Record of `FLANK_LAW`.
+    x
+        Penetration, > 0 [m].
+    k
+        Stiffness of the place, > 0 [N/m^power].
+    limit
+        Force below which a linear contact softens [N]; 0 for none.
+    w
+        Rate of the penetration [m/s].
+    soft
+        Compliance in series with the contact [m/N], or None. Damping then acts on the overlap of the contact
+        alone, and on its rate.
+
+    Returns
+    -------
+    tuple
+        Force [N], not negative; its derivatives by x and by w, also where the force would be negative;
+        elastic force [N] and its derivative by x; overlap of the contact [m]; force over secant stiffness:
+        the distance from losing contact [m].
+
+    Examples
+    --------
+    >>> law = np.zeros(1, FLANK_LAW)[0]
+    >>> law["power"], law["k_ref"], law["d_in"], law["s_0"] = 1.0, 4e8, 2e3, 1e-6
+    >>> found = flank_force(law, 5e-6, 4e8, 0.0, 0.1, None)  # 2000 N and 200 N of the damper
+    >>> [round(float(value), 9) for value in found]
+    [2200.0, 400000000.0, 2000.0, 2000.0, 400000000.0, 5e-06, 5.5e-06]
+    """
+    u = x
+    own = 1.0  # du/dx, which changes at `bent` over x
+    bent = 0.0
+    if soft is not None and soft > 0.0:
+        u = series_overlap(x, k, law["power"], soft)
+    f, by_x = power_force(u, k, law["power"])
+    if soft is not None and soft > 0.0:
+        own = 1.0 / (1.0 + soft * by_x)
+        bent = (1.0 - law["power"]) * by_x / u * soft * own * own * own
+        by_x *= own
+    secant = f / x
+    if limit > 0.0:
+        force, tangent = low_load(f, limit)
+        f *= force
+        by_x *= tangent
+    elastic = f
+    stiffness = by_x
+    d = (law["d_in"] if w > 0.0 else law["d_out"]) * k / law["k_ref"]
+    if law["chi"] > 0.0:
+        d = law["chi"] * f
+        f += d * w * own
+        by_x *= 1.0 + law["chi"] * w * own
+    elif d > 0.0:
+        share, slope = ramp(u, law["s_0"]) if law["smooth"] == 1 else linear_ramp(u, law["s_0"])
+        full = d
+        d *= share
+        f += d * w * own
+        by_x += full * w * slope * own * own
+    if soft is not None:
+        by_x += d * w * bent
+        d *= own
+    # flanks that would have to pull let go, and the work of their elastic force is lost
+    return max(f, 0.0), by_x, d, elastic, stiffness, u, f / secant
+
+
+@kernel
+def flank_energy(law, x, u, k, limit, soft):
+    """Energy stored at a place, and its derivatives by the stiffness and by the compliance in series.
+
+    Parameters
+    ----------
+    law, x
+        As in `flank_force`.
+    u
+        Overlap of the contact that it gave [m].
+    k, limit, soft
+        As in `flank_force`.
+
+    Returns
+    -------
+    tuple
+        Energy [J]; its derivatives at the same x by k and by `soft`, which is zero without one.
+
+    Examples
+    --------
+    >>> law = np.zeros(1, FLANK_LAW)[0]
+    >>> law["power"] = 1.0
+    >>> [float(value) for value in flank_energy(law, 2.0, 2.0, 3.0, 0.0, None)]
+    [6.0, 2.0, 0.0]
+    """
+    if soft is not None:
+        return series_energy(x, u, k, law["power"], soft, limit)
+    energy, by_k = stored_energy(x, k, law["power"], limit)
+    return energy, by_k, 0.0
+
+
+@kernel
+def flank_friction(law, f, v):
+    """Friction of a place with the base-tangent force f [N] that slides at v [m/s].
+
+    Parameters
+    ----------
+    law
+        Record of `FLANK_LAW`.
+    f
+        Force along the base tangent [N].
+    v
+        Sliding velocity [m/s].
+
+    Returns
+    -------
+    tuple
+        Force against the sliding [N], with the sign of v; its derivatives by f and by v.
+
+    Examples
+    --------
+    >>> law = np.zeros(1, FLANK_LAW)[0]
+    >>> law["mu"], law["v_eps"], law["mu_s"], law["v_s"], law["normal"] = 0.08, 0.02, 0.08, 0.01, 1.0
+    >>> [float(value) for value in flank_friction(law, 1000.0, -1.0)]
+    [-80.0, -0.08, 0.0]
+    """
+    s, slope = static_dynamic(v, law["mu_s"], law["mu"], law["v_s"], law["v_eps"])
+    by_f = law["normal"] * s
+    return by_f * f, by_f, law["normal"] * f * slope

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the places (nodes) of a flank add up to, for cylindrical and bevel gears alike.
+
+A node acts on the gears along rows of a wrench basis, with one lever per row: first the rows of the normal
+force, then three of friction. Its force, its tangent and what is observed of it come from the flank law and
+go to the record `sums` of the mesh. Where nothing is observed, `watch` is None and energy, powers and what
+events require are left out when the kernels are compiled.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.contact.flank_law import flank_energy, flank_force, flank_friction
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.multibody.channels import F8, FRAME
+
+FRICTION_ROWS = 3
+"""Rows of friction in a wrench basis, the last ones."""
+
+#: What an evaluation of a mesh is for: a copy of what it needs of the control record.
+ASK = np.dtype(
+    [
+        ("t", "f8"),
+        ("ck", "f8"),
+        ("cd", "f8"),  # factors of the tangents over positions and over velocities
+        ("jac", "i8"),  # as in the control record
+        ("out", "i8"),  # address of the observations of this mesh, 0: none
+        ("ev", "i8"),  # address of its event functions, 0: none
+        ("i", "i8"),
+        ("j", "i8"),  # frames of gear 1 and gear 2
+        ("ii", "i8"),
+        ("ij", "i8"),
+        ("ji", "i8"),
+        ("jj", "i8"),  # pair tangents
+        ("fr", "i8"),
+        ("nb", "i8"),  # address and number of the frames
+        ("kk", "i8"),
+        ("np", "i8"),  # address and number of the pair tangents
+    ],
+    align=True,
+)
+
+
+def scratch_of_sums(rows: int) -> list[tuple]:
+    """Fields of a mesh whose wrench basis has a number of rows, for its nodes and their sums."""
+    sums = [
+        ("force", "f8", rows),  # over the rows of the basis
+        ("tangent", "f8", (rows, rows)),  # likewise, of positions and velocities
+        ("roll", "f8", rows),  # tangent over the rate of the path position
+        ("pushed", "f8"),  # base-tangent forces of all nodes, where something is observed; so are the next
+        ("stiffness", "f8"),
+        ("friction_power", "f8"),
+        ("damping_power", "f8"),
+        ("parametric_power", "f8"),
+        ("energy", "f8"),
+        ("nearest", "f8"),  # largest force over stiffness of a node [m], below zero where it is open
+    ]
+    return [
+        ("ask", ASK),
+        ("rate", "f8", rows),  # rates of both bodies along the rows
+        ("lever", "f8", rows),  # of one node
+        ("sums", np.dtype(sums, align=True)),
+        ("basis_i", "f8", (rows, 6)),
+        ("basis_j", "f8", (rows, 6)),  # wrench basis on both bodies
+    ]
+
+
+NOWHERE = -0.1
+"""Distance from contact [m] of a flank without stiffness: no pair of teeth is there."""
+
+
+@kernel
+def begin_ask(b, c):
+    """Take over what the control record `c` asks of a mesh."""
+    ask = b["ask"]
+    ask["t"] = c["t"]
+    ask["ck"] = c["ck"]
+    ask["cd"] = c["cd"]
+    ask["jac"] = c["jac"]
+    ask["out"] = c["out"] + 8 * b["out"] if c["out"] != 0 else 0
+    ask["ev"] = c["ev"] + 8 * b["ev"] if c["ev"] != 0 else 0
+    ask["i"] = b["i"]
+    ask["j"] = b["j"]
+    ask["ii"] = b["ii"]
+    ask["ij"] = b["ij"]
+    ask["ji"] = b["ji"]
+    ask["jj"] = b["jj"]
+    ask["fr"] = c["fr"]
+    ask["nb"] = c["nb"]
+    ask["kk"] = c["kk"]
+    ask["np"] = c["np"]
+
+
+@kernel
+def asked_arrays(b):
+    """Frames [nb] and pair tangents [np, 6, 6] of an evaluation."""
+    ask = b["ask"]
+    return view(ask["fr"], ask["nb"], FRAME), view(ask["kk"], (ask["np"], 6, 6), F8)
+
+
+@kernel
+def begin_damping(b):
+    """Make the next sums those of the damping coefficients alone, without observations; see `end_damping`."""
+    ask = b["ask"]
+    kept = (ask["ck"], ask["cd"], ask["out"], ask["ev"])
+    ask["ck"] = 0.0
+    ask["cd"] = 1.0
+    ask["out"] = 0
+    ask["ev"] = 0
+    return kept
+
+
+@kernel
+def end_damping(b, kept):
+    """Restore what `begin_damping` gave."""
+    ask = b["ask"]
+    ask["ck"], ask["cd"], ask["out"], ask["ev"] = kept
+
+
+@kernel
+def begin_sums(b):
+    """Empty sums."""
+    sums = b["sums"]
+    rows = b["lever"].size
+    for p in range(rows):
+        sums["force"][p] = 0.0
+        sums["roll"][p] = 0.0
+        for q in range(rows):
+            sums["tangent"][p, q] = 0.0
+    sums["pushed"] = 0.0
+    sums["stiffness"] = 0.0
+    sums["friction_power"] = 0.0
+    sums["damping_power"] = 0.0
+    sums["parametric_power"] = 0.0
+    sums["energy"] = 0.0
+    sums["nearest"] = NOWHERE
+
+
+@kernel
+def across(b, values):
+    """A quantity given by its values along the rows of the normal force, at the node whose levers are set."""
+    lever = b["lever"]
+    s = 0.0
+    for p in range(lever.size - FRICTION_ROWS):
+        s += lever[p] * values[p]
+    return s
+
+
+@kernel(inline=True)
+def add_node(b, watch, x, k, limit, feed, own, size):
+    """Add the node whose levers are set and return its force along the base tangent [N].
+
+    `x` penetration [m], `k` stiffness [N/m^power], `limit` force below which it softens [N]; `feed`: rates of
+    stiffness and penetration where no force pushes, with the mesh phase, and relative rate of its
+    width; `size`: its displacement over that of the gears along the base tangent, squared. `own`: None on
+    nominal flanks; else the rate of the penetration where the contact runs over separated flanks [m/s], which
+    damps like that of the bodies, its slope over the path, a compliance in series [m/N] and its rate.
+    """
+    sums = b["sums"]
+    if x <= 0.0 or k <= 0.0:
+        if watch is not None and k > 0.0:
+            sums["nearest"] = max(sums["nearest"], x)
+        return 0.0
+    law = b["contact"]
+    w = across(b, b["rate"])
+    if own is None:
+        f, by_x, by_w, elastic, stiffness, u, reach = flank_force(law, x, k, limit, w, None)
+    else:
+        w += own[0]
+        f, by_x, by_w, elastic, stiffness, u, reach = flank_force(law, x, k, limit, w, own[2])
+    if watch is not None:
+        sums["nearest"] = max(sums["nearest"], reach)
+        if own is None:
+            energy, by_k, by_soft = flank_energy(law, x, u, k, limit, None)
+        else:
+            energy, by_k, by_soft = flank_energy(law, x, u, k, limit, own[2])
+            sums["parametric_power"] += by_soft * own[3] + f * own[0]
+        sums["parametric_power"] += by_k * feed[0] + elastic * feed[1] + energy * feed[2]
+        sums["damping_power"] += (f - elastic) * w
+        sums["energy"] += energy
+        sums["pushed"] += f
+        if f > 0.0:
+            sums["stiffness"] += stiffness * size
+    if f == 0.0:
+        return 0.0
+    c = b["ask"]["ck"] * by_x + b["ask"]["cd"] * by_w
+    _add_normal(b, f, c)
+    by_f = _add_friction(b, watch, f, c) if law["mu"] > 0.0 else 0.0
+    if own is not None:
+        _add_roll(b, by_f, b["ask"]["cd"] * by_w * own[1])
+    return f
+
+
+@kernel(inline=True)
+def _add_normal(b, f, c):
+    """Add the normal force of a node and its tangent."""
+    sums = b["sums"]
+    lever = b["lever"]
+    normal = lever.size - FRICTION_ROWS
+    for p in range(normal):
+        sums["force"][p] += f * lever[p]
+    if b["ask"]["jac"] != 0:
+        for p in range(normal):
+            for q in range(normal):
+                sums["tangent"][p, q] += c * lever[p] * lever[q]
+
+
+@kernel
+def _add_friction(b, watch, f, c):
+    """Add the friction of a node against its local sliding; gives its change with the normal force."""
+    sums = b["sums"]
+    lever = b["lever"]
+    rows = lever.size
+    normal = rows - FRICTION_ROWS
+    v = 0.0
+    for p in range(normal, rows):
+        v += lever[p] * b["rate"][p]
+    force, by_f, by_v = flank_friction(b["contact"], f, v)
+    for p in range(normal, rows):
+        sums["force"][p] += force * lever[p]
+    if watch is not None:
+        sums["friction_power"] += force * v
+    if b["ask"]["jac"] != 0:
+        by_v *= b["ask"]["cd"]
+        for p in range(normal, rows):
+            for q in range(normal):
+                sums["tangent"][p, q] += by_f * c * lever[p] * lever[q]
+            for q in range(normal, rows):
+                sums["tangent"][p, q] += by_v * lever[p] * lever[q]
+    return by_f
+
+
+@kernel
+def _add_roll(b, by_f, c):
+    """Add the tangent over the rate of the path position: `c` of the normal force, `by_f` c of friction."""
+    roll = b["sums"]["roll"]
+    lever = b["lever"]
+    normal = lever.size - FRICTION_ROWS
+    for p in range(normal):
+        roll[p] += c * lever[p]
+    for p in range(normal, lever.size):
+        roll[p] += by_f * c * lever[p]
