@@ -10,6 +10,9 @@ s_0, or in proportion to the elastic force (impact damping with a coefficient of
 never pull. Friction acts against the local sliding, smoothed around zero.
 
 Forces, penetrations and rates are along the base tangent.
+
+Source: Mauer, SIMPACK User Meeting (2006), for stiffness, damping and friction of a gear pair; softening
+ISO 6336-1.
 """
 
 from __future__ import annotations
