@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Spalls on the races and elements of a rolling bearing: approach that an element loses over them.
 
-Every row of faults is one spall of one surface, all angles seen from the axis they turn about:
+Every row of faults is one spall of one surface. All angles are about the axis of rotation:
 
-    outer race      stands still on the outer ring; element k at the azimuth psi_k is psi_k - a off its middle
-    inner race      goes with the inner ring, turned by T: psi_k - T - a
+    outer race      fixed to the outer ring; element k at the azimuth psi_k is psi_k - a off its middle
+    inner race      rotates with the inner ring by T: psi_k - T - a
     element         turns with its element against the cage, by -s T, s = (d_m/(2 D)) (1 - (D/d_m)^2
                     cos^2(alpha)) with pure rolling: -s T + a; one row for its way over either race
 

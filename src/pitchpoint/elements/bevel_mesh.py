@@ -4,7 +4,7 @@
 Frame channel. `bevel_mesh_place` finds where the flanks are and along which rows of a wrench basis they push,
 `bevel_mesh_sums` adds up what they do along their contact lines, this file turns the sums into wrenches,
 tangents and observations. Straight and spiral teeth, any shaft angle, all pairs in contact, both flanks, open
-along a part of the width where gears lean.
+along a part of the width where axes are tilted.
 
 Tangents hold at frozen mesh phase and frozen plane of action, exact ones follow the plane of action
 (`bevel_mesh_turning`). Quantities along the base tangent are those at the mean cone distance: mesh_force
@@ -132,7 +132,7 @@ def _observe_flank(b, flank):
 
 @kernel
 def _one_mesh(b, fr, kk):
-    """Wrenches, tangents and observations of one mesh, as its `ask` says."""
+    """Wrenches, tangents and observations of one mesh, as its `ask` requires."""
     now = b["now"]
     ask = b["ask"]
     f = fr[ask["i"]]

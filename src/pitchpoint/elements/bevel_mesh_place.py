@@ -14,8 +14,8 @@ base tangent at the cone distance R is
 
     x = R (f u - gap/2)/R_m + (e - f tan(beta_b) r) . d
 
-with u and gap at R_m. What d adds at the pitch point to both flanks, with opposite signs and alike, is told
-as part of the travel and of the gap, as for cylindrical gears that pass each other or come nearer. The
+with u and gap at R_m. What d adds at the pitch point to both flanks, with opposite and with equal signs, is
+part of the travel and of the gap, as for cylindrical gears whose axes are offset or approach each other. The
 gradient of x at frozen R and sigma is the wrench of a unit force: e - f tan(beta_b) r at the apexes, a couple
 R N, and a couple for the turn of e with the axes. So forces can neither create nor lose energy, and since x
 is invariant, action is reaction.

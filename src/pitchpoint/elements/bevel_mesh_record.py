@@ -19,7 +19,7 @@ __all__ = ["EVENTS", "N_OUT", "N_OWN", "OUTPUTS", "PHASE", "PROFILE", "RECORD", 
 
 N_OWN = 3
 """What the table of a gear holds for a tooth: inner and outer end of its face, from R_m of the pair, and how
-far it stands ahead of its place, counter-clockwise about the axis into the gear, as a travel at R_m [m]."""
+far it is ahead of its place, counter-clockwise about the axis into the gear, as a travel at R_m [m]."""
 ROWS = 6
 """Rows of the wrench basis: normal force along two rays and about the plane of action, friction in three."""
 

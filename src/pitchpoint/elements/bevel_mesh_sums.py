@@ -3,10 +3,10 @@
 
 Along a contact line the path position is p = p_0 + lam ln(R/R_m) base pitches, so straight teeth touch along
 rays. Five Gauss points on every piece between kinks (start and end of contact, ends of the ramps, where the
-flanks part, the pitch ray where sliding turns) integrate force, couples and tangents. Slices of a pair at
-different R are alike but for their size: its stiffness per face width is the same all along.
+flanks separate, the pitch ray where sliding reverses) integrate force, couples and tangents. Slices of a pair
+at different R are similar: the stiffness per face width is the same along the face.
 
-Where nothing is observed, `watch` is None, and what only observations need is left out when compiled.
+Where nothing is observed, `watch` is None, and what only observations need is not compiled.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.contact.flank_law import flank_energy
+from pitchpoint.contact.lift_off import MOST_STEPS, narrowed, secant
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.bevel_mesh_record import N_OUT, N_OWN, PHASE
@@ -29,8 +30,6 @@ _WEIGHTS = (
     0.4786286704993665,
     0.2369268850561891,
 )
-_TRIES = 60
-"""Most steps of the search for the edge of contact; some five are taken."""
 
 
 @kernel
@@ -113,23 +112,16 @@ def _depth(b, p_0, R):
 
 @kernel
 def _edge(b, p_0, a, c, x_a, x_c):
-    """Where between a and c, at which it has different signs, the penetration is zero (Illinois)."""
+    """Where between a and c, at which it has different signs, the penetration is zero."""
+    bracket = (a, c, x_a, x_c, 0)
+    small = 1e-15 * (abs(x_a) + abs(x_c))
     R = c
-    least = 1e-15 * (abs(x_a) + abs(x_c))
-    for _ in range(_TRIES):
-        R = (a * x_c - c * x_a) / (x_c - x_a)
+    for _ in range(MOST_STEPS):
+        R = secant(bracket)
         x = _depth(b, p_0, R)
-        if abs(x) <= least:
+        if abs(x) <= small:
             break
-        if (x > 0.0) == (x_c > 0.0):
-            c = R
-            x_c = x
-            x_a *= 0.5
-        else:
-            a = c
-            x_a = x_c
-            c = R
-            x_c = x
+        bracket = narrowed(bracket, R, x)
     return R
 
 
@@ -168,7 +160,7 @@ def _crossing(b, p_0, p):
 
 @kernel
 def _end(b, p_0, p, leaves):
-    """What the end of a contact line without ramp takes along, at the path position p: parametric power.
+    """Parametric power of the end of a contact line without ramp, at the path position p.
 
     `leaves` is the rate at which the contact line passes that end [base pitches/s].
     """
@@ -226,8 +218,8 @@ def _nominal(b):
 
 @kernel
 def _own(b, q):
-    """What the two teeth of the pair q have of their own: the tooth of gear 1 and that before or behind the
-    space of gear 2. Displaced teeth stand before their place on one flank and behind it on the other."""
+    """Deviations of the two teeth of the pair q: the tooth of gear 1 and the one ahead of or behind the space
+    of gear 2. Displaced teeth are ahead of their place on one flank and behind it on the other."""
     now = b["now"]
     flank = now["flank"]
     pair = flank * (int(q) - now["tooth"])

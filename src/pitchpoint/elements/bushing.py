@@ -7,8 +7,8 @@ s. With x = (u, s) - x0 and its true rate x', the generalised force is
     f = -K x - D x'
 
 u and s are components of one displacement, and the wrenches are conjugate to it: the power on both bodies is
-f . x', so energy is stored and lost as K and D say, whatever the rotations are. The rotation may go up to
-half a turn; beyond, the shorter way back counts. For springs about a spin axis over many turns there is
+f . x', so energy is stored and dissipated as K and D give it, for any rotation. The rotation may reach half a
+turn; beyond, the shorter way back counts. For springs about a spin axis over many turns there is
 `coupling`.
 """
 

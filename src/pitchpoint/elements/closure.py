@@ -11,7 +11,7 @@ body j, rho from marker j to marker i,
     SCREW     g = a . rho - lead theta                    rows of POINT less lead (0, grad theta)
 
 theta being the angle about a from x_j (body j) to b (body i). It is known up to whole turns; g keeps the ones
-that bring it nearest to zero, since the way along the axis tells how often the screw has turned.
+that bring it nearest to zero, since the travel along the axis gives the number of turns of the screw.
 
 The tangent is that of the constraint forces at constant multipliers.
 """

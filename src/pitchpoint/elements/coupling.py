@@ -4,10 +4,9 @@
     T = -k x(u) - d w + L(t, u, w)
 
 u is the angle of body i against body j less the angle without torque, w the relative speed, x(u) = u or, with
-a gap, the part of u beyond +-gap/2. L is a signal: a table, a formula (angle stands for u, speed for w) or a
-user's law; a table over one turn takes whole turns out exactly. How angle, speed and the axis of the torque
-are found for bodies on spinning parents, tilted bodies and bodies that turn in opposite senses stands in
-`turning`.
+a gap, the part of u beyond +-gap/2. L is a signal: a table, a formula (`angle` is u, `speed` is w) or a
+user law; a table over one turn subtracts whole turns exactly. For bodies on spinning parents, tilted bodies
+and bodies that turn in opposite senses, `turning` gives angle, speed and the axis of the torque.
 """
 
 from __future__ import annotations

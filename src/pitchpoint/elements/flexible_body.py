@@ -13,7 +13,7 @@ acceleration less gravity:
             + (K + K_g)_kl eta_l + D_kl eta_l')
 
 K_g is the stiffness by the loads that steady inertia forces put on the body: a sum over the components of a
-and the products of those of omega. Its reactions on the frame are of second order in eta and left out.
+and the products of those of omega. Its reactions on the frame are of second order in eta and neglected.
 """
 
 from __future__ import annotations

@@ -80,8 +80,8 @@ def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
 def bends(record: np.void) -> tuple[str, ...]:
     """Event functions of one record at whose zeros forces jump or bend.
 
-    Those of contact always; those of pairs unless the stiffness is a sum of harmonics; where sliding turns
-    round only if there is friction, which turns with it.
+    Those of contact always; those of pairs unless the stiffness is a sum of harmonics; that of the sliding
+    velocity only with friction, whose force reverses with it.
     """
     names = tuple(name for name, _ in EVENTS)
     if record["contact"]["mu"] > 0.0:
@@ -203,7 +203,7 @@ def _observe_flank(b, f, g, flank):
 
 @kernel
 def _one_mesh(b, fr, kk):
-    """Wrenches, tangents and observations of one mesh, as its `ask` says."""
+    """Wrenches, tangents and observations of one mesh, as its `ask` requires."""
     now = b["now"]
     ask = b["ask"]
     f = fr[ask["i"]]

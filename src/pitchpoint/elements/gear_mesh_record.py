@@ -32,9 +32,9 @@ _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
     ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
-    ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both stand on one base
+    ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both are on one base
     ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body
-    ("askew", "i8"),  # where they sit, offset in the pool; see `mesh_eccentric`
+    ("seats", "i8"),  # where the gears sit on their bodies, offset in the pool; see `mesh_eccentric`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
     ("r_b1", "f8"),
@@ -51,8 +51,8 @@ _GEOMETRY = [
     ("sin1", "f8"),  # nominal direction from gear 1 to the pitch point, in the frame of body i
     ("cos2", "f8"),
     ("sin2", "f8"),  # the same direction in the frame of body j
-    ("skew", "f8", 2),  # lean of axis 2 against axis 1 by the housing: along t, along e [rad]
-    ("u0", "f8"),  # base-tangent travel left over from the assembly, 0 = teeth centred in the backlash
+    ("skew", "f8", 2),  # tilt of axis 2 against axis 1 by the housing: along t, along e [rad]
+    ("u0", "f8"),  # base-tangent travel that remains from the assembly, 0 = teeth centred in the backlash
     ("inv_w0", "f8"),  # involute of the working angle without backlash (allowances included)
     (
         "xi_0",
@@ -129,7 +129,7 @@ _SCRATCH = [
     ("dz", "f8"),  # axial position of gear 2 less that of gear 1
     ("u", "f8"),  # base-tangent travel from mid-gap: r_b1 phi1 + r_b2 phi2 + ...
     ("travel", "f8"),  # mean travel along the line of action (phase times p_bt)
-    ("turn", "i8"),  # whole base pitches left out of `travel`, modulo a common multiple
+    ("turn", "i8"),  # whole base pitches subtracted from `travel`, modulo a common multiple
     ("gap", "f8"),  # total backlash along the base tangent at the actual centre distance
     ("e_t", "f8"),
     ("e_rate", "f8"),  # excitation and its rate
@@ -214,10 +214,10 @@ FRICTION = (
 )
 
 #: Event functions of one mesh: they change sign at the instants that users request. Those of contact are
-#: positive exactly where the forces of a flank add up to more than zero, as `contact_state` has it; perfect
-#: flanks without contact damping give their penetration [m]. Those of pairs rise where the mesh phase goes on
-#: and fall where it goes back: a pair that passes A backwards leaves there. Each wraps round from 1/2 to -1/2
-#: half a base pitch away, which is no event, and counts on the nearer flank only.
+#: positive exactly where the forces of a flank add up to more than zero, as in `contact_state`; without
+#: contact damping perfect flanks give their penetration [m]. Those of pairs rise with the mesh phase and fall
+#: where it decreases: a pair that passes A backwards leaves contact there. Each wraps from 1/2 to -1/2 half a
+#: base pitch away, which does not count as an event, and is valid on the nearer flank only.
 EVENTS = (
     ("front_gap", "front flank touches or parts"),
     ("back_gap", "back flank touches or parts"),

@@ -39,7 +39,7 @@ RECORD = np.dtype(
         ("value", "f8"),  # LINEAR: value at zero; else added
         ("slope", "f8"),  # LINEAR
         ("step", "f8"),  # FORMULA: distance of the points of the second derivative
-        ("period", "f8"),  # PIECES: period, 0 for none: ends go on constant
+        ("period", "f8"),  # PIECES: period, 0 for none: constant beyond the ends
         ("pool", "i8"),
         ("start", "i8"),
         ("n", "i8"),  # pieces or programme words

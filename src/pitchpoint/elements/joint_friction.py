@@ -9,7 +9,7 @@ moment M_r that bends it press its surfaces together,
 
 for a pin of radius r in a bush of length l: c_r = r, c_a = the mean radius of its shoulder, c_m = 2 r / l;
 for a slide: c_r = 1, c_m = 2 over its length. Friction mu load acts against the turn or the way. Kinds of
-this channel run when all other forces are known; their tangents leave out how the load changes.
+this channel run when all other forces are known; their tangents neglect how the load changes.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ def _cut_load(b, fr, lam):
 
 @kernel
 def _across(x, n):
-    """Length of the part of a vector that stands on a unit vector."""
+    """Length of the part of a vector normal to a unit vector."""
     rest = less(x, times(dot(x, n), n))  # squares would cancel to half the digits
     return math.sqrt(dot(rest, rest))
 

@@ -105,7 +105,7 @@ class Power:
         Word for an element that brings power from outside, such as "load"; "" for one that passes it on
         from body i to body j.
     where
-        Whether a record passes power on; all do if left out.
+        Whether a record passes power on; all do if omitted.
     """
 
     torque: str = ""
@@ -142,7 +142,7 @@ class Kind:
     rows, row_unit
         Number of constraint rows per record, and the unit of what they are off by, of one record.
     events, bends
-        Event functions per record; of one record those at whose zeros forces jump or bend (all if left out).
+        Event functions per record; of one record those at whose zeros forces jump or bend (all if omitted).
     exact
         Entries that only exact tangents call, by the record field of their address.
     some

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact along a line: a cylinder on a plane, beside another cylinder or in a bore, straight or tilted.
+"""Contact along a line: a cylinder on a plane, against another cylinder or in a bore, straight or tilted.
 
 The cylinder of body i is cut into slices, round about points x of its axis, and each of them presses like
 the law times dx over the length that the law counts for (the lamina model of roller bearings: T. A. Harris,

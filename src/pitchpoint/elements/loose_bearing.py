@@ -6,8 +6,8 @@ against its seat from x = rho - g + w/2 = 0 on and the spring of radial stiffnes
 
     N = max(0, k p(x) + d s(x) rho'),   p = x^2/(2 w) up to x = w, x - w/2 beyond: k (rho - g)
 
-towards the middle. The seat gives way over the width w, so that stiffness and damping grow from nothing
-(s = t^2 (3 - 2 t), t = x/w); N never pulls. Along the seat, which has no friction, the spring goes round with
+towards the middle. The seat yields over the width w, so that stiffness and damping grow from zero
+(s = t^2 (3 - 2 t), t = x/w); N never pulls. Along the seat, which has no friction, the spring rotates with
 the shaft; its damper sees the share (p/rho)^2 of that motion. What holds the shaft axially and against
 tilting stays linear: axial displacement and tilts have a 3 x 3 stiffness and damping of their own. With g = 0
 and w = 0 all of this is the linear bearing.
@@ -31,7 +31,7 @@ RECORD = np.dtype(
     + RING
     + [
         ("gap", "f8"),  # radial play g [m]
-        ("seat", "f8"),  # width w over which the seat gives way [m]
+        ("seat", "f8"),  # width w over which the seat yields [m]
         ("k", "f8"),  # radial stiffness [N/m]
         ("d", "f8"),  # radial damping [N s/m]
         ("Kt", "f8", (3, 3)),  # stiffness against Z and the tilts n_x, n_y

@@ -26,7 +26,7 @@ def set_markers(
     position
         Place in world axes, shape (3,) [m].
     axes
-        Axes of the markers in world axes, columns, shape (3, 3); those of the world if left out.
+        Axes of the markers in world axes, columns, shape (3, 3); those of the world if omitted.
 
     Examples
     --------

@@ -6,7 +6,7 @@ The state is the tension T. Both parts carry it, and their rates of elongation a
     dT/dt = k (w - T/d)
 
 J. C. Maxwell, Phil. Trans. R. Soc. 157 (1867). Body k is a hidden torsional body of polar inertia 1 kg m^2 on
-ground; its spin rate is T in newtons. A spring or damper beside it makes the standard linear solid.
+ground; its spin rate is T in newtons. A spring or damper in parallel gives the standard linear solid.
 """
 
 from __future__ import annotations

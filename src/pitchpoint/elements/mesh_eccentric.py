@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Eccentric and wobbling gears: the frames that a mesh sees in place of those of their bodies.
 
-The centre of such a gear is displaced in its mid-face and its axis leans, both fixed to the turning body. Its
-own frame has the same spin phi: with B the small turn that leans the axis in the axes of the body, the body
-turned by phi and then leaned is R R_z(phi) B = R' R_z(phi), R' the frame of the body swung so that its third
+The centre of such a gear is displaced in its mid-face and its axis is tilted, both fixed to the turning body.
+Its own frame has the same spin phi: with B the small tilt of the axis in the axes of the body, the body
+turned by phi and then tilted is R R_z(phi) B = R' R_z(phi), R' the frame of the body swung so that its third
 axis is that of the gear. Line of action, centre distance, travel and phase of the mesh follow from the moved
 frames as from any others, and nothing in it knows of the fault.
 
@@ -32,7 +32,7 @@ from pitchpoint.multibody.channels import F8, FRAME
 from pitchpoint.multibody.vectors import add, column, cross, dot, times, triple, unit
 
 PLACE = 8
-"""Numbers of both gears that come first: displacement x, y [m] and the lean of the axis as its x and y, all
+"""Numbers of both gears that come first: displacement x, y [m] and the tilt of the axis as its x and y, all
 in the axes of the bodies at spin 0."""
 _FRAMES = PLACE
 _TANGENTS = _FRAMES + 2 * FRAME.itemsize // 8
@@ -44,7 +44,7 @@ WORDS = _TRAVEL + 1
 
 
 def displaced(place: np.ndarray) -> np.ndarray:
-    """Room in the pool for a mesh whose gears stand at `place`, shape (2, 4)."""
+    """Room in the pool for a mesh whose gears sit at `place`, shape (2, 4)."""
     room = np.zeros(WORDS)
     room[:PLACE] = np.ravel(place)
     return room
@@ -92,7 +92,7 @@ def _displace(f, own, zc, place, arms, side):
 def begin_displaced(b, fr):
     """Turn the evaluation of mesh `b` towards frames of its own, which it gives."""
     ask = b["ask"]
-    where = pooled(b, b["askew"])
+    where = pooled(b, b["seats"])
     own = view(where + 8 * _FRAMES, 2, FRAME)
     place = view(where, PLACE, F8)
     if ask["out"] != 0:
@@ -117,7 +117,7 @@ def begin_displaced(b, fr):
 def _own_tangents(b, first):
     """Tangents of the displaced frames, set to zero, where the mesh finds them."""
     ask = b["ask"]
-    ask["kk"] = pooled(b, b["askew"]) + 8 * first
+    ask["kk"] = pooled(b, b["seats"]) + 8 * first
     kk = view(ask["kk"], (4, 6, 6), F8)
     if ask["jac"] != 0:
         for p in range(4):
@@ -178,7 +178,7 @@ def _carry(source, target, left, right):
 @kernel
 def end_displaced(b, ctl, fr, kk, own):
     """Bring wrenches and tangents of the displaced gears `own` back to their bodies."""
-    where = pooled(b, b["askew"])
+    where = pooled(b, b["seats"])
     own_kk = view(where + 8 * _TANGENTS, (4, 6, 6), F8)
     arms = view(where + 8 * _ARMS, (2, 3), F8)
     if ctl["jac"] == 2 and ctl["ck"] != 0.0:

@@ -176,7 +176,7 @@ def _travel(b, phi1, turns1, phi2, turns2):
 
 @kernel
 def _place(b):
-    """Fill what follows from where the gears stand: path of contact, face width, a share of the phases.
+    """Fill what follows from the places of the gears: path of contact, face width, a share of the phases.
 
     A and E are where the tip circles cut the line of action; widths count from the plane of the pitch point.
     """

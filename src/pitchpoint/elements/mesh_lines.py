@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Contact lines of one flank of a mesh: where they lie and what they carry, for pictures.
 
-No solver asks for them. The mesh was observed before, so its record holds the line of action; loads come from
+Solvers do not use them. The mesh was observed before, so its record holds the line of action; loads come from
 the nodes that `mesh_pairs` sums, one by one. With the bodies at rest they are the elastic part.
 
 A pair of teeth keeps its number N while in mesh: its contact line is p(z) = phase - N + lam z from

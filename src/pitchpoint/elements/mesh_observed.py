@@ -29,7 +29,7 @@ _FRONT = 8 * _NAMES.index("pair_entry")
 _BACK = 8 * _NAMES.index("back_pair_entry")
 
 _LEAST = 1e-15
-"""Least distance [m] of an event function from contact: it says on which side it is."""
+"""Minimum distance [m] of an event function from contact: its sign shows the side."""
 _AWAY = 10.0
 """Added to the event functions of the flank that is farther from contact: no sign changes there."""
 

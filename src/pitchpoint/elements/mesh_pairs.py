@@ -19,6 +19,7 @@ import math
 
 from pitchpoint.contact.elastic import series_overlap
 from pitchpoint.contact.flank_law import flank_energy
+from pitchpoint.contact.lift_off import MOST_STEPS, narrowed, secant
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import OK
@@ -42,9 +43,6 @@ from pitchpoint.multibody.channels import F8
 MOST_SPLIT = 64
 """Most points of a table that make pieces of their own: three nodes for every point on a contact line. The
 table of `energy` has 129 smooth ones; without pieces its stiffness is off by 3.4e-5 of the mean at most."""
-
-_TRIES = 60
-"""Most steps of the search for an edge; some six are taken."""
 
 
 @kernel
@@ -120,27 +118,16 @@ def _over(b, what, p_0, x_q, z):
 
 @kernel
 def _edge(b, what, p_0, x_q, a, c, f_a, f_c):
-    """Where between a and c, at which it has different signs, `_over` is zero: regula falsi (Illinois)."""
-    z = c
+    """Where between a and c, at which it has different signs, `_over` is zero."""
+    bracket = (a, c, f_a, f_c, 0)
     small = 1e-14 * (abs(f_a) + abs(f_c))
-    side = 0
-    for _ in range(_TRIES):
-        z = (a * f_c - c * f_a) / (f_c - f_a)
+    z = c
+    for _ in range(MOST_STEPS):
+        z = secant(bracket)
         f = _over(b, what, p_0, x_q, z)
         if abs(f) <= small:
             break
-        if (f > 0.0) == (f_c > 0.0):
-            c = z
-            f_c = f
-            if side == 1:
-                f_a *= 0.5
-            side = 1
-        else:
-            a = z
-            f_a = f
-            if side == -1:
-                f_c *= 0.5
-            side = -1
+        bracket = narrowed(bracket, z, f)
     return z
 
 

@@ -4,7 +4,7 @@
 Of every gear there are two stacks of grids over its width and its length of roll. The first holds gaps along
 the base tangent and added compliances, both from station to station; the second, finer where it has to be,
 levels: what is broken or worn out of the flank is the positive part of a level, whose zero line is the edge.
-A table per gear says for every flank and tooth which rows of the stacks are its own, and between which
+A table per gear lists for every flank and tooth which rows of the stacks are its own, and between which
 stations they change over the width; a tooth without rows is nominal.
 """
 
@@ -190,7 +190,7 @@ def add_roll_tangent(b, kk, rows):
     """Tangent of the contact damping over the rate at which the contact runs over separated flanks.
 
     That of the mean travel, half of r_b1 omega1 - r_b2 omega2; `rows` of the wrench basis are in use. How the
-    place of the contact moves with the other rates is left out, like the turning of the line of action.
+    place of the contact moves with the other rates is neglected, like the rotation of the line of action.
     """
     now = b["now"]
     m = now["m"]

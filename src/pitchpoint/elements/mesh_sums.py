@@ -4,7 +4,7 @@
 A node acts on the gears along rows of a wrench basis, with one lever per row: first the rows of the normal
 force, then three of friction. Its force, its tangent and what is observed of it come from the flank law and
 go to the record `sums` of the mesh. Where nothing is observed, `watch` is None and energy, powers and what
-events require are left out when the kernels are compiled.
+events require are not compiled.
 """
 
 from __future__ import annotations

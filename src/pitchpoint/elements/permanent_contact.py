@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Constraint row of two bodies that never part, from their place of contact and its changes.
 
-The row is the gap, g = h. The places of contact on both bodies are no unknowns: they are eliminated with
+The row is the gap, g = h. The places of contact on both bodies are not unknowns: they are eliminated with
 their derivatives, as the geometry gives how the normal n and the place Q move with both bodies (dn, dQ). With
 u the velocity of body i against body j at Q,
 

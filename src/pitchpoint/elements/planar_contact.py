@@ -9,7 +9,7 @@ motion of i against j along tau at Q, the place runs along the curves by
     s_j = d (b dalpha + a dtau)/D,  s_i = (d + phi c)(b dalpha + a dtau)/D - dtau,  D = a d + b c + phi a c,
 
 and the normal turns with body j and by c/d s_j. Curvatures appear as quotients, so that corners (a > 0,
-b = 0) and straight lines (a = 0) are no special cases. D = 0 where the curves osculate.
+b = 0) and straight lines (a = 0) need no special case. D = 0 where the curves osculate.
 """
 
 from __future__ import annotations

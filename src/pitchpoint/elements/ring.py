@@ -80,7 +80,7 @@ def _sense(f, axis):
 
 @kernel
 def whole_turns(f, g, j, line, turn):
-    """Whole turns of the inner ring against the outer one; with them the turn goes on where it is wrapped."""
+    """Whole turns of the inner ring against the outer one; the turn stays continuous where it is wrapped."""
     arm, reach, axes, n, h, y, spin = line
     si = _sense(f, n)
     sj = _sense(g, axes[2]) if j != 0 else 0

@@ -10,7 +10,7 @@ from pitchpoint.elements.contact_wrench import moved, put, put_3, turned
 from pitchpoint.multibody.vectors import column, dot, plus, triple
 
 FLAT = 1e-9
-"""Sine of the tilt below which a circle lies flat on a plane: its centre stands for the lowest place."""
+"""Sine of the tilt below which a circle lies flat on a plane: its centre is taken as the lowest place."""
 
 
 @kernel

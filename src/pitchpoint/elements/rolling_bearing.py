@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rolling bearing with its turning elements: varying compliance, clearance, radial, axial and tilting forces.
 
-Element k stands at the azimuth psi_k = psi_0 + c T + 2 pi k/n of the outer ring, T the turn of the inner ring
+Element k is at the azimuth psi_k = psi_0 + c T + 2 pi k/n of the outer ring, T the turn of the inner ring
 against it with all whole turns and c = (1 - (D/d_m) cos(alpha))/2 the share of the cage, pure rolling
 assumed. There the inner raceway comes nearer to the outer one by
 
@@ -101,7 +101,7 @@ def cage_angle(share, turn, turns):
 
 @kernel
 def roll_angle(share, turn, turns):
-    """Angle that a body which turns by `share` of the inner ring stands at, less whole turns of it [rad]."""
+    """Angle of a body that turns by `share` of the inner ring, less whole turns of it [rad]."""
     whole = math.floor(share)
     return whole * turn + cage_angle(share - whole, turn, turns)
 

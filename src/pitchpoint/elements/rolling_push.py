@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of the elements of a rolling bearing, without their slopes: what explicit methods ask for.
+"""Forces of the elements of a rolling bearing, without their slopes: what explicit methods require.
 
 The same equations as in `rolling_bearing`, whose tangents want the gradients in memory; here they stay in
 registers, which is three times as fast.

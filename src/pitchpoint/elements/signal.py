@@ -24,14 +24,14 @@ TWO_PI = 6.283185307179586
 CONSTANT, TABLE, FORMULA, LAW = 0, 1, 2, 3
 OVER_TIME, OVER_ANGLE, OVER_SPEED = 0, 1, 2
 OVER_BOTH = 3
-"""For user laws: x is the angle, and the speed stands behind the parameters."""
+"""For user laws: x is the angle, and the speed follows the parameters."""
 
 SIGNAL: list[tuple[Any, ...]] = [
     ("form", "i8"),  # CONSTANT, TABLE, FORMULA or LAW
     ("over", "i8"),  # what a table runs over, what a law gets as x
     ("value", "f8"),  # CONSTANT: the value; others: a factor
     ("ramp", "f8"),  # time over which the signal grows smoothly from zero at t = 0 [s]; 0 = at once
-    ("period", "f8"),  # TABLE: period of its abscissa, 0 = not periodic (ends go on constant)
+    ("period", "f8"),  # TABLE: period of its abscissa, 0 = not periodic (constant beyond the ends)
     ("pool", "i8"),  # address of the pool of the kind
     ("start", "i8"),  # first place in the pool
     ("n", "i8"),  # number of points, of programme words or of law parameters
@@ -158,7 +158,7 @@ def _law(b, t, phi, turns, speed, slopes):
 
 @kernel
 def signal(b, t, phi, turns, speed, slopes):
-    """Value, slope by angle, slope by speed; slopes = 0 asks for the value only."""
+    """Value, slope by angle, slope by speed; slopes = 0 requests the value only."""
     value = b["value"]
     by_angle = 0.0
     by_speed = 0.0

@@ -5,7 +5,7 @@ A state of a controller is the spin rate of a hidden body of polar inertia 1 kg 
 equilibrium and linearisation has it. Tangents follow the chain from every source (sensor or state) through
 all blocks to every actuator: derivatives W of each signal by the sources are carried along with the values,
 and links multiply them into the pair tangents of the bodies at both ends. They are exact but for loads
-(reactions, observations of other elements), whose derivatives are not known and left out.
+(reactions, observations of other elements), whose derivatives are not known and are neglected.
 
 The kind *signal_flow* runs with the forces; *signal_of_loads*, the same code, after all of them.
 """
@@ -88,7 +88,7 @@ def _source(b, fr, ctl, V, W, rows, tangents):
     if op <= ANGULAR_ACCELERATION:
         return sense(b, fr[b["i"]], fr[b["j"]], rows, tangents)
     if op == CHANNEL:
-        # without observations nobody has spoken since: the last word stands
+        # without observations the last value holds
         return observations(ctl)[b["channel"]] if ctl[0]["out"] != 0 else value
     return _reaction(b, fr)
 

@@ -107,7 +107,7 @@ class SignalNet:
         if quantity == sr.ANGLE:
             fields |= self._angle(name, i, j, e, direction_i, direction_j)
         if quantity not in _UNIT_OF or quantity in LOADS:
-            raise CompileError(f"signal {name!r}: {quantity} is no kinematic quantity")
+            raise CompileError(f"signal {name!r}: {quantity} is not a kinematic quantity")
         fields["unit"] = unit_code(_UNIT_OF[quantity])
         self._add(Node(name, quantity, (), fields))
 
@@ -129,7 +129,7 @@ class SignalNet:
     def joint_sensor(self, name: str, body: int, coordinate: str, derivative: int = 0) -> None:
         """Sense a coordinate of the joint of a body, its rate (`derivative` 1) or acceleration (2).
 
-        Turns count only where the joint has no others than its spin: elsewhere they are no angle in a plane.
+        Turns are counted only where spin is the only rotation of the joint: others have no plane angle.
         """
         b = self.bodies[body - 1]
         m = [d for d, _ in DISPLACEMENTS].index(coordinate)
@@ -185,8 +185,8 @@ class SignalNet:
     def listen(self, name: str, channel: str, unit: str = "1") -> None:
         """Sense an observation of another element by its name, such as ``tension[spring]``.
 
-        What it says may be a step of the iteration old, and tangents do not know how it changes: put a state
-        between it and what it drives.
+        Its value may be one iteration old, and tangents do not contain its derivative: put a state between it
+        and what it drives.
         """
         self._add(Node(name, sr.CHANNEL, (), {"unit": unit_code(unit)}))
         self.listened[name] = channel
@@ -201,7 +201,7 @@ class SignalNet:
     def saturation(self, name: str, x: str, low: float, high: float) -> None:
         """Keep a signal within limits."""
         if not low < high:
-            raise CompileError(f"signal {name!r}: its limits {low} and {high} are no range")
+            raise CompileError(f"signal {name!r}: its limits {low} and {high} are not a range")
         self._add(Node(name, sr.SATURATION, (x,), {"low": low, "high": high}))
 
     def table(self, name: str, x: str, xs: ArrayLike, ys: ArrayLike) -> None:
@@ -382,5 +382,5 @@ def _unit(name: str, vector: Three) -> NDArray[np.float64]:
     v = np.asarray(vector, float)
     size = float(np.linalg.norm(v))
     if v.shape != (3,) or not (size > 0.0 and math.isfinite(size)):
-        raise CompileError(f"signal {name!r}: {v} is no direction")
+        raise CompileError(f"signal {name!r}: {v} is not a direction")
     return v / size

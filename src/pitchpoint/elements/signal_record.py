@@ -36,7 +36,7 @@ LINK = 40
 WORLD, BODY_I, BODY_J = 0, 1, 2
 """Axes in which the direction of a `FORCE` is given."""
 TIME, NOTHING = -1, -2
-"""Inputs of a formula that are no signals."""
+"""Inputs of a formula that are not signals."""
 UNITS = ("", "1", "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N m", "W")
 
 ROW = 18

@@ -200,14 +200,14 @@ def sense_angle(b, f, g, rows, tangents):
     rest, turns = turn_between(f, g, sense_of(f, g, b["j"]))
     n = (f["R"][0, 2], f["R"][1, 2], f["R"][2, 2])
     way = 1.0 if dot(n, cross(e, y)) > 0.0 else -1.0
-    # the spins say how many turns there were; the angle itself stays free of them
+    # the number of turns follows from the spins; the angle itself does not contain them
     n_turns = math.floor((way * rest - angle + b["low"]) / TWO_PI + 0.5) + way * turns
     return angle + TWO_PI * n_turns
 
 
 @kernel
 def sense(b, f, g, rows, tangents):
-    """Value of a kinematic sensor; rows (36) are written if tangents are asked for."""
+    """Value of a kinematic sensor; rows (36) are written if tangents are requested."""
     op = b["op"]
     if op == ANGLE:
         return sense_angle(b, f, g, rows, tangents)

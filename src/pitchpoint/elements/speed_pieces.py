@@ -47,7 +47,7 @@ class SpeedPieces(NamedTuple):
     powers: Array
 
     def angles(self) -> Array:
-        """Angle at the edges [rad], shape (n + 1,), 0 at t = 0 (ends go on with constant speed)."""
+        """Angle at the edges [rad], shape (n + 1,), 0 at t = 0 (constant speed beyond the ends)."""
         order = np.arange(1, self.powers.shape[1] + 1)
         # x^k/k from -1 to 1: twice 1/k for odd k
         turned = np.diff(self.edges) * (self.powers[:, ::2] / order[::2]).sum(axis=1)

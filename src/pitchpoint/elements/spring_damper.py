@@ -4,7 +4,7 @@
     tension = k x + d w + L(t, x, w)
 
 x is the elongation, length less free length, w its rate. L is a signal: a table over elongation (angle) or
-rate (speed), a formula in which `angle` stands for x and `speed` for w, or a user's law.
+rate (speed), a formula in which `angle` is x and `speed` is w, or a user's law.
 """
 
 from __future__ import annotations

@@ -4,8 +4,8 @@
 A cylinder lies along the z axis of its marker, from -length/2 to length/2; a ring (torus; a disc if its tube
 is zero) in the plane z = 0. Spheres against anything are the kind point_surface.
 
-* cylinder on plane, beside a cylinder or in a bore: a line of contact (elements/line_contact.py), parallel or
-  tilted; the law counts for the whole line. Cylinders have flat ends there;
+* cylinder on plane, against a cylinder or in a bore: a line of contact (elements/line_contact.py), parallel
+  or tilted; the law counts for the whole line. Cylinders have flat ends there;
 * ring on plane: the lowest place of the circle;
 * crossed cylinders: one place, on the common normal of the axes, which must not be parallel; round ends;
 * triangles: the middle of every face of one surface that is below the other one presses with the area of its
@@ -65,7 +65,7 @@ def _set_line(record: np.void, radius: float, length: float, shared: float, stat
 
 
 def set_cylinder_on_plane(record: np.void, radius: float, length: float, stations: int = 8) -> None:
-    """A cylinder of body i rolls or stands on a plane of body j.
+    """A cylinder of body i rolls or rests on a plane of body j.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def set_cylinders_in_line(
     hollow: bool = False,
     stations: int = 8,
 ) -> None:
-    """A cylinder of body i beside a cylinder of body j or in its bore, with axes that are nearly parallel.
+    """A cylinder of body i against a cylinder of body j or in its bore, with axes that are nearly parallel.
 
     Parameters
     ----------

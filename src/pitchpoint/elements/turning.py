@@ -75,7 +75,7 @@ def add_torque(f, g, m, torque):
 def turn_column(f, g, sense, m, side, c, exact):
     """Change of angle, of speed and of m with a turn of body i (`side` 0) or j (1) about the world axis c.
 
-    Where tangents need not be exact, the turn of a body about m stands for that of its angle.
+    Where tangents need not be exact, the turn of a body about m is taken for that of its angle.
     """
     w = unit(c)
     here = f if side == 0 else g

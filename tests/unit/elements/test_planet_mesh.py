@@ -33,7 +33,7 @@ def two_ways(internal, places=None):
     """Gear 1 on ground and gear 2 on a carrier about gear 1; gear 2 on ground as a free body."""
     mesh = gears(internal)
     if places is not None:
-        mesh.rec["displaced"], mesh.rec["askew"] = 1, mesh.pool.size
+        mesh.rec["displaced"], mesh.rec["seats"] = 1, mesh.pool.size
         mesh.pool = np.append(mesh.pool, displaced(places))
     row = mesh.rec.copy()
     place = (float(mesh.frames["r"][1][0]), 0.0, 0.0)

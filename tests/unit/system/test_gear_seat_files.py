@@ -34,7 +34,7 @@ def places(model):
     system = compile_model(model)
     record = system.records["gear_mesh"][0]
     assert record["fixed"] == 1 - record["displaced"]
-    at = int(record["askew"])
+    at = int(record["seats"])
     return system.pools["gear_mesh"][at : at + 8].reshape(2, 4) if record["displaced"] else None
 
 

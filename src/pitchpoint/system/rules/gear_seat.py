@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears that sit beside or askew on the axis of their body, as the places that the mesh element reads."""
+"""Eccentric and wobbling gears as the places on their bodies that the mesh element reads."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def put_seats(
     """
     if any(sits_off(gear) for gear in gears):
         places = np.array([_place(g, angle) for g, angle in zip(gears, tooth_0, strict=True)])
-        row["displaced"], row["askew"] = 1, keep(displaced(places))
+        row["displaced"], row["seats"] = 1, keep(displaced(places))
 
 
 def _place(gear: Gear, tooth_0: float) -> NDArray[np.float64]:

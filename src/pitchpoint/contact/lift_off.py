@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where flanks lift off along a contact line: the zero of a function whose sign changes between two places.
+
+Regula falsi with the Illinois rule: M. Dowell and P. Jarratt, A modified regula falsi method for computing
+the root of an equation, BIT 11 (1971) 168-174.
+"""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel
+
+MOST_STEPS = 60
+"""Maximum number of steps of a search; some six are taken."""
+
+
+@kernel
+def secant(bracket):
+    """Zero of the straight line through both ends of a bracket (a, c, f_a, f_c, side)."""
+    a, c, f_a, f_c, _ = bracket
+    return (a * f_c - c * f_a) / (f_c - f_a)
+
+
+@kernel
+def narrowed(bracket, z, f):
+    """The bracket with the end replaced by (z, f) whose value has the same sign.
+
+    `side` is the end replaced last, 1 for c and -1 for a. Where the same end is replaced twice, the value of
+    the other one is halved, so that both ends converge.
+    """
+    a, c, f_a, f_c, side = bracket
+    if (f > 0.0) == (f_c > 0.0):
+        return a, z, 0.5 * f_a if side == 1 else f_a, f, 1
+    return z, c, f, 0.5 * f_c if side == -1 else f_c, -1
