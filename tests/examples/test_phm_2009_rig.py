@@ -272,8 +272,8 @@ def test_severity_zero_is_the_healthy_rig(rig: tuple[DatasetPlan, Model], health
     gears = {f"gears.{n}.faults": {} for n in ("z32", "z48", "z80")}
     whole = rig[1].replace_all({**gears, **bearings, "meshes.stage_1.misalignment": None})
     bare = compute_case(rig[0], whole, PlannedCase(0, {}, {}, 1), "key")
-    # kernels with and without faults round differently; over 60 000 steps with contact loss that grows to some
-    # 1e-9 of the rms, depending on the processor. The runout of z80 at a severity of 0.01 changes 5e-4 of it
+    # kernels with and without faults round differently; over 60 000 steps with contact loss that grows to
+    # some 1e-9 of the rms, depending on the processor; the runout of z80 at a severity of 0.01 changes 5e-4
     size = float(np.sqrt(np.mean(vibration(healthy) ** 2)))
     np.testing.assert_allclose(vibration(bare), vibration(healthy), rtol=0.0, atol=1e-7 * size)
 
