@@ -39,7 +39,7 @@ def _tools() -> str:
     metavar="N",
     help="Pulses of the tacho in one turn.",
 )
-@quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
+@quantity("--sample-rate", "frequency", "Sample rate, where the file does not give it.")
 @click.option(
     "--unit", "units", multiple=True, metavar="NAME=UNIT", help="Unit of a channel, such as acc='50 m/s^2'."
 )
@@ -49,7 +49,7 @@ def _tools() -> str:
     "lines",
     multiple=True,
     metavar="QUANTITY",
-    help="Say which of its harmonics are lost.",
+    help="Report which of its harmonics are lost.",
 )
 @writes("--csv", help="Write the result as a table.")
 @writes("--html", help="Write a page with pictures.")
@@ -107,7 +107,7 @@ _TARGETS = {"csv": "analysis", "html": "page"}
 
 
 def _one_shaft(tacho: str | None, angle: str | None, pulses: int | None) -> None:
-    """Refuse what does not say one shaft."""
+    """Refuse what does not define one shaft."""
     if tacho is not None and angle is not None:
         raise click.UsageError("--tacho and --angle both name the shaft; give one of them")
     if (tacho is None) != (pulses is None):
@@ -248,7 +248,7 @@ def _plain(result: xr.Dataset, notes: Sequence[str]) -> Mapping[str, Any]:
 
 
 def _write(targets: Mapping[str, Any], record: xr.Dataset, result: xr.Dataset, notes: Sequence[str]) -> None:
-    """Write what is asked for."""
+    """Write the requested files."""
     from pitchpoint.io.target import write_file
 
     if "analysis" in targets:

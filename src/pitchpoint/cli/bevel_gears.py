@@ -29,7 +29,7 @@ def export_bevel(model: Model, name: str, target: Path, inputs: Sequence[str | P
     inputs
         Files that must not be replaced.
     points
-        Points of a flank where the gear says nothing.
+        Points of a flank where the gear gives none.
     """
     if target.suffix.lower() != ".stl":
         raise click.BadParameter(

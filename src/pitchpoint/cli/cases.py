@@ -146,7 +146,7 @@ def run_varied(
     try:
         results, status, error = compute(model, file, name, target, cases, jobs=jobs, quiet=quiet)
     except (SolverError, KeyboardInterrupt) as stopped:
-        # the model as it stands cannot even be compiled: no case was begun
+        # the model cannot be compiled: no case was begun
         status, error = how_it_ended(stopped)[0], stopped
     wall_s = time.perf_counter() - begun
     if as_json:
@@ -270,7 +270,7 @@ def as_data(result: CaseResult) -> dict[str, Any]:
 
 
 def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> None:
-    """Show what the meshes did in each case beside its values; one row per case, of a roll one per mesh."""
+    """Show the mesh forces of each case next to its values; one row per case, of a roll one per mesh."""
     from pitchpoint.cli import roll
     from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK

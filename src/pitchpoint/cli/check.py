@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint check`: report every problem of a file, or say what will be simulated and what was assumed."""
+"""`pitchpoint check`: report every problem of a file, or what will be simulated and what was assumed."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ FREEDOMS = {
 @quiet
 @debug
 def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
-    """Check FILE and say what will be simulated: bodies and their freedoms, places, defaults used.
+    """Check FILE and report what will be simulated: bodies and their freedoms, places, defaults used.
 
     Every problem of the file is listed at once, with line, value, limit and remedy; the exit code is then 2.
     """
@@ -194,8 +194,7 @@ def _show_joints(found: dict[str, Any]) -> None:
             name,
             joint["type"],
             " - ".join(joint["bodies"]),
-            f"carries {joint['carries']} on {joint['on']}"
-            + (" (turned round)" if joint["turned_round"] else "")
+            f"carries {joint['carries']} on {joint['on']}" + (" (reversed)" if joint["turned_round"] else "")
             if joint["carries"]
             else f"closes a loop: {joint['constraints']} constraints",
             ", ".join(c.rsplit(".", 1)[1] for c in joint["coordinates"]),

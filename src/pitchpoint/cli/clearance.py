@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @click.command()
 @model_file
 @output("Picture to write (svg): every place, magnified, where the teeth come nearest.")
-@click.option("--mesh", "only", metavar="NAME", help="One mesh; all if left out.")
+@click.option("--mesh", "only", metavar="NAME", help="One mesh; all if omitted.")
 @as_json
 @allow_code
 @quiet
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 def clearance(
     file: str, output: str | None, only: str | None, as_json: bool, allow_code: bool, quiet: bool
 ) -> None:
-    """Check the room that the gears of FILE leave each other when they are put together.
+    """Check the clearances between the gears of FILE when they are assembled.
 
     Flanks, tips, roots and fillets of every mesh are rolled through one pitch, as solids without
-    modifications; gears that do not mesh, and shafts beside gears, are looked at as cylinders.
+    modifications; gears that do not mesh, and shafts next to gears, are treated as cylinders.
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.io.target import check_target
@@ -56,7 +56,7 @@ def clearance(
     if others:
         _print("Parts that do not mesh", others)
     if not stages and not others:
-        show(f"{file}: has no meshes of cylindrical gears, and none of these beside each other")
+        show(f"{file}: has no meshes of cylindrical gears, and no cylindrical gears next to each other")
     tight = [room for stage in stages.values() for room in stage.rooms.values() if not room.fine]
     tight += [room for room in others if not room.fine]
     hit = sum(room.distance < -room.slack for room in tight)

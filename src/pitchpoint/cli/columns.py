@@ -2,7 +2,7 @@
 """Columns of tables for people: where their cells may be broken, and how they fit into a given width.
 
 Cells are broken between words, long keys at their dots and brackets if need be; a number stays with its unit.
-Columns that do not fit beside each other go below each other.
+Columns that do not fit side by side go below each other.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Column:
     heading, cells
         Its texts.
     first
-        Whether it says what the row is about.
+        Whether it names the row.
     """
 
     heading: str
@@ -75,7 +75,7 @@ def total(widths: Sequence[int]) -> int:
 
 
 def groups(columns: Sequence[Column], room: int, keys: int = 1) -> list[list[int]]:
-    """Columns that stand beside each other, by their indices; each group begins with the first `keys`."""
+    """Columns that are side by side, by their indices; each group begins with the first `keys`."""
     least = [column.least(inside=True) for column in columns]
     front = list(range(keys))
     found = [list(front)]
@@ -87,7 +87,7 @@ def groups(columns: Sequence[Column], room: int, keys: int = 1) -> list[list[int
 
 
 def fit(columns: Sequence[Column], room: int) -> None:
-    """Make columns narrower, the widest first, until they have room or none can give way."""
+    """Make columns narrower, the widest first, until they have room or none can become narrower."""
     for inside in (False, True):
         least = [column.least(inside=inside) for column in columns]
         while total([column.width for column in columns]) > room:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 @click.command(name="compare-solvers")
 @model_file
 @scenario
-@output("Page with the curves of accuracy over processor time (HTML); none if left out.")
+@output("Page with the curves of accuracy over processor time (HTML); none if omitted.")
 @click.option(
     "--limit",
     type=click.FloatRange(0.01, 86400.0),
@@ -62,7 +62,7 @@ def compare_solvers(
 
 
 def _target(output: str | None, file: str) -> Path | None:
-    """Where the page goes; neither the model nor anything but an older page may stand there."""
+    """Path of the page; it may replace an older page, but neither the model nor another file."""
     from pitchpoint.io.target import check_target
 
     return None if output is None else check_target(output, "page", [file])

@@ -45,10 +45,10 @@ def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int
     "--output",
     metavar="FOLDER",
     folder=True,
-    help="Folder of the data set; PLAN-data in this folder if left out.",
+    help="Folder of the data set; PLAN-data in this folder if omitted.",
 )
 @click.option(
-    "-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; one per core if left out."
+    "-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; one per core if omitted."
 )
 @click.option(
     "--shard",
@@ -56,7 +56,7 @@ def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int
     metavar="I/N",
     help="Compute only every N-th case, beginning with the I-th: for N machines with one folder.",
 )
-@click.option("--dry-run", is_flag=True, help="Say how many cases there are, how large and how long.")
+@click.option("--dry-run", is_flag=True, help="Report the number of cases, their size and their time.")
 @as_json
 @allow_code
 @quiet
@@ -71,7 +71,7 @@ def dataset(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Compute labelled data as PLAN says: every combination of its factors, with every seed.
+    """Compute labelled data of PLAN: every combination of its factors, with every seed.
 
     Cases that are in the folder already are not computed again: call it again after an interruption, or with
     a longer plan.
@@ -176,7 +176,7 @@ def compute(
             raise OutputError(f"{error}; the cases before it are kept; fix this and rerun") from error
     table.write()
     if not whole:
-        return SolverError(f"{sentence(INTERRUPTED)}; call it again to go on", INTERRUPTED, str(folder.path))
+        return SolverError(f"{sentence(INTERRUPTED)}; rerun to continue", INTERRUPTED, str(folder.path))
     bad = [row for row in table.rows.values() if row["status_code"] not in ("", OK)]
     if not bad:
         return None
@@ -281,7 +281,7 @@ class Table:
         return {"table": str(self.path), **{w: ways.count(w) for w in ("finished", "failed", "waiting")}}
 
     def failures(self) -> list[str]:
-        """What failed cases say."""
+        """Messages of failed cases."""
         return [f"case {r['case']}: {r['sentence']}" for r in self.rows.values() if r["status"] == "failed"]
 
 
@@ -316,7 +316,7 @@ def forecast(
 
 
 def forecast_words(summary: Mapping[str, Any]) -> str:
-    """Say what a data set will cost."""
+    """Give the time and size of a data set in words."""
     from pitchpoint.cli.progress import duration_text
 
     size = summary["bytes"] / 1e6

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint diagnose`: which shaft, gear or bearing shows damage in a record, and what says so."""
+"""`pitchpoint diagnose`: which shaft, gear or bearing shows damage in a record, with the evidence."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ PAGE_ENDINGS = (".html", ".htm")
     metavar="DB",
     help="White noise to add, so many dB below the signal; 20 for simulations, none for measured files.",
 )
-@quantity("--sample-rate", "frequency", "Sample rate, where the file does not say it.")
+@quantity("--sample-rate", "frequency", "Sample rate, where the file does not give it.")
 @output("HTML page to write, with pictures of the evidence.")
 @as_json
 @allow_code
@@ -77,16 +77,14 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
 
     target = _page_target(options.pop("output"), [file, options["model"]])
     if options["pulses"] is not None and options["tacho"] is None:
-        raise click.UsageError("--pulses says nothing without --tacho CHANNEL")
+        raise click.UsageError("--pulses requires --tacho CHANNEL")
     if options["tacho"] is not None and options["pulses"] is None:
         raise click.UsageError("--tacho needs --pulses N, the pulses in one turn")
     given = [flag for flag in ("tacho", "angle") if options[flag] is not None]
     if len(given) > 1:
-        raise click.UsageError("--tacho and --angle say the same thing twice; leave one of the two out")
+        raise click.UsageError("--tacho and --angle give the same quantity; omit one of them")
     if options["train"] is not None and (options["model"] or options["scenario"]):
-        raise click.UsageError(
-            "--train stands in place of a model and its scenario; leave one of the two out"
-        )
+        raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
     request = Request(
         file=file,
         model=options["model"],
@@ -126,7 +124,9 @@ def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
         return None
     if not path.lower().endswith(PAGE_ENDINGS):
         raise OutputError(
-            str(Message("output", "is no HTML page", path, " or ".join(PAGE_ENDINGS), "name another file"))
+            str(
+                Message("output", "is not an HTML page", path, " or ".join(PAGE_ENDINGS), "name another file")
+            )
         )
     return check_target(path, "page", [name for name in inputs if name])
 

@@ -73,7 +73,7 @@ def list_examples(as_json: bool) -> None:
 @click.option("--force", is_flag=True, help="Overwrite files that are there already.")
 @debug
 def copy_example(name: str, directory: str | None, force: bool) -> None:
-    """Copy the example NAME into the folder DIRECTORY (./NAME if left out)."""
+    """Copy the example NAME into the folder DIRECTORY (./NAME if omitted)."""
     if name not in example_names():
         from pitchpoint.core.nearest import did_you_mean
 

@@ -25,7 +25,7 @@ OK, FAULT, BAD_INPUT, FAILED = 0, 1, 2, 3
 
 
 def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
-    """Say on stderr what went wrong and return the exit code that stands for it."""
+    """Report an error on stderr and return its exit code."""
     from pitchpoint.core.errors import MissingDependencyError, PitchpointError, SolverError
     from pitchpoint.io.target import is_disk_fault
 
@@ -59,7 +59,7 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         return BAD_INPUT
     say(
         f"internal error: {type(error).__name__}: {error}\n"
-        "This is a fault of pitchpoint, not of your input. Please report it as the README says,\n"
+        "This is a fault of pitchpoint, not of your input. Please report it as described in the README,\n"
         "with the command, the model file and what the same command prints with --debug."
     )
     return FAULT

@@ -28,7 +28,7 @@ def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dic
     for text in texts:
         body, equals, quantity = text.partition("=")
         if not equals or not body or not quantity:
-            raise click.BadParameter(f"{text!r} is no BODY=QUANTITY, such as motor=1500 rpm")
+            raise click.BadParameter(f"{text!r} is not BODY=QUANTITY, such as motor=1500 rpm")
         try:
             speeds[body] = parse_quantity(quantity, "angular_speed")
         except UnitError as error:
@@ -39,7 +39,7 @@ def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dic
 @click.command()
 @model_file
 @click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives the speeds; the only one if left out."
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives the speeds; the only one if omitted."
 )
 @click.option(
     "--speed",
@@ -67,7 +67,7 @@ def frequencies(
     remarks: list[str] = []
     speeds = dict(given)
     if given and scenario is not None:
-        raise click.UsageError("--speed stands in place of a scenario; leave one of the two out")
+        raise click.UsageError("--speed replaces a scenario; omit one of the two")
     driven: Collection[str] = ()
     if not given:
         scenario = _scenario(model, scenario)
@@ -94,7 +94,7 @@ def _scenario(model: Model, name: str | None) -> str:
         return next(iter(model.scenarios))
     if name is None:
         listed = ", ".join(model.scenarios) or "none"
-        raise click.UsageError(f"say which --scenario (there are: {listed}), or give --speed BODY=QUANTITY")
+        raise click.UsageError(f"choose a --scenario (there are: {listed}), or give --speed BODY=QUANTITY")
     return known_scenario(model, name)
 
 

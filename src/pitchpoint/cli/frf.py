@@ -39,21 +39,21 @@ if TYPE_CHECKING:
     metavar="NAME",
     help="What is looked at: BODY.COORDINATE, BODY.ux ... rz, or a channel such as mesh_force[MESH].",
 )
-@quantity("--from", "frequency", "Lowest frequency; a hundredth of the highest if left out.")
+@quantity("--from", "frequency", "Lowest frequency; a hundredth of the highest if omitted.")
 @quantity("--to", "frequency", "Highest frequency.")
 @click.option("--points", type=click.IntRange(min=2), default=400, help="Number of frequencies.")
 @click.option("--linear", is_flag=True, help="Equal steps of the frequency instead of equal ratios.")
 @click.option(
-    "--modes", type=click.IntRange(min=1), metavar="N", help="By the lowest N modes; directly if left out."
+    "--modes", type=click.IntRange(min=1), metavar="N", help="By the lowest N modes; directly if omitted."
 )
 @click.option(
     "--synchronous", metavar="BODY", help="The speed of this body follows the frequency, the others with it."
 )
 @click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
 )
 @writes("--picture", metavar="HTML", help="Write a picture.")
-@output("Result file (netCDF-4/HDF5); none if left out.")
+@output("Result file (netCDF-4/HDF5); none if omitted.")
 @as_json
 @allow_code
 @quiet

@@ -108,7 +108,7 @@ def _evidence(result: xr.Dataset) -> list[list[str]]:
             [
                 f"chance in noise of {shown(float(period), 's')}",
                 number(float(chance), 3) if known else "not known",
-                seen if known else f"{seen}: too few to say; a longer record has more",
+                seen if known else f"{seen}: too few to decide; a longer record has more",
             ]
         )
     return rows

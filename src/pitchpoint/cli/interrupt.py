@@ -20,12 +20,12 @@ from typing import Any
 APART = 0.3
 """Signals closer than this count as one: some callers pass on what the terminal sends as well [s]."""
 PATIENCE = 1.5
-"""Time after which somebody who waits is told what else can be done [s]."""
+"""Time after which a waiting user is shown what else can be done [s]."""
 _CODES = {signal.SIGINT: 130, signal.SIGTERM: 143}
 """Exit codes: 128 and the number of the signal."""
 _received: list[int] = []
 AGAIN = b"\xff"
-"""What asks for a signal that was lost; no signal has this number."""
+"""Request for a signal that was lost; no signal has this number."""
 PAUSE = 0.01
 """Time after which it is sent again: what lost it has ended by then [s]."""
 
@@ -61,7 +61,7 @@ def _hear_what_is_lost(there: socket.socket) -> None:
     before = sys.unraisablehook
 
     def hook(found: Any) -> None:
-        """Tell the thread that listens; hand on everything else."""
+        """Notify the listening thread; pass on everything else."""
         if issubclass(found.exc_type, KeyboardInterrupt):
             there.send(AGAIN)
         else:

@@ -21,7 +21,7 @@ import click
 from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 
 COMMANDS = {
-    "check": "Read a model file and say what will be simulated.",
+    "check": "Read a model file and report what will be simulated.",
     "gears": "Geometry of gears and pairs; drawings.",
     "clearance": "Room between the teeth of a stage, with pictures.",
     "mass": "Mass and inertia: geometry, solids, given values.",
@@ -32,7 +32,7 @@ COMMANDS = {
     "reduce": "Condense linear parts; what is left and its error.",
     "run": "Time response or slow roll of a scenario.",
     "sweep": "Speed sweep up and down, with jumps.",
-    "dataset": "Labelled data of many cases, as a plan says.",
+    "dataset": "Labelled data of many cases, from a plan.",
     "compare-solvers": "Accuracy against time of all integrators on one model.",
     "analyse": "Spectra, orders, indicators of any record.",
     "diagnose": "Damaged gears, shafts and bearings in a record.",

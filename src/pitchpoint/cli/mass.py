@@ -60,7 +60,7 @@ def show_masses(title: str, found: Sequence[dict[str, Any]], *, quiet: bool = Fa
     found
         Entries of `pitchpoint.report.masses.masses`.
     quiet
-        Leave out the notes.
+        Omit the notes.
     """
     rows: list[list[str]] = []
     notes = []

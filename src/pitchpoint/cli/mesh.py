@@ -28,19 +28,19 @@ _BARS = "▁▂▃▄▅▆▇█"
     help="Transverse contact ratio (instead of a file).",
 )
 @click.option(
-    "--eps-beta", type=click.FloatRange(0.0, 500.0), metavar="X", help="Overlap ratio; 0 if left out."
+    "--eps-beta", type=click.FloatRange(0.0, 500.0), metavar="X", help="Overlap ratio; 0 if omitted."
 )
 @click.option(
     "--stiffness-ratio",
     type=float,
     metavar="S_R",
-    help="Least over greatest stiffness of one pair, 0 to 1; 0.8 if left out.",
+    help="Minimum over maximum stiffness of one pair, 0 to 1; 0.8 if omitted.",
 )
 @click.option(
     "--tip-relief-factor",
     type=float,
     metavar="T_R",
-    help="Ramp at both ends of each pair, 0 to 1; 0 if left out.",
+    help="Ramp at both ends of each pair, 0 to 1; 0 if omitted.",
 )
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Samples.")
 @as_json
@@ -110,7 +110,7 @@ def _print(name: str, cycle: MeshCycle, relative_to: str, unit: float | None) ->
 
 
 def bars(cycle: MeshCycle, width: int = 60) -> str:
-    """Draw the cycle as a line of bars between its least and greatest value."""
+    """Draw the cycle as a line of bars between its minimum and maximum."""
     n, span = len(cycle.phase), cycle.peak_to_peak
     line = ""
     for k in range(width):

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.modal import Modes
 
 SHOWN = 20
-"""Modes in the table if no number is asked for."""
+"""Modes in the table if no number is given."""
 
 ROUNDING = 1e-7
 """Frequency over the highest up to which the table says zero: squared it is rounding of eigenvalues."""
@@ -28,19 +28,19 @@ ROUNDING = 1e-7
 @click.command()
 @model_file
 @click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
 )
 @click.option(
     "--phase",
     type=click.FloatRange(0.0, 1.0, max_open=True),
     metavar="PSI",
-    help="Mesh phase at which the meshes are taken; the mean over the mesh cycle if left out.",
+    help="Mesh phase at which the meshes are taken; the mean over the mesh cycle if omitted.",
 )
 @click.option(
     "--count",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Find and show the lowest N modes. If left out, the 20 lowest are shown, and all of up to 200 modes "
+    help="Find and show the lowest N modes. If omitted, the 20 lowest are shown, and all of up to 200 modes "
     "(the lowest 40 of more) found for JSON and files.",
 )
 @writes(
@@ -48,7 +48,7 @@ ROUNDING = 1e-7
     metavar="FILE",
     help="Write the motion of bodies and nodes over one cycle of every mode: json or npz.",
 )
-@output("Result file (netCDF-4/HDF5); none if left out.")
+@output("Result file (netCDF-4/HDF5); none if omitted.")
 @as_json
 @allow_code
 @quiet
@@ -130,7 +130,7 @@ def compute(
 
 
 def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> None:
-    """Show frequencies and damping of the lowest modes, and say what was left out."""
+    """Show frequencies and damping of the lowest modes, and note what was omitted."""
     least = ROUNDING * max((abs(row["frequency"]) for row in summary["modes"]), default=0.0)
 
     def told(frequency: float) -> float:

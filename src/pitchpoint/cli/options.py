@@ -30,24 +30,27 @@ debug = click.option(
     "--debug", is_flag=True, expose_value=False, help="Show the traceback of an error, for a report."
 )
 scenario = click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario of the file; the only fitting one if left out."
+    "--scenario",
+    "-s",
+    metavar="NAME",
+    help="Scenario of the file; default: the only scenario of a suitable type.",
 )
 jobs = click.option(
     "--jobs",
     "-j",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Threads for --vary; one per core if left out.",
+    help="Threads for --vary; one per core if omitted.",
 )
 
 
 def writes(*names: str, metavar: str = "OUT", help: str, folder: bool = False) -> Callable[[F], F]:
     """Make an option that names a file to write, or a folder.
 
-    Folders on the way to it that do not exist are made, by every command; which ones is said at the end.
+    Folders on the way to it that do not exist are made, by every command, and reported at the end.
     """
     kind = click.Path(file_okay=not folder, dir_okay=folder)
-    return click.option(*names, type=kind, callback=tell_of_folders, metavar=metavar, help=help)
+    return click.option(*names, type=kind, callback=report_folders, metavar=metavar, help=help)
 
 
 def output(what: str) -> Callable[[F], F]:
@@ -55,16 +58,16 @@ def output(what: str) -> Callable[[F], F]:
     return writes("-o", "--output", help=what)
 
 
-def tell_of_folders(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
-    """Look which folder a file lacks, and say when the command is done that it was made."""
+def report_folders(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
+    """Find which folder of a file is missing, and report at the end of the command that it was made."""
     missing = None if value is None else first_missing(Path(value))
 
-    def tell() -> None:
-        """Say it if it is so; in quiet runs nothing is said."""
+    def report() -> None:
+        """Report a new folder; quiet runs report nothing."""
         if missing is not None and missing.is_dir() and not context.params.get("quiet"):
             click.echo(f"note: the folder {missing} is new", err=True)
 
-    context.call_on_close(tell)
+    context.call_on_close(report)
     return value
 
 
@@ -81,7 +84,7 @@ def first_missing(target: Path) -> Path | None:
 
 
 def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
-    """Make an option that takes a quantity with a unit and hands over SI."""
+    """Make an option that takes a quantity with a unit and returns SI."""
 
     def convert(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
         """Read the text of the option as a quantity in SI; a bare number counts as SI."""
@@ -103,7 +106,7 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
 
 
 def one_of(name: str | None, names: Sequence[str], what: str) -> str:
-    """Find the name that an option gives, or say which ones there are."""
+    """Find the name that an option gives, or list the names there are."""
     if name is None or name not in names:
         from pitchpoint.core.nearest import hint
 

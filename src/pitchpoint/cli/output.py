@@ -80,7 +80,7 @@ def table(
 ) -> None:
     """Print a table: words left, numbers right; rows of one empty text are rules.
 
-    Columns that do not fit beside each other follow in tables of their own, behind the first `keys` columns.
+    Columns that do not fit side by side follow in tables of their own, after the first `keys` columns.
     """
     from rich.console import Console
     from rich.markup import escape
@@ -107,7 +107,7 @@ def table(
 
 
 def _made(columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> Table:
-    """Make the table of columns that have their width; rows only say where the rules are."""
+    """Make the table of columns that have their width; rows only give the places of the rules."""
     from rich import box
     from rich.markup import escape
     from rich.table import Table

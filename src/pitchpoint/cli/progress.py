@@ -13,7 +13,7 @@ from typing import Any, Self
 
 import click
 
-from pitchpoint.core.progress import heard_by
+from pitchpoint.core.progress import listening
 
 PATIENCE = 2.0
 LINE_EVERY = 3.0
@@ -134,7 +134,7 @@ class ProgressDisplay:
         self._bar.refresh()
 
     def __enter__(self) -> Self:
-        self._heard = heard_by(self.aside)
+        self._heard = listening(self.aside)
         self._heard.__enter__()
         return self
 

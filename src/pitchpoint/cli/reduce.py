@@ -33,7 +33,7 @@ LISTED = 40
     help="Body, or element as 'KIND NAME', that stays; may be repeated.",
 )
 @click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if left out."
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
 )
 @as_json
 @allow_code
@@ -48,7 +48,7 @@ def reduce(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Condense the linear parts of FILE about its loaded state, and say what that costs.
+    """Condense the linear parts of FILE about its loaded state, and report the loss of accuracy.
 
     `run --reduce LIMIT` computes a time response with the reduced system.
     """

@@ -61,7 +61,7 @@ def choose_scenario(model: Model, name: str | None, *kinds: str) -> str:
     if not fitting and name is None:
         raise click.UsageError(f"the model has no scenario of the kind {kind}; add one under scenarios:")
     if name is None:
-        raise click.UsageError(f"say which --scenario; of the kind {kind} there are: {listed}")
+        raise click.UsageError(f"choose a --scenario; of the kind {kind} there are: {listed}")
     if known_scenario(model, name) not in fitting:
         is_kind = model.scenarios[name].kind
         raise click.BadParameter(
@@ -90,9 +90,9 @@ def refuse_idle(what: str, options: Mapping[str, Any]) -> None:
 
 
 def result_path(output: str | None, file: str, scenario: str) -> Path:
-    """Name the result file: as asked, or after model file and scenario in the current folder.
+    """Name the result file: as given, or after model file and scenario in the current folder.
 
-    Neither the model file nor any other file than an older result may stand there.
+    It may replace an older result, but neither the model file nor any other file.
     """
     from pitchpoint.io.target import check_target
 
@@ -164,11 +164,13 @@ def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, 
 
 
 def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> None:
-    """Show the statistics of the channels that people ask for first; those that are zero only as a count."""
+    """Show the statistics of the channels of general interest first; those that are zero only as a count."""
     rows, zeros = [], []
     for name, row in channels.items():
         inner = ".eta" in name or (name.startswith("signal[") and "." in name)
-        if name.partition("[")[0] in SHOWN and not inner:  # modal coordinates, parts of blocks tell little
+        if (
+            name.partition("[")[0] in SHOWN and not inner
+        ):  # modal coordinates and parts of blocks are of little interest
             if any(row[key] != 0.0 for key in STATISTICS):
                 rows.append([name, *statistics_cells(row)])
             else:

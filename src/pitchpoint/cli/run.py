@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 ALIKE = 0.999
-"""Share of the step that was asked for from which a shorter one goes without a word."""
+"""Share of the requested step from which a shorter one is not reported."""
 NOT_BEGUN: dict[str, Any] = {
     "steps": 0,
     "step": None,
@@ -37,10 +37,10 @@ NOT_BEGUN: dict[str, Any] = {
 @click.command()
 @model_file
 @scenario
-@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if left out.")
+@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if omitted.")
 @quantity("--step", "time", "Time step instead of that of the scenario, as in '5 us'.")
 @click.option(
-    "--decimate", type=click.IntRange(min=1), metavar="N", help="Store every N-th sample only; 1 if left out."
+    "--decimate", type=click.IntRange(min=1), metavar="N", help="Store every N-th sample only; 1 if omitted."
 )
 @quantity(
     "--reduce", "frequency", "Condense the linear parts for frequencies up to this, see the command reduce."
@@ -49,7 +49,7 @@ NOT_BEGUN: dict[str, Any] = {
     "--channels",
     multiple=True,
     metavar="PATTERN",
-    help="Store these channels only, such as 'mesh_force[*]'; may be repeated. All if left out.",
+    help="Store these channels only, such as 'mesh_force[*]'; may be repeated. All if omitted.",
 )
 @set_option
 @vary_option
@@ -232,7 +232,7 @@ def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
 
 
 def no_statistics(scenario: Scenario, t_end: float) -> str:
-    """Say why a run that went on to `t_end` [s] has no statistics.
+    """Give the reason why a run that ended at `t_end` [s] has no statistics.
 
     Examples
     --------
@@ -247,7 +247,7 @@ def no_statistics(scenario: Scenario, t_end: float) -> str:
 
 
 def step_notes(scenario: Scenario, used: float) -> tuple[str, ...]:
-    """Say that the step that was asked for had to be shortened; `used` [s] is 0 for adaptive methods."""
+    """Report that the requested step had to be shortened; `used` [s] is 0 for adaptive methods."""
     if scenario.step is None or not 0.0 < used < ALIKE * scenario.step:
         return ()
     asked, taken = shown(scenario.step, "time", 4), shown(used, "time", 4)

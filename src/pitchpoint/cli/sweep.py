@@ -25,7 +25,7 @@ NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "points": [], "jumps": []
 @click.command()
 @model_file
 @scenario
-@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if left out.")
+@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if omitted.")
 @vary_option
 @as_json
 @allow_code
@@ -41,7 +41,7 @@ def sweep(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Sweep the speed as a scenario of FILE says, and find the jumps of the response.
+    """Sweep the speed of a scenario of FILE, and find the jumps of the response.
 
     Every finished point is in the result file at once. Ctrl-C stops and keeps what was computed.
     """
@@ -129,7 +129,7 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
         per_speed = max(p["mesh_frequency"] / abs(p["speed"]) for p in summary["points"] if p["speed"])
 
     def place(frequency: float) -> str:
-        """Name a point of the sweep by its mesh frequency, or by the speed it stands for."""
+        """Name a point of the sweep by its mesh frequency, or by its speed."""
         if per_speed is None:
             return shown(frequency, "frequency", 5)
         return shown(frequency / per_speed, "angular_speed", 5)

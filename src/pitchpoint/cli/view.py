@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     "--modes",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Compute the lowest N modes as well and show their shapes; none if left out.",
+    help="Compute the lowest N modes as well and show their shapes; none if omitted.",
 )
 @writes(
     "--film",
     help="Write the record as a film too (mp4, webm or gif); needs chromium and ffmpeg.",
 )
-@output("HTML file to write; the name of FILE with .view.html if left out.")
+@output("HTML file to write; the name of FILE with .view.html if omitted.")
 @allow_code
 @quiet
 @debug
@@ -43,11 +43,11 @@ def view(
 ) -> None:
     """Write the 3-D scene of FILE, a result (.h5) or a model, as one HTML page for any browser.
 
-    With OTHER, two scenes stand side by side and share their time.
+    With OTHER, two scenes are shown side by side and share their time.
     """
     from pitchpoint.report.view import write_view
 
-    # what a film lacks is told before anything is computed
+    # what a film lacks is reported before anything is computed
     maker = None if film is None else _film_maker(film)
     target = output or str(Path(file).with_suffix(".view.html"))
     if modes and other is not None:

@@ -2,7 +2,7 @@
 """Units outside the own table, looked up one name at a time in pint.
 
 Kept apart so that pint is imported only when a file uses an exotic unit. Rates (per time alone) are
-refused here, because pint cannot tell turns, cycles and radians apart.
+refused here, because pint does not distinguish turns, cycles and radians.
 """
 
 from __future__ import annotations

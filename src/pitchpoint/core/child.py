@@ -23,5 +23,5 @@ def python_command(*arguments: str) -> list[str]:
 
 
 def python_environment() -> dict[str, str]:
-    """Environment in which the process finds the packages of this one; relative folders are left out."""
+    """Environment in which the process finds the packages of this one; relative folders are omitted."""
     return {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if os.path.isabs(p))}

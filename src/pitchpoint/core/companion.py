@@ -58,7 +58,7 @@ def delegate(entries: Sequence[str]) -> None:
 
 
 def await_entry(entry: str) -> None:
-    """Wait until the companion has finished an entry, or has ended; at once if it was not asked for it."""
+    """Wait until the companion has finished an entry, or has ended; at once if it was not requested."""
     while entry in _pending:
         process = _pending[entry]
         assert process.stdout is not None

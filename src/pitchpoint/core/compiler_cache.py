@@ -26,7 +26,7 @@ from pitchpoint.core.compiler_intrinsics import FLAGS
 
 
 class Locator(_CacheLocator):
-    """Tells Numba where compiled kernels are and when they are out of date."""
+    """Shows Numba where compiled kernels are and when they are out of date."""
 
     def __init__(self, py_func: Any, py_file: str) -> None:
         self._py_file = py_file
@@ -50,7 +50,7 @@ class Locator(_CacheLocator):
         return f"{options!r} {machine_code.source_stamp(self._py_file)}"
 
     def get_disambiguator(self) -> str:
-        """Line of the function, which tells functions of one name apart."""
+        """Line of the function, which distinguishes functions of one name."""
         return str(self._lineno)
 
     @classmethod
@@ -68,7 +68,7 @@ class Locator(_CacheLocator):
 
 
 class KernelFiles:
-    """What is kept of one function: a file for every key, which says itself what it holds.
+    """What is kept of one function: a file for every key, which describes its contents.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ models.register_default(PartType)(models.OpaqueModel)
 
 @lower_constant(PartType)
 def _no_address(context: Any, builder: Any, kind: PartType, value: Any) -> Any:
-    """Nothing stands for a kernel as a value; Numba would write the address of its Python object."""
+    """A kernel as a value is empty; Numba would write the address of its Python object."""
     return context.get_dummy_value()
 
 
@@ -103,7 +103,7 @@ class PartLowering(KernelLowering):
 
 
 def _mark(described: Any, environment: Any, library: Part) -> Any:
-    """What stands for a compiled part in Numba's tables; it cannot be called."""
+    """Entry of a compiled part in Numba's tables; it cannot be called."""
     name = described.qualname.rpartition(".")[2]
     return _dynfunc.make_function(described.lookup_module(), name, "part", 0, environment, (library,))
 

@@ -95,7 +95,7 @@ class Typing:
 
 
 class Lowering(Lower):
-    """Writes the intermediate code of a kernel: numbers need no clean-up, as long as nobody debugs."""
+    """Writes the intermediate code of a kernel: numbers need no clean-up, except for debugging."""
 
     def _is_plain(self, name: str) -> bool:
         return not self.flags.debuginfo and isinstance(self.typeof(name), _PLAIN)

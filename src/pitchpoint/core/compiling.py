@@ -10,11 +10,11 @@ from typing import TypeVar
 T = TypeVar("T")
 
 _WORDS = 1 << 17
-"""What the frame below asks for, 1 MB; the frames above it get as much."""
+"""Size that the frame below requests, 1 MB; the frames above it get as much."""
 
 
-_RUBBISH = 1_500_000
-"""Objects, about 500 MB, at which a collection in the midst of many kernels is worth its second."""
+_GARBAGE = 1_500_000
+"""Objects, about 500 MB, at which a collection between many kernels is worth its second."""
 
 
 def _with_room(function: Callable[[], T]) -> T:
@@ -23,13 +23,13 @@ def _with_room(function: Callable[[], T]) -> T:
 
 # The interpreter keeps frames in pieces of 16 kB and maps a new piece whenever a call crosses the end of the
 # last one. The compiler's calls are nested hundreds deep, and a loop at such an end maps and unmaps memory
-# with each turn, 400 000 times for one pair of gears. A frame that asks for 1 MB gets a piece of 2 MB, and
+# with each turn, 400 000 times for one pair of gears. A frame that requests 1 MB gets a piece of 2 MB, and
 # those above it need no other.
 _with_room.__code__ = _with_room.__code__.replace(co_stacksize=_WORDS)
 
 
 def unhindered(function: Callable[[], T]) -> T:
-    """Call a function that compiles, without looking for rubbish and with room for its frames.
+    """Call a function that compiles, without garbage collection and with room for its frames.
 
     Parameters
     ----------
@@ -48,5 +48,5 @@ def unhindered(function: Callable[[], T]) -> T:
     finally:
         if was_on:
             gc.enable()
-        elif gc.get_count()[0] > _RUBBISH:
+        elif gc.get_count()[0] > _GARBAGE:
             gc.collect()

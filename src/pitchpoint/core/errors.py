@@ -117,7 +117,7 @@ class ModelError(PitchpointError, ValueError):
     problems
         All problems, in the order of the file.
     file
-        Name of the file they stand in, if any.
+        Name of their file, if any.
     """
 
     def __init__(self, problems: Sequence[Message], file: str | None = None) -> None:
@@ -134,7 +134,7 @@ class UnitError(PitchpointError, ValueError):
 
 
 class GeometryError(PitchpointError, ValueError):
-    """No such gear or pair: the message says where, value, limit and remedy.
+    """A gear or pair that cannot exist: the message gives place, value, limit and remedy.
 
     `problem` holds the same as data, so that a loader can add the line of the file.
     """
@@ -153,7 +153,7 @@ class GeometryError(PitchpointError, ValueError):
 
 
 class CompileError(PitchpointError, RuntimeError):
-    """A model is valid but cannot be turned into equations (a floating body, say)."""
+    """A model is valid but cannot be turned into equations (for example a floating body)."""
 
 
 class SolverError(PitchpointError, RuntimeError):

@@ -126,7 +126,7 @@ class Formula:
         return np.concatenate([self.consts, np.zeros(2 * self.depth)])
 
     def uses(self, name: str) -> bool:
-        """Say whether a variable occurs in the formula.
+        """Whether a variable occurs in the formula.
 
         Parameters
         ----------

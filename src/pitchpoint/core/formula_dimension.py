@@ -2,9 +2,9 @@
 """Dimensions inside formulas: what the units of a formula give, and what cannot be right.
 
 Written units are checked, everything else is SI. The variables carry their units: t a time, angle an angle,
-speed an angular speed, elongation a length and rate a speed. A number without unit is a plain factor beside
-a written unit, takes the unit of the other side of a sum, and supplies the seconds that a variable beside it
-needs, so that ``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is none. A formula without
+speed an angular speed, elongation a length and rate a speed. A number without unit is a plain factor next
+to a written unit, takes the unit of the other side of a sum, and supplies the seconds that a variable next to
+it needs, so that ``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is none. A formula without
 any unit is never refused.
 
 Radians count as 1. Cycles do not: 25 Hz in a formula is the number 25, so it needs 2*pi where an angle or an
@@ -57,13 +57,13 @@ _WORDS = {op: name for name, (op, _) in FUNCTIONS.items()} | {ADD: "+", SUB: "-"
 
 
 class CycleError(UnitError):
-    """Cycles stand where radians are wanted."""
+    """Cycles are given where radians are expected."""
 
 
 class Kind(NamedTuple):
     """What is known of the dimension of a part of a formula.
 
-    The power of the second is ``s`` plus what the variables bring; beside a number without unit it may be
+    The power of the second is ``s`` plus what the variables bring; next to a number without unit it may be
     anything between ``s + falling`` and ``s + rising``.
     """
 
@@ -72,14 +72,14 @@ class Kind(NamedTuple):
     rising: float = 0.0  # seconds from variables with a positive power
     falling: float = 0.0  # the same with a negative power
     written: bool = False  # holds a unit
-    bare: bool = False  # has a factor without unit, which may stand for any dimension
+    bare: bool = False  # has a factor without unit, which may have any dimension
     loose: bool = False  # a number without unit may have supplied the seconds of variables
     cycles: float = 0.0  # power of the cycle (Hz)
     turned: bool = False  # has a factor that makes radians of cycles: pi, an angle
 
     @property
     def seconds(self) -> tuple[float, float]:
-        """Least and greatest power of the second."""
+        """Minimum and maximum power of the second."""
         if self.loose:
             return self.s + self.falling, self.s + self.rising
         both = self.s + self.rising + self.falling
@@ -223,7 +223,7 @@ def unit_text(kind: Kind) -> str:
     ('N/m^2', 'kg m^2')
     """
     m, kg, kelvin = kind.base
-    # beside a number without unit, the written units alone say more
+    # next to a number without unit, the written units alone are more exact
     s = kind.s if kind.loose and kind.written else kind.s + kind.rising + kind.falling
     with_kg = {"kg": kg, "m": m, "s": s, "K": kelvin}
     with_newton = {"N": kg, "m": m - kg, "s": s + 2.0 * kg, "K": kelvin}
@@ -292,7 +292,7 @@ def _firm(op: int, a: Kind, b: Kind) -> Kind:
         return _hull(a, b)
     if not a.written and not b.written:
         if a.bare or b.bare:
-            # a number beside a variable takes its unit, but may just as well be meant as a plain number
+            # a number next to a variable takes its unit, but may just as well be meant as a plain number
             return (b if a.bare else a)._replace(loose=True)
         # without units nothing is refused
         return _hull(a, b)._replace(bare=not a.fits(b))

@@ -54,7 +54,7 @@ CYCLE_REMEDY = "write 2*pi*50 Hz, or 50 rev/s, for an angular speed"
 
 
 class FormulaError(UnitError):
-    """A formula cannot be read; the message shows the place, `remedy` may say what to write instead."""
+    """A formula cannot be read; the message shows the place, `remedy` what to write instead."""
 
     def __init__(self, message: str, text: str = "", position: int = 0, remedy: str = "") -> None:
         self.position = position
@@ -73,7 +73,7 @@ def apply(op: int, *x: Any) -> Any:
     op
         Operation code.
     *x
-        Operands, as many as `ARITY` says.
+        Operands, as many as `ARITY` gives.
     """
     if op in _NUMPY:
         return _NUMPY[op](*x)

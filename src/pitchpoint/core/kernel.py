@@ -103,7 +103,7 @@ def kernel(function: Any = None, *, inline: bool = False) -> Any:
     Parameters
     ----------
     function
-        The function; left out in ``@kernel(inline=True)``.
+        The function; omitted in ``@kernel(inline=True)``.
     inline
         Put the body into every caller. An array travels as seven words and more, so a kernel with several
         arrays and one caller belongs there.
@@ -249,7 +249,7 @@ def _guarded(function: Any) -> Callable[..., float]:
         """The law, with NaN in place of an exception; Ctrl-C is kept for `invoke`."""
         try:
             return float(function(t, x, p))
-        except KeyboardInterrupt as stop:  # goes on in `invoke`
+        except KeyboardInterrupt as stop:  # continues in `invoke`
             _stopped.append(stop)
         except BaseException:  # nothing may pass the boundary of a callback
             pass

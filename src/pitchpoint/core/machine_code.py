@@ -35,7 +35,7 @@ UNREACHED = "NRT_MemInfo_call_dtor"
 #: Words in the names of settings of Numba that do not change its code.
 _NO_MATTER = ("CACHE", "THREAD", "DISABLE_JIT")
 
-#: What the names of drafts begin with, before the number of the process; after an hour nobody writes one.
+#: What the names of drafts begin with, before the number of the process; after an hour it is abandoned.
 _DRAFT = "draft-"
 _DRAFT_AGE = 3600.0
 
@@ -63,8 +63,8 @@ def cache_folder() -> Path:
 def source_stamp(file: str) -> str:
     """Hash of all sources that the kernels of a file depend on: its import closure.
 
-    A source that was edited after the process began may differ from what was imported: then nobody else will
-    find what is stored under the stamp.
+    A source that was edited after the process began may differ from what was imported: then no other process
+    will find what is stored under the stamp.
     """
     digest, edited = hashlib.sha256(), False
     for path in import_closure(file):
@@ -77,7 +77,7 @@ def source_stamp(file: str) -> str:
 
 @cache
 def _settings() -> str:
-    """Hash of all that decides, beside the sources, what the compiler makes: versions, processor, options."""
+    """Hash of what determines the compiler's output besides the sources: versions, processor, options."""
     import llvmlite
     import llvmlite.binding as llvm
 
@@ -123,7 +123,7 @@ def code_file(function: Any) -> Path | None:
     source = function.__code__.co_filename
     if function.__closure__ or not os.path.exists(source) or not is_trusted(_folder()):
         return None
-    line = function.__code__.co_firstlineno  # tells functions of one name apart
+    line = function.__code__.co_firstlineno  # distinguishes functions of one name
     name = f"{_family(function)}-{line}-{source_stamp(source)[:32]}.code"
     return _folder() / name
 
@@ -133,7 +133,7 @@ def _folder() -> Path:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder of the cache, with those above it; nobody else may write to what is new."""
+    """Make a folder of the cache, with those above it; only the user may write to new ones."""
     if not folder.is_dir():
         make_folder(folder.parent)
         folder.mkdir(mode=0o700, exist_ok=True)
@@ -141,7 +141,7 @@ def make_folder(folder: Path) -> None:
 
 @cache
 def is_trusted(folder: Path) -> bool:
-    """Whether nobody but the user and the administrator can put code into a folder; reported if not.
+    """Whether only the user and the administrator can put code into a folder; reported if not.
 
     What lies there is executed. Folders above count, too: who may write to one can replace what is in it,
     unless its sticky bit reserves that for the owner.
@@ -166,7 +166,7 @@ def is_trusted(folder: Path) -> bool:
 
 
 def can_save() -> bool:
-    """Whether machine code can be kept: whether the user, and nobody else, may write to the cache."""
+    """Whether machine code can be kept: whether the user, and no one else, may write to the cache."""
     try:
         make_folder(_folder())
         if not is_trusted(_folder()):

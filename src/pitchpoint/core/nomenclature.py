@@ -24,7 +24,7 @@ _PARTS = {
 
 
 class Entry(NamedTuple):
-    """One row of the table; empty texts where there is nothing to say."""
+    """One row of the table; texts may be empty."""
 
     identifier: str
     symbol: str

@@ -17,7 +17,7 @@ def added(of: type[T], name: str | None = None) -> list[T]:
     of
         Class of the objects; entry points that name something else are passed over.
     name
-        Name of the entry point; all are loaded if it is left out.
+        Name of the entry point; all are loaded if omitted.
     """
     from importlib.metadata import entry_points
 

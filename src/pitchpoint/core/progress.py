@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How long-running work tells its caller how far it is, without knowing who listens."""
+"""Progress of long-running work, reported to whoever listens."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Protocol
 
 
 class Progress(Protocol):
-    """Anything that can be told how much of the work is done.
+    """A receiver of the amount of work done.
 
     It is called between blocks, never inside a compiled loop, and may raise KeyboardInterrupt to stop.
     """
@@ -25,7 +25,7 @@ class Progress(Protocol):
         total
             Amount in all, in the same unit; 0 if unknown.
         note
-            A few words on what is going on.
+            A few words on the current step.
         """
 
 
@@ -43,16 +43,16 @@ def silent(done: float, total: float, note: str = "") -> None:
     """
 
 
-def _nobody(_: str) -> None:
-    """Where nobody listens."""
+def _no_listener(_: str) -> None:
+    """Listener where there is none."""
 
 
-_listener: ContextVar[Callable[[str], None]] = ContextVar("listener", default=_nobody)
+_listener: ContextVar[Callable[[str], None]] = ContextVar("listener", default=_no_listener)
 
 
 @contextmanager
-def heard_by(listener: Callable[[str], None]) -> Iterator[None]:
-    """Let somebody hear what is told aside in the meantime.
+def listening(listener: Callable[[str], None]) -> Iterator[None]:
+    """Pass the notes on current steps to a listener.
 
     Parameters
     ----------
@@ -66,18 +66,18 @@ def heard_by(listener: Callable[[str], None]) -> Iterator[None]:
         _listener.reset(before)
 
 
-def tell_aside(words: str) -> None:
-    """Say what is being done before the work whose share is known, or between its parts.
+def report_step(words: str) -> None:
+    """Report the current step before work whose share is known, or between its parts.
 
     Parameters
     ----------
     words
-        A few words on what is going on.
+        A few words on the current step.
 
     Examples
     --------
-    >>> with heard_by(print):
-    ...     tell_aside("equilibrium, step 3")
+    >>> with listening(print):
+    ...     report_step("equilibrium, step 3")
     equilibrium, step 3
     """
     _listener.get()(words)

@@ -37,8 +37,8 @@ def content_hash(data: Any) -> str:
     ----------
     data
         Numbers, texts, sequences, mappings, arrays, dataclasses, nested. Of a file that a dataclass names, a
-        field with a key of kind "file", its content counts and its name does not. Fields by which nobody
-        compares, such as lines in a file, do not count, nor do empty ones whose key is marked `later`.
+        field with a key of kind "file", its content counts and its name does not. Fields that are not
+        compared, such as lines in a file, do not count, nor do empty ones whose key is marked `later`.
 
     Returns
     -------

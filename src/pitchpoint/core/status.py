@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Integer statuses of the compiled core and the sentences they stand for.
+"""Integer statuses of the compiled core and their sentences.
 
 Zero is what a compiled entry returns when an exception escaped from it, so zero means "died" and
 one means "fine"; no kernel ever returns zero on purpose.
@@ -36,7 +36,7 @@ _SENTENCES = {
     STEP_UNDERFLOW: "the step size fell below the resolution of the time axis",
     INTERRUPTED: "interrupted by the user; the result so far is kept",
     BAD_CENTRE: "two gears came closer than their base circles allow",
-    TABLE_RANGE: "a table was asked for a value outside its range",
+    TABLE_RANGE: "a table was evaluated outside its range",
     CONTROLLER: "a controller failed",
     JAMMED: "friction and the loads that cause it do not settle: the mechanism jams, or a controller feeds a "
     "sensed load back with too high a gain; reduce the coefficient of friction or the gain",
@@ -46,7 +46,7 @@ _SENTENCES = {
 
 
 def sentence(status: int) -> str:
-    """Say in words what a status means.
+    """Give the sentence of a status.
 
     Examples
     --------

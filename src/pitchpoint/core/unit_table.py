@@ -2,7 +2,7 @@
 """The units that files may use and the kinds of quantity that they describe, as plain tables.
 
 Factors are exact fractions as far as they can be, so that "159.66 mm" becomes the double nearest to
-0.15966 and not one unit in the last place beside it.
+0.15966 and not to its neighbour.
 """
 
 from __future__ import annotations
@@ -142,7 +142,7 @@ WORDS: dict[str, Unit] = {
     )
 }  # fmt: skip
 """Units written out, small or with a capital, one or many."""
-del UNITS["Grad"], UNITS["Mrad"], UNITS["krad"]  # nobody counts gigaradians; "Grad" is the German degree
+del UNITS["Grad"], UNITS["Mrad"], UNITS["krad"]  # gigaradians are not in use; "Grad" is the German degree
 # Products that people write as one word. None can be taken for another unit: "Nms" is N m s, and "mm", "ms"
 # and "mN" stay what they are. Case counts: MNm is not mNm.
 JOINED: dict[str, tuple[str, ...]] = {
@@ -165,7 +165,7 @@ for _name, _factors in JOINED.items():
         UNITS[_name] = UNITS[_name].times(UNITS[_factor])
 
 ONLY_IN_SPEEDS = ("r", "U")
-"""Symbols of a revolution (r/min; German U/min) that mean nothing certain beside anything but a time."""
+"""Symbols of a revolution (r/min; German U/min) that are ambiguous except over a time."""
 _ZERO_POINT = "a temperature is given as a difference in K"
 REFUSED: dict[str, str] = {
     **dict.fromkeys(("C", "degC", "°C", "F", "degF", "°F"), _ZERO_POINT),

@@ -37,7 +37,7 @@ TWO_PI = 2.0 * math.pi
 _NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _QUANTITY = re.compile(rf"\s*([+-]?\s*{_NUMBER})\s*(.*?)\s*", re.DOTALL)
 # A power may follow its symbol directly (m2, s-1). A hyphen is a product only between two symbols without
-# spaces (N-m), so that a forgotten operand is never read as one; a 1 stands above a division line or alone.
+# spaces (N-m), so that a forgotten operand is never read as one; a 1 is above a division line or alone.
 _TOKEN = re.compile(
     r"\s*(?:(?P<power>(?:\^|\*\*)\s*[+-]?\d+|(?<=[A-Za-zµ°])-?\d+)|(?P<name>[A-Za-zµ°_]+|%)"
     r"|(?P<op>[*/()]|(?<=[\w°%)])-(?=[^\W\d]|[°(]))|(?P<one>(?<![\w°%)\s])1(?=\s*(?:/|$))))\s*"
@@ -73,7 +73,7 @@ def parse_quantity(
     Raises
     ------
     UnitError
-        For text that is no quantity, another dimension, booleans, NaN and infinite values.
+        For text that is not a quantity, another dimension, booleans, NaN and infinite values.
 
     Examples
     --------
@@ -174,7 +174,7 @@ def in_unit(value: float, dimension: str, unit: str) -> float:
 
 
 def natural_si(unit: str) -> float:
-    """Give the factor of a unit to its own SI unit, when nothing says what is expected.
+    """Give the factor of a unit to its own SI unit, where no dimension is expected.
 
     Used for literals inside formulas: cycles stay cycles per second (25 Hz is 25), turns become radians
     (1500 rpm is 157.08).
@@ -196,7 +196,7 @@ def _dimension(name: str) -> Dimension:
         return DIMENSIONS[name]
     except KeyError:
         raise UnitError(
-            f"{name!r} is no known dimension; known are {', '.join(sorted(DIMENSIONS))}"
+            f"{name!r} is not a known dimension; known are {', '.join(sorted(DIMENSIONS))}"
         ) from None
 
 
@@ -248,7 +248,7 @@ def _factor(unit: str, dimension: str) -> Fraction | float:
         # engineers write 1/min for revolutions; 1/s leaves open whether radians or turns are counted
         if u.factor == Fraction(1, 60):
             return TWO_PI / 60.0
-        raise UnitError(f"'{unit}' does not say what is counted; write rad/s, rpm or 1/min; {expected}")
+        raise UnitError(f"'{unit}' does not state what is counted; write rad/s, rpm or 1/min; {expected}")
     elif (u.cycle == 0 or dimension == "angular_speed") and u.rad + turns in kind.angle:
         return _scaled(u.factor, turns)
     raise UnitError(f"'{unit}' is not the unit of {kind.words}; {expected}")

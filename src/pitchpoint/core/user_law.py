@@ -48,7 +48,7 @@ class UserLaw:
         t
             First argument, usually the time [s].
         x
-            Second argument, as the using element says.
+            Second argument, as the using element defines it.
         """
         return float(self.function(t, x, self.parameters))
 
@@ -59,7 +59,7 @@ class UserLaw:
         return law_address(self.function)
 
     def diagnose(self, t: float, x: float) -> str:
-        """Say why the law fails at a point, or return an empty text if it does not.
+        """Give the reason why the law fails at a point, or an empty text if it does not.
 
         Parameters
         ----------
@@ -94,7 +94,7 @@ def load_user_law(
     folder
         Folder of the model file.
     allow_code
-        Without it nothing is imported and a ModelError says how to allow it.
+        Without it nothing is imported and a ModelError states how to allow it.
     parameters
         Numbers handed to the law.
     where
@@ -128,7 +128,7 @@ def load_function(
         )
     name, _, attribute = reference.rpartition(":")
     if not name.endswith(".py") or not attribute.isidentifier():
-        _refuse(where, reference, "is no reference to a function", "write file.py:function")
+        _refuse(where, reference, "is not a reference to a function", "write file.py:function")
     path = Path(folder, name)
     if not path.is_file():
         _refuse(

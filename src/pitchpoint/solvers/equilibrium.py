@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.progress import tell_aside
+from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.elements import torque
 from pitchpoint.model.components.law import Balance
@@ -195,7 +195,7 @@ def _pseudo_time(
         inverse = inverse_of(pulled, root)
         step = -inverse(R[free])
         if time.monotonic() - started > SLOW:
-            tell_aside(f"equilibrium, step {count + 1}")
+            report_step(f"equilibrium, step {count + 1}")
         turn = float(np.abs(step[swings]).max(initial=0.0)) if tangent.exact else 0.0
         trial = step_on(system, state, free, step * min(1.0, LONGEST / turn if turn > 0.0 else 1.0))
         try:

@@ -93,17 +93,17 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     prepare_kernels(kinds, trees)
     warn_of_remarks(model)
     banks += _banks(late, places)
-    everybody = [*places.tree, *hidden_bodies(elements)]
+    every_body = [*places.tree, *hidden_bodies(elements)]
     if any(getattr(model, section) for section in SIGNALS):
         # only machines with signals wait for what these need
         from pitchpoint.system.rules.signals import net_of_model
         from pitchpoint.system.signals import assemble_controlled
 
-        net, controllers = net_of_model(model, everybody, places)
+        net, controllers = net_of_model(model, every_body, places)
         prepare_kernels({net.kind}, trees)
         assembled = partial(assemble_controlled, net, controllers=controllers)
     else:
-        assembled = partial(assemble, everybody)
+        assembled = partial(assemble, every_body)
     banks = [b for b in banks if b.records.size]
     system = assembled(
         {b.kind: b.records for b in banks if not _is_constraint(b)},

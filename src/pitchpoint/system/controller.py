@@ -65,7 +65,7 @@ class SampledController:
         try:
             found = [float(x) for x in (answer if np.ndim(answer) else [answer])]
         except (TypeError, ValueError):
-            return [], self._said(t, f"returned {answer!r}, which is no list of numbers")
+            return [], self._said(t, f"returned {answer!r}, which is not a list of numbers")
         if len(found) != len(self.outputs):
             return [], self._said(t, f"returned {len(found)} numbers for {len(self.outputs)} outputs")
         bad = [

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a user's law has to say when a computation stopped in it: compiled code can only hand back NaN."""
+"""Message of a user's law in which a computation stopped: compiled code can only return NaN."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def law_fault(system: System, kind: str, number: int) -> str:
     pool = system.pools.get(kind)
     t, x, first, count = _arguments(system, record, pool)
     p = pool[first : first + count] if pool is not None and count else signal.Pool().array()
-    said = UserLaw(_plain(function), p, _name(function)).diagnose(t, x)
-    return f": {said} (t = {t:.6g} s, x = {x:.6g})" if said else ""
+    message = UserLaw(_plain(function), p, _name(function)).diagnose(t, x)
+    return f": {message} (t = {t:.6g} s, x = {x:.6g})" if message else ""
 
 
 def _arguments(system: System, record: Any, pool: Any) -> tuple[float, float, int, int]:

@@ -228,7 +228,7 @@ def _owners(records: NDArray[np.void]) -> list[list[int]]:
 
 
 def _paths(records: NDArray[np.void], owners: list[list[int]]) -> NDArray[np.void]:
-    """List the joints on the way to every body; the bodies learn where theirs stand."""
+    """List the joints on the path to every body; bodies get the places of their joints in it."""
     rows: list[tuple[int, ...]] = []
     for b, mine in enumerate(owners):
         records[b]["first"], records[b]["count"] = len(rows), len(mine)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What an exact linearisation adds to the matrix of the integrators: moving axes, turned loads, gyration.
 
-Integrators never ask for it, so it has its own entry, compiled only when modes or damping need it.
+Integrators never use it, so it has its own entry, compiled only when modes or damping need it.
 """
 
 from __future__ import annotations

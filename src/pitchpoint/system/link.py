@@ -141,9 +141,9 @@ def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -
     for bank in signal_banks(records):
         if not acts(bank):
             continue
-        if np.any(bank["op"] == CHANNEL):  # other elements say what they observe at every evaluation
+        if np.any(bank["op"] == CHANNEL):  # other elements observe at every evaluation
             mach["watch"] = workspace.arrays["heard"].ctypes.data
-            mach["shares"] = 0  # they read all that the others say at once
+            mach["shares"] = 0  # they read all observations of the others at once
         if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):
             mach["constant_mass"] = 0  # what follows accelerations may be part of the mass matrix
 

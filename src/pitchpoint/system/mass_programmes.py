@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Programmes of the mass matrix alone: where no mass couples two bodies, its blocks stand by themselves.
+"""Programmes of the mass matrix alone: where no mass couples two bodies, its blocks are independent.
 
 Explicit methods factor the mass matrix at every evaluation, because a tilt turns the inertia of a shaft. The
 programmes of the whole matrix also go through the blocks by which springs and flanks couple the bodies; of

@@ -34,7 +34,7 @@ def deep_contacts(
     Parameters
     ----------
     model
-        The model that was computed; there is nothing to say without one.
+        The model that was computed; without one there are no remarks.
     statistics
         One or several tables of channels with `min` and `max`, as runs, rolls and points of sweeps give them;
         NaN where there was no sample.

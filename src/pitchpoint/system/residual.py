@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one residual R(t, q, v, a, lam) = M a - f + G^T lam and its matrix cm M + cd D + ck K.
 
-Statics, modes, frequency response and every integrator call this with their own three coefficients. What is
-asked for is `jac`: FORCES (0), NEWTON (1, tangents may be approximate), EXACT (2, for linearisation) or MASS
-(3, the mass matrix alone, elements asked for forces only).
+Statics, modes, frequency response and every integrator call this with their own three coefficients. `jac` is
+what they require: FORCES (0), NEWTON (1, tangents may be approximate), EXACT (2, for linearisation) or MASS
+(3, the mass matrix alone, elements compute forces only).
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ OBSERVER_CHANNEL = 4
 """Channel of signals that nothing but results reads: they run only where somebody looks."""
 ENTRY, RECORDS, COUNT, CHANNEL, EARLY = range(5)
 COLUMNS = 5
-"""Columns of the tables of kinds: address, records, how many, channel; 1 if what the kind observes follows
-from places and rates alone, so that it can be told before the accelerations are known, and 2 if nobody asks
-for that (`link.heard`)."""
+"""Columns of the tables of kinds: address, records, how many, channel; 1 if the observations of the kind
+follow from places and rates alone, so that they are available before the accelerations, and 2 if they are not
+used (`link.heard`)."""
 ALL, SOONER, LATER = 0, 1, 2
 """Which kinds observe: all, those that need no accelerations, the others (no other kind runs then)."""
 TWO_PI = 6.283185307179586
@@ -125,7 +125,7 @@ def entry(at, jac, spare):
         zero(view(c["A"], 36 * c["na"], F8))  # in one row, which the compiler makes one call
         zero(view(c["kk"], 36 * c["np"], F8))
     else:
-        c["cm"] = 0.0  # elements with mass go by this factor, also where nothing but masses is asked for
+        c["cm"] = 0.0  # elements with mass go by this factor, also where only masses are required
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
     c["jac"] = FORCES if jac == MASS else jac
     if m["tree"] != 0:
@@ -190,7 +190,7 @@ def observe(at, t, where):
 
 @kernel
 def observe_later(at, t, where):
-    """Complete what elements say in the row at address `where`, begun with `part` SOONER at the same state.
+    """Complete the observations in the row at address `where`, begun with `part` SOONER at the same state.
 
     The accelerations and multipliers of the state are there by now. Bodies follow with `observe_bodies`.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Systems with signals: their records beside those of the other elements, and the controllers they have."""
+"""Systems with signals: their records in addition to those of the other elements, and their controllers."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def _check(net: SignalNet, controllers: Sequence[SampledController]) -> None:
                 raise CompileError(f"controller {controller.name!r}: no signal is called {name!r}")
         for name in controller.outputs:
             if name not in net.nodes or net.nodes[name].op != sr.HELD:
-                raise CompileError(f"controller {controller.name!r}: {name!r} is no held signal")
+                raise CompileError(f"controller {controller.name!r}: {name!r} is not a held signal")
             if name in taken:
                 raise CompileError(f"controller {controller.name!r}: {name!r} has another controller already")
             taken.add(name)

@@ -299,7 +299,7 @@ def _check_depth(records: NDArray[np.void], named: Sequence[str], count: int) ->
         depth[b] = depth[int(records[b]["parent"])] + (1 if records[b]["n"] > 0 else 0)
     last = int(np.argmax(depth))
     raise CompileError(
-        f"{named[last - 1]}: hangs on {depth[last] - 1} other bodies one behind the other, so that the "
+        f"{named[last - 1]}: hangs on {depth[last] - 1} other bodies in series, so that the "
         f"matrix is made of {count:.2g} products of joints (limit {MOST_PRODUCTS:.2g}); shorten the chain of "
         "joints, or let its bodies move freely (motion: free) and join them by bushings"
     )

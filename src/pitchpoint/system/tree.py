@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What only models with a tree of bodies ask of the core, behind addresses: nobody else compiles it."""
+"""What only models with a tree of bodies need of the core, called by address: others do not compile it."""
 
 from __future__ import annotations
 

@@ -56,7 +56,7 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("z", "f8", ("nc",)),
     ("pull", "f8", ("nc",)),  # right-hand side of the rows of an acceleration
     ("weight", "f8", ("nd",)),  # length per unit of each coordinate in error norms [m/m, m/rad]
-    ("relative", "f8", ("nd",)),  # 0 for spins, whose size says nothing about their error
+    ("relative", "f8", ("nd",)),  # 0 for spins, whose size is unrelated to their error
     ("x", "f8", ("nd",)),  # right-hand side and solution
     ("step", "f8", ("nd",)),  # correction on trial where friction is settled
     ("step_lam", "f8", ("nc",)),  # and that of the multipliers

@@ -163,8 +163,8 @@ def test_a_tooth_counts_from_the_first_pulse_of_a_tacho(
 @pytest.mark.parametrize(
     ("target", "words"),
     [
-        ("page.pdf", "is no HTML page"),
-        ("page", "is no HTML page"),
+        ("page.pdf", "is not an HTML page"),
+        ("page", "is not an HTML page"),
         ("rig.csv/page.html", "cannot be written"),
         ("notes.html", "exists and is not an HTML page of pitchpoint"),
     ],

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli import output, progress, results
-from pitchpoint.core.progress import tell_aside
+from pitchpoint.core.progress import report_step
 
 
 def test_json_is_strict_and_plain(capsys: pytest.CaptureFixture[str]) -> None:
@@ -189,11 +189,11 @@ def test_what_comes_before_the_work_is_told_too(
     with progress.ProgressDisplay("run steady", "steps") as display:
         for now in (1.0, 3.0, 4.0, 7.0):
             clock.now = 100.0 + now
-            tell_aside(f"equilibrium, step {now:.0f}")
+            report_step(f"equilibrium, step {now:.0f}")
         for now, done in ((8.0, 0.0), (10.5, 250.0)):
             clock.now = 100.0 + now
             display(done, 1000.0)
-    tell_aside("nobody listens any more")
+    report_step("nobody listens any more")
     assert capsys.readouterr().err.splitlines() == [
         "run steady: equilibrium, step 3",
         "run steady: equilibrium, step 7",
@@ -207,13 +207,13 @@ def test_terminals_show_it_beside_the_bar(monkeypatch: pytest.MonkeyPatch) -> No
     with progress.ProgressDisplay("run") as display:
         display._terminal = True
         clock.now += 4.0
-        tell_aside("equilibrium, step 3")
+        report_step("equilibrium, step 3")
         assert display._bar.tasks[0].fields["note"] == "equilibrium, step 3"
         assert display._bar.tasks[0].total is None
         clock.now += 1.0
         display(2.0, 8.0)
         clock.now += 1.0
-        tell_aside("equilibrium, step 1")
+        report_step("equilibrium, step 1")
         assert (display._bar.tasks[0].completed, display._bar.tasks[0].total) == (2.0, 8.0)
 
 

@@ -9,7 +9,7 @@ import click
 import pytest
 
 from pitchpoint.cli.main import COMMANDS, LazyGroup, run_command
-from pitchpoint.cli.options import tell_of_folders
+from pitchpoint.cli.options import report_folders
 from tests.support.cli_files import TORSION, written
 
 FRF = ["-i", "transmission_error[stage]", "-r", "mesh_force[stage]", "--to", "5 kHz", "--points", "2"]
@@ -70,6 +70,6 @@ def test_all_options_that_write_are_of_this_kind() -> None:
         for name in COMMANDS
         for option in group.get_command(click.Context(group), name).params  # type: ignore[union-attr]
         if isinstance(option, click.Option) and isinstance(option.type, click.Path) and not option.type.exists
-        if option.callback is not tell_of_folders
+        if option.callback is not report_folders
     ]
     assert missing == []

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.progress import heard_by
+from pitchpoint.core.progress import listening
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.solvers import equilibrium
 from pitchpoint.solvers.equilibrium import find_equilibrium, solve_equilibrium
@@ -244,7 +244,7 @@ def test_chains_come_to_hang_from_wherever_they_start(n, degrees, monkeypatch):
     system = hung(n, math.radians(degrees))
     heard: list[str] = []
     monkeypatch.setattr(equilibrium, "SLOW", -1.0)  # searches that take long tell how far they are
-    with heard_by(heard.append):
+    with listening(heard.append):
         found = find_equilibrium(system)
     angles = np.cumsum(found.state.q) + np.radians(degrees)
     assert np.abs(np.sin(angles)).max() < 2e-9 * n**2

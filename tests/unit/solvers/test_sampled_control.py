@@ -150,7 +150,7 @@ RAISED = f"{Path(__file__).name}, line {failing.__code__.co_firstlineno + 3}"
         ("raise", f"the controller 'loop' raised RuntimeError: sensor lost (t = 0.12 s, {RAISED})"),
         ("nan", "the controller 'loop' returned nan for 'u' (t = 0.12 s)"),
         ("two", "the controller 'loop' returned 2 numbers for 1 outputs (t = 0.12 s)"),
-        ("text", "the controller 'loop' returned 'fast', which is no list of numbers (t = 0.12 s)"),
+        ("text", "the controller 'loop' returned 'fast', which is not a list of numbers (t = 0.12 s)"),
     ],
 )
 def test_a_controller_that_fails_is_named_and_the_result_kept(how, said, method):
@@ -201,7 +201,7 @@ def test_controllers_name_what_exists():
 
     with pytest.raises(CompileError, match="no signal is called 'y'"):
         pair(inputs=("y",))
-    with pytest.raises(CompileError, match="'x' is no held signal"):
+    with pytest.raises(CompileError, match="'x' is not a held signal"):
         pair(outputs=("x",))
     with pytest.raises(CompileError, match="period must be positive"):
         SampledController("loop", sampled_pid, (), (), 0.0)

@@ -241,5 +241,5 @@ def test_wrong_rotors_are_told(tmp_path, old, new, words):
 
 def test_too_many_static_shapes_are_told(tmp_path):
     _, model = pair(tmp_path, "1 m", lambda text: text.replace("modes: 12", "modes: 10"))
-    with pytest.raises(ModelError, match="can deflect in 12 shapes, and 10 modes are asked for"):
+    with pytest.raises(ModelError, match="can deflect in 12 shapes, and 10 modes are requested"):
         compile_model(model)

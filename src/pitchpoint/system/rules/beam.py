@@ -33,7 +33,7 @@ BARE = 1e-9
 
 
 def beam_stations(model: Model, places: Places) -> list[Body]:
-    """Stations of all beams, to stand behind the bodies of the model."""
+    """Stations of all beams, numbered after the bodies of the model."""
     found = []
     for name, part in model.beams.items():
         root, tip, axes = _line(model, part)

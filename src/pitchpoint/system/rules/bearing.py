@@ -67,7 +67,7 @@ def housed(model: Model) -> list[str]:
 
 
 def housing_numbers(model: Model) -> dict[str, int]:
-    """Number of the body that every housed bearing sits in: they stand behind all others."""
+    """Number of the body that every housed bearing sits in: they are numbered after all others."""
     first = 1 + sum(count_of(model, name) for name in model.mechanism.seats)
     return {name: first + k for k, name in enumerate(housed(model))}
 

@@ -22,7 +22,7 @@ def put_faults(row: Any, part: RollingBearing, pool: Pool) -> None:
     rows = [one for fault in spalls for one in _spall(part, fault)]
     if rows:
         row["faults"] = pool.add(rows)
-        # spalls of no severity keep their rows, but nobody reads them: the bearing is as quick as a whole one
+        # spalls of zero severity keep their rows, which are not read: the bearing is as fast as a healthy one
         row["n_faults"] = len(rows) if any(drop > 0.0 for *_, drop in rows) else 0
     if any(isinstance(fault, CageFault) for fault in part.faults.values()):
         even = 2.0 * math.pi / part.elements * np.arange(part.elements)

@@ -40,7 +40,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """Where the two gears of a bevel mesh stand when all coordinates are zero.
+    """Places of the two gears of a bevel mesh when all coordinates are zero.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def _cones(row: Any, pair: BevelPair, place: Placement) -> None:
 
 
 def _assembly(row: Any, pair: BevelPair, place: Placement, backlash: float) -> None:
-    """Backlash, and where the teeth stand: a tooth of gear 1 and a space of gear 2 next to the pitch ray."""
+    """Backlash and initial phase: a tooth of gear 1 and a space of gear 2 next to the pitch ray."""
     gears = (pair.gear1, pair.gear2)
     half = [pair.R_m * math.sin(g.delta_b) * g.psi_b for g in gears]
     rolls = sum(pair.R_m * math.sin(g.delta_b) * spherical_involute(g.sigma_w, g.delta_b) for g in gears)
@@ -141,7 +141,7 @@ def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float
     pair
         The gears; their apexes coincide at the place of rest.
     place
-        Where they stand.
+        Their places.
     laws
         Stiffness (a parabola, or a constant total one), damping and friction.
     backlash
@@ -222,13 +222,13 @@ def own_teeth(row: Any, pair: BevelPair, gears: Sequence[BevelGear], keep: Calla
     pair
         The gears of the mesh.
     gears
-        The same as they stand in the model.
+        The same as in the model.
     keep
         Puts an array into the pool of the kind and gives its offset.
 
     Notes
     -----
-    A tooth displaced by a on the pitch cone at its R_m has turned by a/(R_m sin δ), so that its flanks stand
+    A tooth displaced by a on the pitch cone at its R_m has turned by a/(R_m sin δ), so that its flanks are
     sin δ_b times that times R ahead along the base tangent: exact at every cone distance R.
     """
     for k, gear in enumerate(gears):

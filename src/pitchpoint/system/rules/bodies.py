@@ -91,7 +91,7 @@ def body_numbers(model: Model) -> dict[str, int]:
 
 
 _LAST: dict[str, tuple[weakref.ref[Model], dict[str, int]]] = {}
-"""Numbers of the model that was asked for last."""
+"""Numbers of the model that was used last."""
 
 
 def count_of(model: Model, body: str) -> int:

@@ -186,7 +186,7 @@ def _forces(row: np.void, law: ContactLaw, friction: ContactFriction | None, whe
     if law.restitution is None:
         impact.set_impact(row, k, law.exponent, law.damping, law.full_damping)
     elif law.damping > 0.0:
-        raise CompileError(f"{where}.law: damping and restitution are two ways to say one thing; give one")
+        raise CompileError(f"{where}.law: damping and restitution describe the same property; give one")
     else:
         speed = law.reference_speed
         impact.set_restitution(row, k, law.restitution, speed, law.exponent, law.every_speed)

@@ -41,7 +41,7 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
         body, row["q_i"], dimension = found
         row["i"], row["linear"] = number[body], dimension == "length"
         _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{word}")
-        if drive.rate is not None:  # says how fast, not from where
+        if drive.rate is not None:  # a speed without a start angle
             row["angle"] = _start(model, body, int(row["q_i"]))
         rows.append(row)
         names.append(word)
@@ -118,7 +118,7 @@ def value_of_law(law: UserLaw, t: float) -> float:
     """Speed by a user's law; one that fails is a failed computation, not a wrong file."""
     try:
         value = law(t, 0.0)
-    except Exception:  # noqa: BLE001 - a user's code may raise anything; diagnose says what
+    except Exception:  # noqa: BLE001 - a user's code may raise anything; diagnose reports it
         value = math.nan
     if not math.isfinite(value):
         raise SolverError(f"{law.diagnose(t, 0.0)} (t = {t:.6g} s)", NOT_FINITE)

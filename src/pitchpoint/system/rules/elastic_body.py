@@ -291,7 +291,7 @@ def _read(
     below: float | None,
     static_shapes: bool,
 ) -> tuple[Structure, Modes, tuple[int, ...]]:
-    """Read files and reduce them; `stamps` tell when they were changed."""
+    """Read files and reduce them; `stamps` are their times of change."""
     if len(files) >= 3:
         structure = read_parts(*files)
     elif Path(files[0]).suffix == ".npz":
@@ -320,8 +320,8 @@ def _static(structure: Structure, nodes: tuple[int, ...], count: int) -> Modes:
     needed = int(np.isin(structure.node, nodes).sum()) - 6
     if needed > count:
         raise CompileError(
-            f"static_shapes: the nodes can deflect in {needed} shapes, and {count} modes are asked for "
-            f"(limit {MOST}); name fewer nodes, or leave static_shapes out"
+            f"static_shapes: the nodes can deflect in {needed} shapes, and {count} modes are requested "
+            f"(limit {MOST}); name fewer nodes, or omit static_shapes"
         )
     return craig_bampton(structure, nodes, count - needed)
 

@@ -46,7 +46,7 @@ Keep = Callable[[Array], int]
 
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """Where the two gears of a mesh stand when all coordinates are zero.
+    """Places of the two gears of a mesh when all coordinates are zero.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def mesh_row(
     pair
         The gears at their working centre distance; signs of ISO 21771.
     place
-        Where they stand.
+        Their places.
     laws
         Stiffness, damping, friction, excitation.
     keep

@@ -36,7 +36,7 @@ def put_seats(
 
 
 def _place(gear: Gear, tooth_0: float) -> NDArray[np.float64]:
-    """Displacement x, y [m] of the centre of a gear and lean of its axis as its x, y, axes of the body."""
+    """Displacement x, y [m] of the centre of a gear and tilt of its axis as its x, y, axes of the body."""
     shift, lean = 0j, 0j
     for fault in gear.faults.values():
         if not isinstance(fault, Eccentricity | Wobble):

@@ -31,7 +31,7 @@ OVER = {
     "elongation": sig.OVER_ANGLE,
     "rate": sig.OVER_SPEED,
 }
-"""Where elements find what a table runs over: an elongation along a line stands for an angle."""
+"""Abscissa of a table in the terms of elements: an elongation along a line is passed as an angle."""
 
 
 def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:

@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     pass
 
 SEAT = 0.1
-"""Share of the radial play over which the seat gives way before its ring is firm."""
+"""Share of the radial play over which the seat yields before it reaches its full stiffness."""
 TILTS = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 """Axial displacement and turns about x and y, over axial displacement and x, y of the axis of the shaft."""
 
 
 def loose_bearing_bank(places: Places) -> Bank:
-    """All bearings with play in their seat; those without are linear and stand in `bearing_bank`."""
+    """All bearings with play in their seat; those without are linear, see `bearing_bank`."""
     model = places.model
     rows, names = [], []
     seats = housing_numbers(model)

@@ -153,7 +153,7 @@ def flank_damping(
     if damping.restitution is not None:
         return {"chi": restitution_factor(damping.restitution) / damping.speed * cos_b}
     if damping.pair is not None:
-        assert whole is not None  # the model layer asks for a law of one pair
+        assert whole is not None  # the model layer requires a law of one pair
         d_in = damping.pair * cos_b**2 * k / whole
     else:
         d_in = (damping.d_in if damping.ratio is None else damping.ratio * critical) or 0.0

@@ -67,7 +67,7 @@ class Places:
 
 
 def hidden_bodies(elements: Iterable[str]) -> list[Body]:
-    """Bodies whose spin rates are the states of elements, to stand behind all others.
+    """Bodies whose spin rates are the states of elements, numbered after all others.
 
     Parameters
     ----------

@@ -45,7 +45,7 @@ def rolling_bearing_bank(places: Places) -> Bank:
 def _untwisted(inner: Array, outer: Array) -> Array:
     """Turn of the inner marker about its own axis that leaves no twist against the outer one as assembled.
 
-    Whole turns are counted from there; where the markers are twisted by half a turn they could not be told.
+    Whole turns are counted from there; with markers twisted by half a turn the count would be ambiguous.
     """
     B = outer.T @ inner
     twist = math.atan2(B[1, 0] - B[0, 1], B[0, 0] + B[1, 1])

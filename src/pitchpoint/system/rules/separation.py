@@ -35,7 +35,7 @@ def separation_grids(
 ) -> None:
     """Fill the separation fields of a mesh record; nothing to do for two perfect gears.
 
-    `worn` says for both gears what wear takes off their flanks in this mesh.
+    `worn` holds for both gears the depth of wear of their flanks in this mesh.
     """
     if not any(g.is_modified or g.tooth_faults for g in gears):
         return
@@ -59,7 +59,7 @@ class OwnTeeth:
     Parameters
     ----------
     teeth
-        Number of teeth that are told apart.
+        Number of teeth that are distinguished.
     span
         Lengths of roll that the grids span [m].
     """
@@ -73,7 +73,7 @@ class OwnTeeth:
         self.rows = np.full((2, teeth, 3), -1, dtype=np.int64)
 
     def add(self, layer: int, grid: Array) -> int:
-        """Keep a grid of shape (n_z, n_roll); returns its row, -1 where it says nothing."""
+        """Keep a grid of shape (n_z, n_roll); returns its row, -1 where it is zero."""
         if not (np.any(grid > 0.0) if layer == LEVEL else np.any(grid)):
             return -1
         stack = self.levels if layer == LEVEL else self.smooth

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Elastic shafts as stations, bodies with six coordinates, and the beams between them.
 
-A station stands wherever something sits on the shaft, at every step of the diameter, at both ends, and in
+There is a station wherever something sits on the shaft, at every step of the diameter, at both ends, and in
 between so that no piece is too long. The beams carry the mass of the shaft; what sits on it adds its own to
 its station.
 """

@@ -49,7 +49,7 @@ SIDE = {"world": sr.WORLD, "first": sr.BODY_I, "second": sr.BODY_J}
 
 
 def net_of_model(
-    model: Model, everybody: Sequence[Body], places: Places
+    model: Model, bodies: Sequence[Body], places: Places
 ) -> tuple[SignalNet, list[SampledController]]:
     """Signals and sampled controllers of a model.
 
@@ -57,7 +57,7 @@ def net_of_model(
     ----------
     model
         The model.
-    everybody
+    bodies
         Bodies of its system, hidden ones of elements among them.
     places
         How ends and markers are found.
@@ -84,7 +84,7 @@ def net_of_model(
                     allow_code=True,
                     where=where,
                 )
-    machine = Machine(everybody, places, coordinate, functions)
+    machine = Machine(bodies, places, coordinate, functions)
     return signal_net(machine, model.sensors, model.blocks, model.actuators, model.controllers)
 
 

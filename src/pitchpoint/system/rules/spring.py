@@ -37,7 +37,8 @@ def spring_bank(places: Places) -> Bank:
 
 
 def _further(row: Any, pool: sig.Pool, law: Law | None, where: str) -> Function | None:
-    """Write the law beside stiffness and damping; a Python function gets the rate behind its parameters."""
+    """Write the law in parallel with stiffness and damping; a Python function gets the rate after its
+    parameters."""
     function = None if law is None else set_signal(row, pool, law, where)
     if row["form"] == sig.LAW:
         row["over"] = sig.OVER_BOTH
@@ -58,7 +59,7 @@ def maxwell_bank(places: Places) -> Bank:
 
 
 def torsion_spring_bank(places: Places) -> Bank:
-    """Torsion springs and dampers; only a table over a whole turn repeats, others go on constant."""
+    """Torsion springs and dampers; only a table over a whole turn repeats, others are constant beyond it."""
     springs = places.model.torsion_springs
     pool, rows, laws = sig.Pool(), [], []
     for name, part in springs.items():

@@ -48,9 +48,9 @@ def _try(law: UserLaw) -> None:
     from pitchpoint.core.status import NOT_FINITE, REFUSED
 
     for k in range(N_TRIES):
-        said = law.diagnose(0.0, k / N_TRIES)
-        if said:
-            raise SolverError(f"{said} (mesh phase {k / N_TRIES:.4f})", NOT_FINITE)
+        message = law.diagnose(0.0, k / N_TRIES)
+        if message:
+            raise SolverError(f"{message} (mesh phase {k / N_TRIES:.4f})", NOT_FINITE)
         value = law(0.0, k / N_TRIES)
         if value <= 0.0:
             raise SolverError(
@@ -60,7 +60,7 @@ def _try(law: UserLaw) -> None:
 
 
 def user_law(law: PythonLaw, where: str) -> UserLaw:
-    """Load a user's Python law; the loader of the model has asked for permission already.
+    """Load a user's Python law; the loader of the model has checked the permission already.
 
     Parameters
     ----------
