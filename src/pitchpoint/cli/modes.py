@@ -22,7 +22,7 @@ SHOWN = 20
 """Modes in the table if no number is given."""
 
 ROUNDING = 1e-7
-"""Frequency over the highest up to which the table says zero: squared it is rounding of eigenvalues."""
+"""Frequency over the highest up to which the table shows zero: squared it is rounding of eigenvalues."""
 
 
 @click.command()

@@ -168,9 +168,7 @@ def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> N
     rows, zeros = [], []
     for name, row in channels.items():
         inner = ".eta" in name or (name.startswith("signal[") and "." in name)
-        if (
-            name.partition("[")[0] in SHOWN and not inner
-        ):  # modal coordinates and parts of blocks are of little interest
+        if name.partition("[")[0] in SHOWN and not inner:  # no modal coordinates, no parts of blocks
             if any(row[key] != 0.0 for key in STATISTICS):
                 rows.append([name, *statistics_cells(row)])
             else:

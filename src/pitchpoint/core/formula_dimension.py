@@ -4,8 +4,8 @@
 Written units are checked, everything else is SI. The variables carry their units: t a time, angle an angle,
 speed an angular speed, elongation a length and rate a speed. A number without unit is a plain factor next
 to a written unit, takes the unit of the other side of a sum, and supplies the seconds that a variable next to
-it needs, so that ``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is none. A formula without
-any unit is never refused.
+it needs, so that ``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is not. A formula
+without any unit is never refused.
 
 Radians count as 1. Cycles do not: 25 Hz in a formula is the number 25, so it needs 2*pi where an angle or an
 angular speed is wanted.
