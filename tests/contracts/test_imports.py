@@ -32,7 +32,7 @@ CIRCLES_LEFT = (
     {"geometry.bevel_gear", "geometry.bevel_pair", "geometry.bevel_problems", "geometry.bevel_tooth"},
     {"geometry.solid_file", "geometry.step_file"},
     {"io.container", "io.disk_fault", "io.opening", "io.target"},
-    {"solvers.cycle_means", "solvers.equilibrium", "solvers.unheld"},
+    {"solvers.cycle_means", "solvers.equilibrium", "solvers.unconstrained"},
     {"core.companion", "core.compiler", "core.compiler_private", "core.kernel"},
     {"report.bevel_numbers", "report.numbers"},
 )

@@ -138,7 +138,7 @@ MADE = {
     "solvers/step_choice.py": {"drive", "ratio"},  # their signals and coordinates
     "solvers/sticking.py": {"friction_clutch", "torque"},  # bends its bristles, balances it
     "solvers/torque_paths.py": {"ratio"},  # its coordinates
-    "solvers/trains.py": {"ratio"},  # its coordinates
+    "solvers/gear_trains.py": {"ratio"},  # its coordinates
 }
 
 

@@ -22,7 +22,7 @@ from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
 from pitchpoint.solvers.assembly import assemble_state
-from pitchpoint.solvers.rows import row_notes
+from pitchpoint.solvers.constraint_rows import row_notes
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.one_freedom import ROD, OneFreedom, along_rod, turn_about

@@ -236,7 +236,7 @@ def highest_speed(system: System, body: str, frequency: Any) -> float:
 
     If none turns the body, the speed where the slowest mesh has met every mode.
     """
-    from pitchpoint.solvers.trains import body_rates, mesh_orders
+    from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
 
     scenarios = model_of(system).scenarios.values()
     reached = max((highest_of_scenario(system, s, body) for s in scenarios), default=0.0)
@@ -268,7 +268,7 @@ def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
 
 def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
     """Highest prescribed speeds of bodies [rad/s]: of drives, and the end of a sweep."""
-    from pitchpoint.solvers.trains import body_rates, mesh_orders
+    from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
 
     end = scenario.duration or 0.0
     found = [(name, _fastest(drive, end)) for name, drive in scenario.drive.items()]

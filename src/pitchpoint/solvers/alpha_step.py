@@ -3,8 +3,8 @@
 
 Friction that falls with speed, or flanks that meet at speed, may leave the equations of a long step without a
 solution, or with several of which Newton's iteration finds none. The equations of a short step are governed
-by the mass matrix and have one. So a step that fails is taken in 4, 16, 64 parts; the run goes on with its
-own step afterwards.
+by the mass matrix and have one. So a step that fails is taken in 4, 16, 64 parts; the run continues with
+its own step afterwards.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ KEPT = OLD + 2
 
 @kernel
 def _predict(q, v, a, al, ap, h, method):
-    """First guess of a step: the acceleration goes on along a straight line.
+    """First guess of a step: linear extrapolation of the acceleration.
 
     A guess that merely kept the last acceleration would leave an error of first order in h behind whenever
     one iteration is enough.
@@ -45,7 +45,7 @@ def _predict(q, v, a, al, ap, h, method):
 
 @kernel
 def _predict_multipliers(at):
-    """Let the multipliers go on along a straight line, where friction depends on them.
+    """Linear extrapolation of the multipliers, where friction depends on them.
 
     One iteration makes a step, so friction works with the guess; the last one would leave an error of first
     order behind.
@@ -155,7 +155,7 @@ def bring_step(at):
 
 @kernel
 def _other_step(at, ratio):
-    """Go on with steps of `ratio` times the length: what lies a share of a step ahead or behind moves."""
+    """Continue with steps of `ratio` times the length: what lies a share of a step ahead or behind moves."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]

@@ -48,7 +48,7 @@ class Assembly:
     freedoms
         Degrees of freedom that the constraints leave.
     redundant
-        Names of rows that repeat others: their reactions cannot be told apart.
+        Names of rows that repeat others: their reactions cannot be distinguished.
     moved
         Largest change of a coordinate that closed the loops, and its name.
     unit
@@ -62,7 +62,7 @@ class Assembly:
     unit: str
 
     def report(self) -> tuple[str, ...]:
-        """What a user should know beside the repeated rows (`rows.row_notes`), in sentences."""
+        """Notes in addition to those on repeated rows (`row_notes`), in sentences."""
         size, name = self.moved
         return (f"loops were closed by moving {name} by {size:.4g} {self.unit}",) if size > 1e-6 else ()
 
@@ -100,7 +100,7 @@ def assemble_state(
     _match_rates(system, found, G, gt, keep_rates)
     weighted = G / system.weight
     redundant = _repeated(weighted)
-    # a chart may have been started afresh; what moved is told where it was not
+    # a chart may have been started afresh; what moved is reported where it was not
     change = np.abs(found.q - begun)
     largest = int(np.argmax(change))
     return Assembly(
@@ -113,7 +113,7 @@ def assemble_state(
 
 
 def close_loops(system: System, state: State, keep: Collection[int] = (), *, drawn: bool = False) -> State:
-    """Close all loops near a state, its rates as they are; rows that prescribe motions are left out.
+    """Close all loops near a state, its rates as they are; rows that prescribe motions are omitted.
 
     Parameters
     ----------

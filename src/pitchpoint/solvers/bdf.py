@@ -19,12 +19,12 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address, invoke
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.solvers.constrained_newton import iterate, new_iteration
+from pitchpoint.solvers.constraint_rows import rows_agree
 from pitchpoint.solvers.multistep import ORDER, entry, step
 from pitchpoint.solvers.multistep_control import CONSTANT, FIXED, LARGEST, LEADING, PAST, VARIABLE
 from pitchpoint.solvers.multistep_events import step_to_event
 from pitchpoint.solvers.multistep_history import DEPTH
 from pitchpoint.solvers.multistep_restart import resume
-from pitchpoint.solvers.rows import rows_agree
 from pitchpoint.solvers.sampling import Chunk, advance_into, new_harvest
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -111,13 +111,13 @@ class StiffRun:
 
     @property
     def restarts(self) -> int:
-        """Steps that ended at an event, from which the method went on with a new past."""
+        """Steps that ended at an event, from which the method continued with a new history."""
         return int(self.past[0]["events"])
 
     def go_on(self) -> int:
-        """Go on from the state in the workspace after a jump of the forces; returns the status.
+        """Continue from the state in the workspace after a jump of the forces; returns the status.
 
-        At order 3, by derivatives of the new side, or at order 1 where these say nothing.
+        At order 3, by derivatives of the new side, or at order 1 where these are unreliable.
         """
         status = evaluate.accelerations(self.system, self.t)
         if status == OK and self.past[0]["k"] > 0:
@@ -151,7 +151,7 @@ def start(
         One of `KINDS`.
     form
         One of `FORMS`. I3 judges the error of positions only where there are constraints: the rates follow,
-        but an estimate of theirs says little after a change of step.
+        but an estimate of their error is unreliable after a change of step.
     rtol
         Relative tolerance of rates and displacements (not of spins) per step, default 1e-6. constant_bdf has
         no error control: its tolerance, default 1e-11, is that of its Newton iteration alone.

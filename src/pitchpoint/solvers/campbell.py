@@ -19,6 +19,7 @@ from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
 from pitchpoint.solvers.linear_system import (
     Linearised,
     damped_modes,
@@ -28,7 +29,6 @@ from pitchpoint.solvers.linear_system import (
 from pitchpoint.solvers.modal import energy_shares
 from pitchpoint.solvers.mode_names import mode_names
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.trains import body_rates, mesh_orders
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -90,7 +90,7 @@ def follow_modes(
         at = at_speeds(linear, speed * rates)
         roots, z = damped_modes(at, modes if at.at_rest is parts else lowest(at, count))
         roots, z = roots[:n], z[:n]
-        # each mode goes on in the one that resembles it most
+        # each mode continues in the one that resembles it most
         order = best_match(np.abs(last.conj() @ parts.M @ z.T))
         found[s], last = roots[order], z[order]
         progress(s + 1, omega.size, "speeds")
@@ -127,7 +127,7 @@ def _turning(linear: Linearised, still: State, rates: Array) -> Linearised:
 
 
 def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
-    """The linear system at the relative equilibrium of other speeds: bodies in trees lean outwards.
+    """The linear system at the relative equilibrium of other speeds: bodies in trees deflect outwards.
 
     Meshes keep the stiffness that they have at rest.
     """
@@ -178,7 +178,7 @@ def solve_campbell(
     count
         Number of modes, the lowest at rest. Default: as `modal.find_modes`.
     progress
-        Told after every speed.
+        Called after every speed.
 
     Returns
     -------

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """All integrators and forms of constraints on one model: accuracy against processor time.
 
-The reference is the tightest run of one stiff method; how far a second one is from it says how much the
-reference is worth. An error is the root mean square of the difference to it over all samples of a channel, as
+The reference is the tightest run of one stiff method; its distance from a second one is the accuracy of the
+reference. An error is the root mean square of the difference to it over all samples of a channel, as
 a share of the alternating part of that channel; the worst channel counts.
 """
 
@@ -38,7 +38,7 @@ TIGHTER = 0.01
 """Tolerance of the reference over the least one compared."""
 SAMPLES = 1000
 STILL = 1e-9
-"""Alternating part over the size of a channel below which it stands still: round-off would be compared."""
+"""Alternating part over the size of a channel below which it is constant: round-off would be compared."""
 
 
 @dataclass(frozen=True)
@@ -146,7 +146,7 @@ def compare_solvers(
     limit_s
         Time after which a run is stopped [s].
     progress
-        Told the runs made.
+        Called with the number of finished runs.
 
     Raises
     ------

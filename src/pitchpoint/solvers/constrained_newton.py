@@ -3,7 +3,7 @@
 
 A correction x moves coordinates, rates and accelerations by x, cd x and cm x; it solves A x + G^T y = -R with
 A = cm M + cd D + K. With constraints on positions alone (form I3) G x = -g. The stabilised form of Gear,
-Gupta and Leimkuhler has q' = v + G^T mu beside it, so positions and rates are corrected apart:
+Gupta and Leimkuhler has q' = v + G^T mu in addition, so positions and rates are corrected separately:
 
     G x = -(G v + gt) / cd,   dq = x + G^T m,   G G^T m = -g + (G v + gt) / cd,   mu = cd m
 
@@ -59,7 +59,7 @@ _ARRAYS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
     ("mu", "f8", ("nc",)),  # multipliers of the position rows: q' = v + G^T mu
 )
 
-#: What the iteration is told and keeps: time, factors, form; addresses of its arrays.
+#: Input and memory of the iteration: time, factors, form; addresses of its arrays.
 ITERATION = np.dtype(
     [
         ("t", "f8"),
@@ -105,7 +105,7 @@ def _factor_rows(at, where):
     schur_factor(
         view(c["G"], (nc, c["nd"]), F8),
         view(c["A"], (c["na"], 6, 6), F8),
-        view(m["solve"], 0, SOLVE),  # no blocks: the unit matrix stands for A
+        view(m["solve"], 0, SOLVE),  # no blocks: A is the unit matrix
         view(n["Y"], (nc, c["nd"]), F8),
         view(n["S"], (nc, nc), F8),
         view(n["diag"], nc, F8),

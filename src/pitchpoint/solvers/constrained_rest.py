@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.solvers.assembly import REDUNDANT, close_loops, loop_rows
-from pitchpoint.solvers.still import GROWTH, ROUNDING, slopes, step_on
+from pitchpoint.solvers.rest_unknowns import GROWTH, ROUNDING, slopes, step_on
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import coordinate_source
@@ -64,7 +64,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     Parameters
     ----------
     system
-        The system; rows of drives are left out, their coordinates are kept.
+        The system; rows of drives are omitted, their coordinates are kept.
     state
         Where to begin; rates are kept as they are and may carry friction.
     kept
@@ -86,7 +86,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]
         whole = slopes(system, here, EXACT)
-        # places are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
+        # places are rounded like 1 m and 1 rad: smaller residuals than the forces of that cannot be reached
         rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + 1.0))
         least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
         goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)

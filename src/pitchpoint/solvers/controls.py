@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What analyses other than time responses say of controllers, and which of these they cannot take in."""
+"""Notes of analyses other than time responses on controllers, and the controllers they cannot include."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def held_outputs(system: System) -> tuple[str, ...]:
-    """A sentence about sampled controllers where nobody calls them."""
+    """A sentence about sampled controllers where they are not called."""
     if not system.controllers:
         return ()
     names = ", ".join(c.name for c in system.controllers)

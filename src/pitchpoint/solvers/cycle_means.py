@@ -99,12 +99,12 @@ def _equal(n: int) -> tuple[Array, Array]:
 
 
 def touching(system: System, state: State) -> dict[str, int]:
-    """Bring the flanks of unloaded meshes into touch by shifting the assembly; gives them by mesh.
+    """Bring the flanks of unloaded meshes into contact by shifting the assembly; gives them by mesh.
 
-    1 is the front flank and -1 the back: the one that the mesh leans on already, else that which a small
+    1 is the front flank and -1 the back: the one in contact already, else that which a small
     torque through the train presses. Changes the records of the system: give it a copy.
     """
-    leaning: dict[int, int] = {}
+    touching: dict[int, int] = {}
     loose = []
     evaluate.residual(system, state)
     for k, record in enumerate(mesh_records(system)):
@@ -114,8 +114,8 @@ def touching(system: System, state: State) -> dict[str, int]:
         if depth < TOUCH:
             loose.append(k)
             if depth > 0.0 and now["gap"] > TOUCH:
-                leaning[k] = -1 if now["u"] < now["e_t"] else 1
-    names, found = mesh_names(system), pressed_flanks(system, loose, leaning)
+                touching[k] = -1 if now["u"] < now["e_t"] else 1
+    names, found = mesh_names(system), pressed_flanks(system, loose, touching)
     _touch(system, state, found)
     return {names[k]: found[k] for k in loose}
 

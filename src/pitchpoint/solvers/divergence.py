@@ -28,7 +28,7 @@ SHORTENED = ("runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf", "kinema
 def fastest(system: System) -> tuple[str, float, bool]:
     """Coordinate of the workspace with the largest rate, that rate, and whether it is beyond all bounds.
 
-    States of controllers and elements are no coordinates of bodies and have no such bound.
+    States of controllers and elements are not coordinates of bodies and have no such bound.
     """
     w = system.workspace
     moves = np.ones(len(w.v), bool)

@@ -31,7 +31,7 @@ RTOL, ATOL, ATOL_RATE, RATE, LARGEST = range(5)
 
 @kernel
 def _stages(at, t, h, rate, A, C, begin, end, last):
-    """Stages `begin` to `end` - 1 from the ones before; stage `last` stands at the new state, row NEW."""
+    """Stages `begin` to `end` - 1 from the ones before; stage `last` is at the new state, row NEW."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
@@ -232,7 +232,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, harvest):
     return status
 
 
-#: What `advance_adaptive` is told from Python: times, order of the method, addresses and sizes of its arrays.
+#: Arguments of `advance_adaptive` from Python: times, order of the method, addresses and sizes of its arrays.
 ORDER = np.dtype(
     [
         *((name, "f8") for name in ("t", "t_end", "sample_zero", "sample", "order")),
@@ -245,7 +245,7 @@ ORDER = np.dtype(
 
 @kernel
 def entry(at, order, harvest):
-    """Go on as an ORDER says; both are addresses of records."""
+    """Carry out an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     n = o["stages"]
     pair = Pair(

@@ -154,7 +154,7 @@ def _settled(block: Array, moved: Array) -> Array:
 
 
 def _complement(turn: Array) -> Array:
-    """Orthonormal columns that stand on a unit vector (its Householder reflection without one column)."""
+    """Orthonormal columns normal to a unit vector (its Householder reflection without one column)."""
     v = turn.copy()
     v[0] += np.copysign(1.0, v[0])
     reflection = np.eye(v.size) - 2.0 * np.outer(v, v) / (v @ v)
@@ -164,7 +164,7 @@ def _complement(turn: Array) -> Array:
 def damped(
     D: Array, K: Array, shapes: Array, omega: Array
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues and shapes with damping, each beside the undamped mode it resembles most.
+    """Eigenvalues and shapes with damping, each assigned to the undamped mode it resembles most.
 
     Parameters
     ----------
@@ -235,7 +235,7 @@ def damped_with_states(
     values, vectors = values[upper], vectors[:, upper]
     values = np.where(np.abs(values.imag) <= 1e-12 * unit, values.real, values)
     z = vectors[:n] / np.maximum(np.linalg.norm(vectors[:n], axis=0), 1e-300)
-    # a mode goes on in what resembles it, vibrates like it and is as fast
+    # a mode continues in what resembles it in shape and frequency
     size = np.maximum(np.abs(values), 1e-12 * unit)
     apart = np.abs(np.log(size / np.maximum(np.abs(omega), 1e-12 * unit)[:, None]))
     likeness = np.abs(z) ** 2 * np.where(values.imag > 0.0, 2.0, 1.0) / (1.0 + apart)
@@ -257,7 +257,7 @@ def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.c
     values, vectors = np.linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -d]]))
     upper = [j for j in range(2 * n) if values[j].imag > 1e-12]
     real = sorted((j for j in range(2 * n) if abs(values[j].imag) <= 1e-12), key=lambda j: values[j].real)
-    upper += real[1::2]  # real roots come in pairs too: the slower stands for its mode
+    upper += real[1::2]  # real roots come in pairs too: the slower one represents the mode
     z = vectors[:n, upper]
     z = z / np.linalg.norm(z, axis=0)
     columns = best_match(np.abs(z) ** 2)

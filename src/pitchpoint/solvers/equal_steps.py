@@ -30,7 +30,7 @@ LAST, FORMER, FIRST = 4, 5, 6
 PAST = 6
 NEEDED = 2
 
-#: What `entry` is told from Python, under the names of the arguments of `advance_equal`.
+#: Arguments of `entry` from Python, under the names of the arguments of `advance_equal`.
 ORDER = np.dtype(
     [("t0", "f8"), ("h", "f8"), ("rate", "f8"), ("first", "i8"), ("n", "i8"), ("method", "i8")], align=True
 )
@@ -107,8 +107,8 @@ def _age(at):
 def advance_equal(at, t0, first, n, h, rate, method, harvest):
     """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back.
 
-    Where a row is due, elements say what they observe while their forces are summed for the next slope: with
-    the rates and accelerations that belong together.
+    Where a row is due, elements write their observations while their forces are summed for the next slope:
+    with the rates and accelerations that belong together.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Static equilibrium: where a system stands still under its loads, gears in contact or not.
+"""Static equilibrium: the state of rest of a system under its loads, gears in contact or not.
 
 Newton's method cannot start inside the backlash, where nothing resists a turn. So each step solves
 (K + M/tau^2) dq = -R: with a short pseudo-time tau the bodies drift apart along their loads until flanks
@@ -30,13 +30,13 @@ from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.elements import torque
 from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.broken_tooth import broken_tooth
 from pitchpoint.solvers.constrained_rest import is_looped, rest_of_mechanism
+from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
 from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_surfaces
-from pitchpoint.solvers.missing import missing_tooth
-from pitchpoint.solvers.still import GROWTH, ROUNDING, inverse_of, rest_matrix, restless, step_on
+from pitchpoint.solvers.rest_unknowns import GROWTH, ROUNDING, inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.swinging import Tangent, resists
-from pitchpoint.solvers.trains import complete, exchange, exchange_all, free_spins, is_independent
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.source import coordinate_source
@@ -52,14 +52,14 @@ TOLERANCE = 1e-9
 FIRST = 1e4
 """Factor of the masses in the first step [1/s^2]."""
 TINY = 1e-9
-"""Step [m] over which a force that is no jump keeps its value."""
+"""Step [m] over which a force without a jump keeps its value."""
 HEAVY = 1e8
 """Factor of the masses [1/s^2] beyond which exact tangents that no step resists are given up: those of
-controllers need not, as no energy stands behind them."""
+controllers need not, as they do not derive from an energy."""
 LONGEST = 0.3
 """Largest turn of a joint in one step then [rad]."""
 SLOW = 1.0
-"""Time [s] from which on a search says how many steps it has taken."""
+"""Time [s] from which on a search reports its number of steps."""
 NOW = (np.zeros(1), np.ones(1))
 """The instant of the start alone, with its weight."""
 SHORT = 1e-6
@@ -73,14 +73,14 @@ class Equilibrium:
     Parameters
     ----------
     state
-        The state; velocities are those it was asked for.
+        The state; velocities are the given ones.
     held
         Coordinates that were kept.
     reaction
         Torque that keeps each of them [N m], shape (len(held),).
     iterations
         Newton steps taken.
-    beside, share
+    other_sides, share
         For every jump of a force the state rests on: the state on its other side, and the share in which
         what acts is that of the other side.
     """
@@ -89,12 +89,12 @@ class Equilibrium:
     held: tuple[int, ...]
     reaction: NDArray[np.float64]
     iterations: int
-    beside: tuple[State, ...] = ()
+    other_sides: tuple[State, ...] = ()
     share: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
 
     def observe(self, system: System) -> NDArray[np.float64]:
         """All observations, in the order of ``system.layout.channels``; at a jump the mean that rests."""
-        return observe_mean(system, self.state, self.beside, self.share)
+        return observe_mean(system, self.state, self.other_sides, self.share)
 
 
 def find_equilibrium(
@@ -135,17 +135,17 @@ def find_equilibrium(
     free = np.setdiff1d(free, idle)
     if is_looped(system):
         mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)
-        if words := missing_tooth(system, mechanism.state):
+        if words := broken_tooth(system, mechanism.state):
             raise SolverError(words, DIVERGED, mechanism.state)
         reaction = mechanism.residual[list(kept)].copy()
         return Equilibrium(_wrapped(system, mechanism.state), kept, reaction, mechanism.steps)
     found, count, failure = _pseudo_time(system, state, free, tolerance)
-    if words := missing_tooth(system, found.state):
+    if words := broken_tooth(system, found.state):
         raise SolverError(words, DIVERGED, found.state)
     if failure:
-        from pitchpoint.solvers.unheld import advice, unheld  # which needs this module
+        from pitchpoint.solvers.unconstrained import advice, unconstrained  # which needs this module
 
-        if names := unheld(system, state, free):
+        if names := unconstrained(system, state, free):
             where = coordinate_source(system, names[0]).removeprefix(names[0])
             raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
         left = np.abs(found.residual / system.weight)[free]
@@ -156,9 +156,9 @@ def find_equilibrium(
             failure,
             found.state,
         )
-    beside = tuple(_wrapped(system, other) for other in found.beside)
+    other_sides = tuple(_wrapped(system, other) for other in found.other_sides)
     reaction = found.residual[list(kept)].copy()
-    return Equilibrium(_wrapped(system, found.state), kept, reaction, count, beside, found.share)
+    return Equilibrium(_wrapped(system, found.state), kept, reaction, count, other_sides, found.share)
 
 
 def _pseudo_time(
@@ -177,7 +177,7 @@ def _pseudo_time(
     mu = FIRST
     for count in range(MOST_ITERATIONS):
         whole = tangent.at(state, count)
-        # positions are rounded as about 1 m and 1 rad are: nothing below the forces of that can be asked for
+        # positions are rounded like 1 m and 1 rad: smaller residuals than the forces of that are out of reach
         rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + 1.0) + damping)
         goal = np.maximum(rounded, wanted)[free]
         if (np.abs((R * weight)[free]) <= goal).all():
@@ -186,7 +186,7 @@ def _pseudo_time(
             mass = rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0))[free][:, free]
             root = np.sqrt(mass.diagonal())
         pulled = whole[free][:, free] + mu * mass
-        if tangent.exact and not resists(pulled):  # Newton's step would go up, to where nothing stands
+        if tangent.exact and not resists(pulled):  # Newton's step would go up, to an unstable equilibrium
             mu *= 8.0
             if mu > HEAVY:
                 tangent.refuse()
@@ -215,7 +215,7 @@ def _pseudo_time(
             rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)
             if rest is not None and rest.holds:
                 return rest, count, 0
-            # what acts across a jump is no measure of the step that crosses it
+            # a force across a jump does not measure the step that crosses it
             state = trial if rest is None else rest.state
             R = evaluate.residual(system, state)
             passing = set() if rest is None else {*surfaces}
@@ -300,7 +300,7 @@ def balance_torques(
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = reaction[found.held.index(spin)]
     kept = list(complete(system, driven, let_go))
-    if is_looped(system):  # a train that goes on through loops stays where its torques balance
+    if is_looped(system):  # a train that continues through loops stays where its torques balance
         kept += [s for s in spins if s not in kept and is_independent(system, state, kept, s)]
     return system.with_params({LOAD: records}), tuple(spins), kept
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which root events a scenario asks for, and what the sign changes of event functions are called."""
+"""Root events that a scenario requests, and the names of the sign changes of event functions."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def bending(system: System) -> NDArray[np.int64]:
 
 
 class EventWatch:
-    """Sorts out the events of one scenario; false if it asks for none.
+    """Selects the events of one scenario; false if it requests none.
 
     Parameters
     ----------
@@ -69,14 +69,14 @@ class EventWatch:
         self._kept = kept
         #: Per event function 1 if its sign changes count, in one direction at least: steps may end there.
         self.functions = (kept[self._named[0]] | kept[self._named[1]]).astype(np.int64)
-        #: The same, or forces jump or bend there: explicit methods have nothing else that tells them.
+        #: The same, or forces jump or bend there: explicit methods have no other means to detect them.
         self.ends = self.functions | bending(system) if kept.any() else self.functions
 
     def __bool__(self) -> bool:
         return bool(self._kept.any())
 
     def pick(self, found: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The events asked for, named by what happens.
+        """The requested events, named by what happens.
 
         Parameters
         ----------

@@ -14,7 +14,7 @@ from pitchpoint.system.workspace import EVALUATIONS, MACH, STAGE_ROWS, VALID
 
 #: Rows of `stage`: 16 stages, state before and after the step, coefficients of the dense output; all in all.
 OLD, NEW, DENSE, ROWS = 16, 17, 18, STAGE_ROWS
-#: Slot of `real` with the time whose slope stands in the first row of the stages; it outlives a call.
+#: Slot of `real` with the time whose slope is in the first row of the stages; it outlives a call.
 SLOPE_AT = 5
 
 

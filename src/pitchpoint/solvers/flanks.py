@@ -16,17 +16,17 @@ from numpy.typing import NDArray
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import DRIVE, FREE, MESH, Kind
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.gear_trains import driven_coordinates
 from pitchpoint.solvers.null_space import connected, null_space
 from pitchpoint.solvers.resistance import SAME, resisted_spins
 from pitchpoint.solvers.torque_paths import TorquePath, spins_of, torque_paths, turning
-from pitchpoint.solvers.trains import driven_coordinates
 from pitchpoint.system.meshes import mesh_places
 from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
 
-def pressed_flanks(system: System, loose: Sequence[int], leaning: Mapping[int, int]) -> dict[int, int]:
+def pressed_flanks(system: System, loose: Sequence[int], touching: Mapping[int, int]) -> dict[int, int]:
     """Flanks that a small torque through the train presses, by unloaded mesh: 1 is the front, -1 the back.
 
     The torque enters at the first end of a train, in the sense that presses the front flank of the first of
@@ -38,11 +38,11 @@ def pressed_flanks(system: System, loose: Sequence[int], leaning: Mapping[int, i
         The system.
     loose
         Numbers of the meshes without load.
-    leaning
-        Flanks of those among them that touch already; they decide the sense of their train.
+    touching
+        Flanks of those among them in contact already; they decide the sense of their train.
     """
-    if len(loose) == len(leaning):
-        return dict(leaning)
+    if len(loose) == len(touching):
+        return dict(touching)
     paths, places = torque_paths(system), mesh_places(system)
     number = {(p.kind, p.number): c for c, p in enumerate(paths)}
     ends = _ends(system, paths)
@@ -55,7 +55,7 @@ def pressed_flanks(system: System, loose: Sequence[int], leaning: Mapping[int, i
     for m in (m for m in loose if places[m] in number):
         c = number[places[m]]
         meshes.setdefault(train_of[next(iter(paths[c].row))], {})[m] = c
-    found = dict(leaning)
+    found = dict(touching)
     for k, wanted in meshes.items():
         patterns = _patterns(paths, members[k], [s for s in trains[k] if s not in ends])
         entries = [s for s in trains[k] if s in ends]

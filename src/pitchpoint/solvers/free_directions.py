@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.solvers.assembly import REDUNDANT
-from pitchpoint.solvers.still import LARGE
+from pitchpoint.solvers.rest_unknowns import LARGE
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 

@@ -22,10 +22,10 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
+from pitchpoint.solvers.gear_trains import body_rates
+from pitchpoint.solvers.inputs_outputs import Input, Outputs, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
-from pitchpoint.solvers.ports import Input, Outputs, find_inputs, find_outputs
-from pitchpoint.solvers.still import LARGE
-from pitchpoint.solvers.trains import body_rates
+from pitchpoint.solvers.rest_unknowns import LARGE
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -81,7 +81,7 @@ def find_response(
     system
         The compiled model.
     inputs, outputs
-        Names as in `ports`.
+        Names as in `inputs_outputs`.
     frequencies
         [Hz], shape (nf,).
     scenario, phase, start
@@ -89,9 +89,9 @@ def find_response(
     modes
         Number of undamped modes whose span the response is looked for in; default: the direct solution.
     synchronous
-        Body whose speed follows the frequency, the others with it as their ratios are.
+        Body whose speed follows the frequency, the others with it by their ratios.
     progress
-        Told after every frequency.
+        Called after every frequency.
 
     Raises
     ------

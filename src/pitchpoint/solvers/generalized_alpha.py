@@ -3,7 +3,7 @@
 
 Constraints hold on positions (index 3), multipliers are unknowns of the step; `newton` has the iteration.
 In the stabilised form (index 2) they hold on rates, too: q' = v + G^T mu, by the iteration of
-`constrained_newton`, which is reached through an address and compiled only where it is asked for.
+`constrained_newton`, which is reached through an address and compiled only where it is used.
 
 Source: M. Arnold, O. Bruels, Convergence of the generalized-alpha scheme for constrained mechanical systems,
 Multibody System Dynamics 18 (2007) 185-202. Second order; damping of high frequencies is set by rho_inf.
@@ -68,7 +68,7 @@ def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
     return OK
 
 
-#: What `advance` is told from Python, under the names of its arguments.
+#: Arguments of `advance` from Python, under their names.
 ORDER = np.dtype(
     [
         *((name, "f8") for name in ("t0", "h", "rho", "tol")),
@@ -196,7 +196,7 @@ class Run:
         return OK
 
     def change_step(self, h: float) -> None:
-        """Go on with another step from here."""
+        """Continue with another step from here."""
         w = self.system.workspace
         # what is a share of a step ahead or behind moves with the step
         for name, now in (("al", w.a), ("ap", w.a), ("lp", w.lam)):

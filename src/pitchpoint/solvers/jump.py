@@ -50,8 +50,8 @@ class Rest:
     state
         The state.
     residual
-        What is left over, with the shares of the other sides, shape (nd,).
-    beside
+        Residual with the shares of the other sides, shape (nd,).
+    other_sides
         For every jump the state rests on: the state on its other side.
     share
         Share in which that other side acts, by jump.
@@ -59,7 +59,7 @@ class Rest:
 
     state: State
     residual: Array
-    beside: tuple[State, ...] = ()
+    other_sides: tuple[State, ...] = ()
     share: Array = field(default_factory=lambda: np.zeros(0))
 
     @property
@@ -71,7 +71,7 @@ class Rest:
 def rest_on_surfaces(
     system: System, state: State, surfaces: Sequence[Surface], free: Indices, goal: Array
 ) -> Rest | None:
-    """Rest on as many of some surfaces as possible, if there is one near a state; else where to go on.
+    """Rest on as many of some surfaces as possible, if there is one near a state; else where to continue.
 
     Parameters
     ----------
@@ -192,17 +192,17 @@ def _onto(system: System, state: State, chosen: Sequence[Surface], free: Indices
 
 
 def _aside(found: Rest, across: Array) -> Rest:
-    """A rest whose shares are no mean moved to the sides where what is left over leads away.
+    """A rest whose shares are not a mean, moved to the sides where the residual leads away.
 
-    There that is the jump times the excess of the share; `across` says where a jump leads, shape (n, n).
+    There that is the jump times the excess of the share; `across` is where a jump leads, shape (n, n).
     """
     if found.holds:
         return found
     state = found.state.copy()
     for k, part in enumerate(found.share):
         if (part > 1.0) == (across[k, k] > 0.0):
-            state.q += found.beside[k].q - found.state.q
-    return Rest(state, found.residual, found.beside, found.share)
+            state.q += found.other_sides[k].q - found.state.q
+    return Rest(state, found.residual, found.other_sides, found.share)
 
 
 def _stiffness(system: System, state: State, free: Indices, size: Array) -> Array:
@@ -212,20 +212,20 @@ def _stiffness(system: System, state: State, free: Indices, size: Array) -> Arra
     return scaled
 
 
-def observe_mean(system: System, state: State, beside: Sequence[State], share: Array) -> Array:
+def observe_mean(system: System, state: State, other_sides: Sequence[State], share: Array) -> Array:
     """All observations of a state at jumps, the mean of both sides; plain numbers stay those of one side.
 
     Parameters
     ----------
     system, state
         The system and its state on one side.
-    beside, share
+    other_sides, share
         Per jump the state on the other side, and its share.
     """
     row = evaluate.observe(system, state)
     mean = row.copy()
     with_unit = np.array([c.unit != "1" for c in system.layout.channels])
-    for other, part in zip(beside, share, strict=True):
+    for other, part in zip(other_sides, share, strict=True):
         mean += np.where(with_unit, part * (evaluate.observe(system, other) - row), 0.0)
     return mean
 

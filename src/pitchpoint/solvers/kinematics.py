@@ -125,7 +125,7 @@ class KinematicRun:
         return Chunk(status, n, np.array(rows).reshape(-1, width), np.zeros((0, 3)))
 
     def change_step(self, h: float) -> None:
-        """Go on with another step from here."""
+        """Continue with another step from here."""
         self.t0, self.steps, self.h = self.t, 0, h
 
     def state(self) -> State:
@@ -147,7 +147,7 @@ def solve_kinematics(
     state
         Where to begin; default the initial state.
     progress
-        Told after every time.
+        Called after every time.
 
     Returns
     -------

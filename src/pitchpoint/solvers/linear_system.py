@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The linear system about an operating point: matrices at rest and at speed, free directions, its modes.
 
-What `modal`, `campbell` and `frequency_response` have in common; what the matrices mean stands in `modal`.
+What `modal`, `campbell` and `frequency_response` have in common; `modal` describes the matrices.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, unda
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
 from pitchpoint.solvers.switched_off import without_friction
-from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
 MOST_MODES = 200
-"""Modes up to which a system has all of them found if no number is asked for."""
+"""Modes up to which a system has all of them found if no number is given."""
 LOWEST = 40
 """Modes that are found of a larger one."""
 SPARSE = 0.3
@@ -92,7 +92,7 @@ def _frictionless_point(
     point = operating_point(smooth, scenario, start)
     if smooth is system:
         return point
-    note = "friction of the flanks is left out of the modes; it belongs to the motion, not to a state"
+    note = "friction of the flanks is neglected in the modes; it depends on the motion, not on a state"
     return replace(point, notes=(*point.notes, note))
 
 
@@ -219,11 +219,11 @@ class Undamped:
     Parameters
     ----------
     omega, shapes
-        Circular frequencies [rad/s] (n,) and shapes with modal mass 1 (n, nd): those asked for.
+        Circular frequencies [rad/s] (n,) and shapes with modal mass 1 (n, nd): the requested ones.
     total
         Number of modes that there are.
     notes
-        A sentence if some were left out that nobody asked to leave out.
+        A sentence if modes were omitted without a request.
     whole
         All modes of a small system, (omega, shapes); the damped ones are made of them.
     """
@@ -236,12 +236,12 @@ class Undamped:
 
 
 def lowest(linear: Linearised, count: int | None = None) -> Undamped:
-    """Undamped modes, lowest first: all of systems with up to `MOST_MODES`, or as many as are asked for."""
+    """Undamped modes, lowest first: all of systems with up to `MOST_MODES`, or as many as are requested."""
     parts, rigid = linear.at_rest, linear.rigid
     total = linear.basis.shape[1]
     wanted = total if total <= MOST_MODES else LOWEST
     wanted = min(wanted if count is None else count, total)
-    note = (f"the lowest {wanted} of {total} modes; ask for a number of modes to see more",)
+    note = (f"the lowest {wanted} of {total} modes; give a number of modes to see more",)
     notes = note if count is None and wanted < total else ()
     if total > MOST_MODES and wanted < SPARSE * total:
         found = lowest_modes(parts.M, parts.K, _sparse(linear.basis), rigid, wanted)
@@ -261,7 +261,7 @@ def _sparse(basis: Any) -> Any:
 def damped_modes(
     linear: Linearised, modes: Undamped
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues at speed beside undamped modes, those of states last, and their shapes."""
+    """Eigenvalues at speed in the order of the undamped modes, those of states last, and their shapes."""
     M, D, K = linear.at_rest.M, linear.D, linear.K
     left = K - symmetric(linear.at_rest.K)
     if modes.whole is None and _is_undamped(linear, modes, left):

@@ -5,8 +5,8 @@ M x'' + D x' + K x = 0 with the derivatives of the residual at the loaded state,
 the meshes, which is held: they count with the mean of their stiffness over the mesh cycle, or with the value
 at one phase. Undamped modes are those at rest, with the symmetric part of K; damped ones carry dampers, the
 gyroscopic terms of the speeds and the whole K. A torque that follows its tilting body makes K unsymmetric
-and can feed energy into modes that nothing damps. Friction of the flanks is left out of both and of the
-operating point: sliding turns round within every mesh cycle. Rayleigh and modal damping are made at the phase
+and can feed energy into modes that nothing damps. Friction of the flanks is neglected in both and in the
+operating point: sliding reverses within every mesh cycle. Rayleigh and modal damping are made at the phase
 where the scenario starts.
 
 Mechanisms vibrate in the directions that their loops leave free, with the reactions of the loops in K. Where
@@ -50,7 +50,7 @@ class Modes:
         Undamped shapes, modal mass 1, shape (n, nd); the largest component by mass is positive.
     eigenvalue
         Complex eigenvalue with damping and gyroscopic terms [1/s], shape (n,), the one with Im >= 0; each
-        stands beside the undamped mode it resembles most.
+        belongs to the undamped mode it resembles most.
     damped_frequency, damping_ratio
         Im/2 pi [Hz] and -Re/|eigenvalue|, shape (n,); 0 Hz and 1 where a mode is overdamped, -1 where it
         runs away without oscillating.
@@ -80,7 +80,7 @@ class Modes:
     state_eigenvalue
         Further eigenvalues [1/s], those of the states of force elements, the slowest first.
     total
-        Number of modes that there are; more than n if only the lowest were asked for.
+        Number of modes that there are; more than n if only the lowest were requested.
     notes
         What the user should know, in sentences.
     """
@@ -150,7 +150,7 @@ def find_modes(
         State near which the operating point is looked for; its rates are kept. Default: that of the scenario,
         and the initial state of a system made from numbers.
     progress
-        Told after every element.
+        Called after every element.
     linear
         What `linearise` gives for all of these, if it is known already.
 

@@ -5,8 +5,8 @@ The share of a coordinate in a name is M_kk phi_k^2 over the sum of this over al
 energy that the coordinate would have alone. Between 0 and 1 it is, and it is the share in the kinetic energy
 where the mass matrix is diagonal. A coordinate of a joint also moves what hangs on the body, and what
 moves the other way takes energy away: phi_k (M phi)_k, the share in the energy itself, then is negative for
-one of them and above 1 for another. Elements that push away from rest, such as gravity on what stands
-upright, have negative strain energy; the share of an element is that in the sum of the magnitudes.
+one of them and above 1 for another. Elements that push away from rest, such as gravity on an upright
+pendulum, have negative strain energy; the share of an element is that in the sum of the magnitudes.
 """
 
 from __future__ import annotations

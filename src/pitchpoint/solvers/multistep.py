@@ -13,7 +13,7 @@ does (C. W. Gear, Numerical Initial Value Problems in Ordinary Differential Equa
 has a step and an order that are given, and no control of errors. Forms: `constrained_newton`.
 
 After whole turns the past of a spin is moved by them; when a body that tumbles starts its turns afresh, and
-behind an event, the method goes on with a new past (`multistep_restart`).
+after an event, the method continues with a new history (`multistep_restart`).
 """
 
 from __future__ import annotations
@@ -131,7 +131,7 @@ def _leading(where, times, h):
 
 @kernel
 def _predict(at, where, h):
-    """Put the prediction into the workspace and tell the Newton iteration its factors and tolerances."""
+    """Put the prediction into the workspace and set factors and tolerances of the Newton iteration."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     n = view(b["iteration"], 1, ITERATION)[0]
@@ -282,7 +282,7 @@ def step(at, where, spare):
 
 @kernel
 def _go_on(at, where, nominal, reach):
-    """Go on from the state in the workspace with a new past, at order 1 if its derivatives say nothing."""
+    """Continue from the state in the workspace with a new history, at order 1 without usable derivatives."""
     if call(view(where, 1, PAST)[0]["resume"], at, where, 0) != OK:
         begin(at, where, nominal, reach)
 
@@ -312,9 +312,9 @@ def _follow_turns(at, where, nominal, reach):
 
 @kernel(inline=True)
 def advance_multistep(at, where, t_end, grid, most, restart, harvest):
-    """Go on to t_end, at most `most` steps; grid: time of sample 0, distance of samples (0: none).
+    """Continue to t_end, at most `most` steps; grid: time of sample 0, distance of samples (0: none).
 
-    restart != 0: steps end at events, and the method goes on from there with a new past.
+    restart != 0: steps end at events, and the method continues from there with a new history.
     """
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
@@ -353,7 +353,7 @@ def advance_multistep(at, where, t_end, grid, most, restart, harvest):
     return OK
 
 
-#: What `advance_multistep` is told from Python.
+#: Arguments of `advance_multistep` from Python.
 ORDER = np.dtype(
     [
         *((name, "f8") for name in ("t_end", "sample_zero", "sample")),
@@ -365,7 +365,7 @@ ORDER = np.dtype(
 
 @kernel
 def entry(at, order, harvest):
-    """Go on as an ORDER says; both are addresses of records."""
+    """Carry out an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     grid = (o["sample_zero"], o["sample"])
     return advance_multistep(at, o["past"], o["t_end"], grid, o["most"], o["restart"], harvest_at(harvest))

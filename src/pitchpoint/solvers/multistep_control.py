@@ -2,12 +2,12 @@
 """Memory of a multistep method, its error, and the choice of order and step.
 
 The rows of the history are q, v, lambda, eta, xi: 2 nd + 3 nc numbers. The error of a step of order k is a
-multiple of the difference of order k + 1 of the values it leads to; differences of neighbouring orders say
-what these would do. Rules of L. R. Petzold's DASSL: K. E. Brenan, S. L. Campbell, L. R. Petzold, Numerical
+multiple of the difference of order k + 1 of the values it leads to; differences of neighbouring orders
+give theirs. Rules of L. R. Petzold's DASSL: K. E. Brenan, S. L. Campbell, L. R. Petzold, Numerical
 Solution of Initial-Value Problems in Differential-Algebraic Equations, SIAM 1996, 5.2.
 
-Multipliers are no part of the error. Of form SI1 their integrals are: an error of eta counts as the change of
-rates M^-1 G^T that it stands for, one of xi as the change of positions G^T.
+Multipliers are not part of the error. Of form SI1 their integrals are: an error of eta counts as the change
+of rates M^-1 G^T that it causes, one of xi as the change of positions G^T.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ PAST = np.dtype(
     [
         ("t", "f8"),  # time reached
         ("h", "f8"),  # step to try next
-        ("gridded", "f8"),  # step of the grid on which the history stands, 0: on none
+        ("gridded", "f8"),  # step of the grid of the history, 0: none
         ("used", "f8"),  # length of the last step
         ("limit", "f8"),  # time that no step passes
         ("origin", "f8"),  # time from which the grid of equal steps counts
@@ -58,7 +58,7 @@ PAST = np.dtype(
         ("iterate", "i8"),  # addresses of the Newton iteration
         ("step", "i8"),  # of one whole step,
         ("seek", "i8"),  # of one that ends at an event,
-        ("resume", "i8"),  # and of what goes on from there
+        ("resume", "i8"),  # and of what continues from there
         ("kept", "i8"),  # address of another such record: what was before a step that may be taken back
         ("event", "i8"),  # 1: the last step ended at an event
         ("events", "i8"),  # so many steps did
@@ -194,7 +194,7 @@ def shrink(where, h, solved):
 
 @kernel
 def _next_order(at, where, h):
-    """Whether the order goes up, down or stays, by the differences of the orders beside it."""
+    """Whether the order goes up, down or stays, by the differences of the neighbouring orders."""
     b = view(where, 1, PAST)[0]
     k = b["k"]
     if b["next_k"] < k or k == b["most_k"] or b["steady"] <= k + 1 or b["points"] < k + 2:

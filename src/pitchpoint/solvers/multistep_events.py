@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Steps of a multistep method that end at events, where forces jump or bend.
 
-A polynomial over the bend is no solution, so a step ends there. First guess: where the polynomial through the
-past, all of it before the event, meets it; then where that of the shortened step does, until the step ends
-behind the event by no more than `LOCATED` of the step tried. `multistep_restart` goes on from there.
+A polynomial over the bend is not a solution, so a step ends there. First guess: where the polynomial through
+the past, all of it before the event, meets it; then where that of the shortened step does, until the step ends
+behind the event by no more than `LOCATED` of the step tried. `multistep_restart` continues from there.
 """
 
 from __future__ import annotations
@@ -112,7 +112,7 @@ def _pass_on(at):
 
 @kernel
 def step_to_event(at, where, spare):
-    """One step that ends at the first event in it; `event` says whether there is one."""
+    """One step that ends at the first event in it; `event` is 1 if there is one."""
     b = view(where, 1, PAST)[0]
     keep_past(at, where)
     limit = b["limit"]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a multistep method goes on where forces jump or bend: at order 3, from derivatives of the new side.
+"""Restart of a multistep method where forces jump or bend: at order 3, from derivatives of the new side.
 
 The past of the other side is of no use any more. Accelerations a little later give jerk and its derivative
 (differences at two points, twice: the second time with the states that the first pass leads to); their Taylor
 series is the past of the new side. That costs five solutions for accelerations, a start at order 1 some ten
-steps with a matrix each. Where a mode is so stiff that differences say nothing the two passes disagree, and
+steps with a matrix each. Where a mode is too stiff for differences the two passes disagree, and
 the method starts at order 1 after all.
 """
 
@@ -154,7 +154,7 @@ def _first_step(at, where, h):
 
 @kernel
 def resume(at, where, spare):
-    """Go on from the state in the workspace with a new past; 0 if only a start at order 1 is left."""
+    """Continue from the state in the workspace with a new history; 0 if only a start at order 1 is left."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     nd = c["nd"]

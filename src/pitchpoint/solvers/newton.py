@@ -64,7 +64,7 @@ def largest_entry(x, weight):
 
 @kernel
 def _move(q, v, a, e, share, cm, cd):
-    """Go on by a share of a correction."""
+    """Move by a share of a correction."""
     for i in range(q.size):
         q[i] += share * e[i]
         v[i] += share * cd * e[i]
@@ -161,7 +161,7 @@ def _at_jump(at, t, cm, cd, tol, failure):
         near = there / (there - here)
         for i in range(nd):
             x[i] = near * x[i] + (1.0 - near) * beyond[i]
-        for r in range(lam.size):  # they stand at those of the other side, and y leads from there to this one
+        for r in range(lam.size):  # they are those of the other side, and y leads from there to this one
             lam[r] += near * y[r]
         _move(q, v, a, x, 1.0, cm, cd)
         if abs(largest_entry(x, weight)) <= tol:
@@ -215,7 +215,7 @@ def back_to_guess(at):
 
 @kernel
 def _open(at):
-    """How far the rows were open before the last correction, those that repeat others left out."""
+    """How far the rows were open before the last correction, without those that repeat others."""
     c = view(at, 1, CTL)[0]
     g = view(c["g"], c["nc"], F8)
     used = view(view(c["mach"], 1, MACH)[0]["used"], c["nc"], I8)
@@ -296,7 +296,7 @@ def newton_step(at, t, cm, cd, tol):
             lam[r] += y[r]
         theta = real[0]
         outdated = False
-        # rows turn with the state: with them a rate of the step before says nothing about a large correction,
+        # rows turn with the state: with them the rate of the last step does not predict a large correction,
         # and what they leave open comes back as a jump of the multipliers when the matrix is made anew
         known = nc == 0 or size <= tol or (last > 0.0 and _open(at) * theta <= ROW_GOAL)
         if theta > TRUSTED and stale(at, cm, theta):

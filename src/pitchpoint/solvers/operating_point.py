@@ -10,8 +10,8 @@ from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.controls import held_outputs
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.gear_trains import held_spins
 from pitchpoint.solvers.start import prepare_start
-from pitchpoint.solvers.trains import held_spins
 from pitchpoint.system.system import State, System
 
 

@@ -12,7 +12,7 @@ from pitchpoint.elements import registry
 from pitchpoint.elements.kind import BETWEEN, SINGLE
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.element_tangents import switched
-from pitchpoint.solvers.trains import driven_coordinates, held_spins, rotations
+from pitchpoint.solvers.gear_trains import driven_coordinates, held_spins, rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -28,7 +28,7 @@ SAME = 1e-8
 
 
 def ways_to_turn(system: System, state: State, turning: Collection[int]) -> Array:
-    """Rates at which a system goes on turning, largest 1.
+    """Rates at which a system continues to turn, largest 1.
 
     Parameters
     ----------

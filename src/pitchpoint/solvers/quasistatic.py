@@ -28,6 +28,7 @@ from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.gear_trains import exchange, held_spins, mesh_orders, rotations, tied_by_teeth
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.roll_notes import friction_notes, load_notes
 from pitchpoint.solvers.roll_path import (
@@ -37,8 +38,7 @@ from pitchpoint.solvers.roll_path import (
     without_deflections,
 )
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.touch import tangent_stiffness, touching_error
-from pitchpoint.solvers.trains import exchange, held_spins, mesh_orders, rotations, tied_by_teeth
+from pitchpoint.solvers.unloaded_mesh import tangent_stiffness, unloaded_error
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
@@ -48,7 +48,7 @@ if TYPE_CHECKING:
 
 DIMENSION = "mesh_phase_position"
 LARGEST_RATIO = 10**6
-"""Denominator up to which a ratio of speeds is told from its rounded value."""
+"""Denominator up to which a ratio of speeds is found from its rounded value."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class MeshRoll:
     share
         Share of every tooth pair in the mesh force, shape (n, n_pair).
     pitches
-        Tooth pitches it goes on per period of the rolled mesh; 0 if it stands still, None if it turns through
+        Tooth pitches that it travels per period of the rolled mesh; 0 at rest, None if it turns through
         loops, whose ratio changes.
     """
 
@@ -75,7 +75,7 @@ class MeshRoll:
 
     @property
     def repeats_after(self) -> int:
-        """Periods of the rolled mesh after which this one stands at the same phase again; 0 for never."""
+        """Periods of the rolled mesh after which this one is at the same phase again; 0 for never."""
         return 0 if self.pitches is None else self.pitches.denominator
 
 
@@ -92,7 +92,7 @@ class Roll:
     rows
         All observations, shape (n, no), in the order of the channels of the system.
     meshes
-        What else there is to say, by mesh.
+        Notes, by mesh.
     reaction
         Torque that held the turned spin [N m], shape (n,).
     notes
@@ -112,7 +112,7 @@ class Roll:
 
     @property
     def cycle_notes(self) -> tuple[str, ...]:
-        """Say of which other meshes a finished roll shows no whole cycles: their numbers are partial."""
+        """Notes on other meshes of which a finished roll shows no whole cycles: their numbers are partial."""
         if self.status != OK:
             return ()
         periods, found = round(float(self.position[-1])), []
@@ -142,7 +142,7 @@ def roll_through(
     others: bool = True,
     progress: Progress = silent,
 ) -> Roll:
-    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, `mesh` beside a scenario.
+    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, also a scenario and `mesh`.
 
     Without `others`, what `Roll.meshes` holds is found for the rolled mesh alone.
     """
@@ -178,7 +178,7 @@ def roll_through(
             for m in told:
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
-                unloaded[m, s] = touching_error(own, clear, m, contact)
+                unloaded[m, s] = unloaded_error(own, clear, m, contact)
             state, clear = (rolled_on(own, x, spin, step, rates) for x in (state, clear))
             done = s + 1
             progress(done, n, f"{mesh}: roll")
@@ -234,7 +234,7 @@ def _plan(
         q = chosen.quasi_static
         mesh, points, periods = mesh or q.mesh, q.points, q.periods
     if mesh is None and len(names) != 1:
-        raise SolverError(f"say which mesh is rolled; there are: {', '.join(names) or 'none'}", INCONSISTENT)
+        raise SolverError(f"choose the mesh to roll; there are: {', '.join(names) or 'none'}", INCONSISTENT)
     mesh = mesh or names[0]
     if mesh not in names:
         raise SolverError(
@@ -254,7 +254,7 @@ def _begun(system: System, scenario: Scenario) -> Scenario:
 
 
 def _pitches(system: System, mesh: int, rolled: tuple[int, int], ratio: float) -> Fraction | None:
-    """Tooth pitches that a mesh goes on per period of the rolled one; exact, None if loops are on the way."""
+    """Tooth pitches that a mesh travels per period of the rolled one; exact, None if loops are on the way."""
     record = mesh_record(system, mesh)
     for body in (record["i"], record["j"]):
         spin = spin_of(system.program["body"], body)
@@ -292,9 +292,9 @@ def solve_quasistatic(
         Name of a mesh, or a scenario (or its name) with `quasi_static`; loads at t = 0 count. Default: the
         scenario the system was compiled with, else the only mesh.
     points, periods
-        Points per mesh period and number of periods, unless the scenario says so.
+        Points per mesh period and number of periods, unless the scenario gives them.
     progress
-        Told after every point.
+        Called after every point.
 
     Returns
     -------
@@ -345,7 +345,7 @@ class Table:
 
 def statistics(found: Table) -> dict[str, Any]:
     """Mean, rms of the alternating part and extremes of a quantity over whole periods."""
-    # the last point repeats the first one, but for meshes that are in the midst of a cycle there
+    # the last point repeats the first one, but for meshes that are within a cycle there
     once = found.values[:-1] if len(found.values) > 1 else found.values
     return {
         "unit": found.unit,
@@ -357,7 +357,7 @@ def statistics(found: Table) -> dict[str, Any]:
 
 
 def tables(system: System, roll: Roll) -> list[Table]:
-    """Everything a roll found: all channels, and what `MeshRoll` and its statistics say of every mesh."""
+    """Everything a roll found: all channels, and the values and statistics of `MeshRoll` for every mesh."""
     found = [
         Table(c.name, roll.rows[:, k], c.unit, c.long_name) for k, c in enumerate(system.layout.channels)
     ]

@@ -5,8 +5,8 @@ Bodies that only linear elements touch (bearings, bushings, couplings, springs, 
 bodies that anything else acts on, by static shapes and by modes with those bodies fixed (Craig and Bampton).
 What is kept runs with its own kernels, large rotation included; the condensed part is a linear element
 between the bodies that remain and a few modal coordinates, gyroscopic terms taken at the operating speed.
-What may go stands in `reduction_choice`: parts whose linearisation does not change over time. Kept bodies of
-a part other than turning round ones are expected near the operating point.
+Parts may be condensed whose linearisation does not change over time (`reduction_choice`). Kept bodies of a
+part other than rotationally symmetric ones are expected near the operating point.
 
 References
 ----------

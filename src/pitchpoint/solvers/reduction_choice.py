@@ -70,7 +70,7 @@ def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
         raise SolverError(f"nothing to keep is called {', '.join(unknown)}", INCONSISTENT)
     eligible = _linear_records(system, keep)
     notes = _rotor_notes(system, eligible)
-    forced = {names.index(n): "asked for" for n in keep if n in names} | _never(system)
+    forced = {names.index(n): "requested" for n in keep if n in names} | _never(system)
     stays = _kept(system, eligible, forced)
     rates = ways_to_turn(system, state, stays)
     if rates.any():
@@ -108,7 +108,7 @@ def names_to_keep(system: System) -> tuple[str, ...]:
 
 
 def _linear_records(system: System, keep: Sequence[str]) -> Choice:
-    """Records of linear elements that nobody wants to keep."""
+    """Records of linear elements that need not be kept."""
     body = system.program["body"]
     found: Choice = {}
     for kind, records in system.records.items():
@@ -158,7 +158,7 @@ def _rotors(system: System) -> dict[int, str]:
 
 
 def _rotor_notes(system: System, eligible: Choice) -> list[str]:
-    """Take out the elements on elastic rotors, whose coordinates turn with them, and say so."""
+    """Take out the elements on elastic rotors, whose coordinates turn with them, and note it."""
     body, rotors = system.program["body"], _rotors(system)
     if not rotors:
         return []
@@ -242,7 +242,7 @@ def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
 
 
 def _movers(body: NDArray[np.void], b: int) -> list[int]:
-    """Bodies whose coordinates move a body, its own first; the owner stands for shared ones."""
+    """Bodies whose coordinates move a body, its own first; shared ones are those of the owner."""
     return [int(body[c]["shares"]) or c for c in (b, *_ancestors(body, b))]
 
 
@@ -282,7 +282,7 @@ def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]
 def _loose(
     system: System, state: State, condensed: Choice, parts: Sequence[list[int]], kept: set[int]
 ) -> list[int]:
-    """Bodies that could move while the kept ones of their part stand still."""
+    """Bodies that could move while the kept ones of their part are at rest."""
     K = symmetric(sum_over(system, condensed, lambda: evaluate.matrix(system, state, 0.0, 0.0, 1.0)))
     found: set[int] = set()
     for part in parts:

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from pitchpoint.solvers.eigen import symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.linear_system import SPARSE
 from pitchpoint.solvers.sparse_modes import lowest_modes
-from pitchpoint.solvers.trains import rigid_rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
@@ -91,7 +91,7 @@ def compare(full: System, at: State, reduced: System, near: State, limit: float)
 def _restricted(turns: Array, full: System, reduced: System) -> Array:
     """Turns of the full system that nothing resists in the spins that are left, shape (r, nd).
 
-    The trains of a reduced system cannot tell: a condensed part ties bodies that no element joins any more.
+    The trains of a reduced system do not show them: a condensed part ties bodies that no element joins.
     """
     found = np.zeros((len(turns), reduced.sizes["nd"]))
     number = {name: b for b, name in enumerate(full.layout.bodies)}

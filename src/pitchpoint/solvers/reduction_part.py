@@ -158,7 +158,7 @@ def _turning_groups(
 ) -> list[int]:
     """Round bodies of a part that can only turn together, and do so freely: number of the group of every end.
 
-    -1 stands for bodies that are held or have no spin. What rounding left of free turns is taken out.
+    -1 marks bodies that are held or have no spin. What rounding left of free turns is taken out.
 
     Raises
     ------
@@ -197,7 +197,7 @@ def _turning_groups(
 def _kind(
     system: System, ends: Sequence[int], pair: tuple[int, int], groups: list[int], diagonal: Array
 ) -> str:
-    """Kind of the records of a block, which says how far it keeps bodies from turning."""
+    """Kind of the records of a block, by how far it keeps bodies from turning."""
     one, two = pair
     if one >= len(ends) or two >= len(ends):
         return MODES

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What keeps single spins from turning freely: springs, contacts, loops, and weight beside an axis."""
+"""What keeps single spins from turning freely: springs, contacts, loops, and weight off the axis."""
 
 from __future__ import annotations
 

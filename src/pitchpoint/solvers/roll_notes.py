@@ -14,9 +14,9 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, note
 from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.gear_trains import driven_coordinates, rotations
 from pitchpoint.solvers.start import IMBALANCE
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.trains import driven_coordinates, rotations
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array) -> tuple[Message, ...]:
-    """Say which meshes nothing loads, and which torques only what is held takes up.
+    """Name the meshes without load, and the torques that only held bodies take up.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
         All observations, shape (n, no).
     """
     if not len(rows) or system.model is None or not system.model.loads:
-        return ()  # whoever gives no loads asks for the flanks alone
+        return ()  # without loads only the flanks are of interest
     torques = load_torques(system, rows[0])
     least = max(IMBALANCE * max(map(abs, torques.values()), default=0.0), 1e-9)
     driven = driven_coordinates(system)
@@ -83,7 +83,7 @@ def friction_notes(system: System) -> tuple[str, ...]:
     if not rubbing:
         return ()
     return (
-        f"friction of mesh {' and '.join(rubbing)} is left out: a slow roll is computed at zero speed, "
+        f"friction of mesh {' and '.join(rubbing)} is neglected: a slow roll is computed at zero speed, "
         "where the smoothed friction force is zero; use a time response for tooth friction",
     )
 

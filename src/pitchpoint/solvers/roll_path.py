@@ -12,8 +12,8 @@ from pitchpoint.core.status import SINGULAR
 from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.assembly import close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
+from pitchpoint.solvers.gear_trains import mesh_orders, turning_rates
 from pitchpoint.solvers.stiffness_parts import Array
-from pitchpoint.solvers.trains import mesh_orders, turning_rates
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
 
@@ -41,14 +41,14 @@ def periods_per_turn(system: System, mesh: int, rates: Array) -> float:
     Raises
     ------
     SolverError
-        If the mesh stands still.
+        If the mesh does not move.
     """
     if is_looped(system):
         return float(turned_gear(system, mesh)[1])
     name = mesh_names(system)[mesh]
     found = mesh_orders(system, rates)[name]
     if not found > 0.0:
-        raise SolverError(f"mesh {name} cannot be rolled: it stands still while its gears turn", SINGULAR)
+        raise SolverError(f"mesh {name} cannot be rolled: it does not move while its gears turn", SINGULAR)
     return found
 
 

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.solvers.constraint_rows import rows_agree
 from pitchpoint.solvers.dormand_prince import LARGEST, LAST_ERROR, RATE, STEP_SIZE, TIME, adaptive_order
 from pitchpoint.solvers.dormand_prince import entry as adaptive_entry
 from pitchpoint.solvers.dormand_prince_pairs import EIGHTH, FIFTH, Pair
 from pitchpoint.solvers.equal_steps import ADAMS, CLASSICAL, ORDER, PAST, entry
 from pitchpoint.solvers.explicit import SLOPE_AT
-from pitchpoint.solvers.rows import rows_agree
 from pitchpoint.solvers.sampling import Chunk, advance_into, new_harvest
 from pitchpoint.system import evaluate
 from pitchpoint.system.link import heard
@@ -96,7 +96,7 @@ class ExplicitRun:
         return self._checked(done)
 
     def change_step(self, h: float) -> None:
-        """Go on with another equal step from here."""
+        """Continue with another equal step from here."""
         self.t0, self.steps, self.h = self.t, 0, h
         self.system.workspace.arrays["real"][PAST] = 0.0  # which lies one old step apart
 
@@ -128,7 +128,7 @@ class ExplicitRun:
         restart
             Begin a new step at every event.
         most
-            Most steps of this call; `t` tells how far it got.
+            Maximum number of steps of this call; `t` is the time reached.
         """
         reach = min(t_end - self.t, most * float(self.tolerances[LARGEST]))
         room = int(reach / sample) + 2 if sample > 0.0 else 0

@@ -42,13 +42,13 @@ class Sampler:
 
     Attributes
     ----------
-    status, said
+    status, failure
         How the last calls ended, and a sentence if a controller failed.
     """
 
     def __init__(self, system: System, state: State) -> None:
         self.system, self.t0 = system, state.t
-        self.said = ""
+        self.failure = ""
         self._calls = [0] * len(system.controllers)
         self._states = [copy.deepcopy(c.state) for c in system.controllers]
         self._waiting: list[tuple[float, str, float]] = []
@@ -88,9 +88,9 @@ class Sampler:
         self._waiting = [w for w in self._waiting if w[0] > t + room]
         for k in due:
             controller = system.controllers[k]
-            outputs, self.said = controller.call(t, read[k], self._states[k])
-            if self.said:
-                self.said = self.said.replace(*_named(system, controller.name), 1)
+            outputs, self.failure = controller.call(t, read[k], self._states[k])
+            if self.failure:
+                self.failure = self.failure.replace(*_named(system, controller.name), 1)
                 return CONTROLLER, False
             when = self._instant(k) + controller.delay
             self._calls[k] += 1
@@ -135,7 +135,7 @@ def _named(system: System, name: str) -> tuple[str, str]:
 
 
 def begin_anew(run: Any) -> int:
-    """Let an integration go on from where it is after a jump of the forces; returns the status."""
+    """Let an integration continue from where it is after a jump of the forces; returns the status."""
     w = run.system.workspace
     if hasattr(run, "go_on"):
         return int(run.go_on())

@@ -131,7 +131,7 @@ HARVEST = np.dtype(
 
 
 def advance_into(entry: Any, at: int, order: NDArray[np.void], harvest: Harvest) -> Chunk:
-    """Let a time loop do what is ordered; says what it did.
+    """Let a time loop carry out an order; returns what it did.
 
     Parameters
     ----------

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lowest modes of large systems: shift and invert, none left out; damping refined beyond their span.
+"""Lowest modes of large systems: shift and invert, none missed; damping refined beyond their span.
 
 Lanczos iterations with (K + s M)^-1 find the modes nearest to -s, below which there are none. How many
 eigenvalues lie below a number is the count of negative pivots of K - number M (Sylvester's law of inertia),
-so what an iteration has missed of a multiple root is known and looked for beside what has been found.
+so what an iteration has missed of a multiple root is known and searched for next to what has been found.
 
-Damping couples a mode with others that nobody asked for, so the damped modes are not looked for in the span
+Damping couples a mode with others that were not requested, so the damped modes are not looked for in the span
 of the undamped ones but in the whole space: Arnoldi iterations with (A - s B)^-1 B in first order.
 
 References
@@ -35,7 +35,7 @@ SHIFT = 1e-10
 """First shift over the largest stiffness per mass: rigid modes then have six digits, which is enough to find
 them, and all others as many as the rounding of the stiffness leaves."""
 GUARD = 8
-"""Modes that are found beyond those asked for, at least."""
+"""Modes that are found beyond those requested, at least."""
 APART = 1e-6
 """Relative distance of eigenvalues between which those below are counted."""
 ROUNDS = 8
@@ -43,7 +43,7 @@ ROUNDS = 8
 NEARER = 0.1
 """Shift of the damped modes over the lowest frequency that is not zero."""
 STILL = 1e-5
-"""Eigenvalue over that shift below which a rigid mode stands still: a double zero loses half its digits."""
+"""Eigenvalue over that shift below which a rigid mode has frequency 0: a double zero loses half its digits."""
 MOST_SHIFT = 1e6
 """Shift over the largest stiffness at which only a negative mass can leave anything below it."""
 OWN = 0.5
@@ -118,7 +118,7 @@ def _complete(m: Any, k: Any, lu: Any, shift: float, count: int) -> tuple[Array,
 
 
 def _lanczos(m: Any, k: Any, lu: Any, shift: float, found: Array, count: int, turn: int) -> Array:
-    """Vectors of the lowest eigenvalues beside those found."""
+    """Vectors of the lowest eigenvalues in addition to those found."""
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     n = m.shape[0]
@@ -142,7 +142,7 @@ def _lanczos(m: Any, k: Any, lu: Any, shift: float, found: Array, count: int, tu
 def nearest_damped(
     matrices: tuple[Array, Array, Array], basis: Any, states: Sequence[int], omega: Array, shapes: Array
 ) -> tuple[Complex, Complex]:
-    """Damped modes beside the lowest undamped ones.
+    """Damped modes of the lowest undamped ones.
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ def nearest_damped(
     Returns
     -------
     eigenvalue, shape over the coordinates
-        First those beside the undamped modes, then those of the states among the lowest, slowest first.
+        First those of the undamped modes, then those of the states among the lowest, slowest first.
 
     Raises
     ------
@@ -179,7 +179,7 @@ def nearest_damped(
     try:
         found, y = eigs(inverse, count, which="LM", v0=start, ncv=min(size, 2 * count + 20))
     except ArpackNoConvergence as problem:
-        raise SolverError("the damped modes were not found; ask for another number", DIVERGED) from problem
+        raise SolverError("the damped modes were not found; request another number", DIVERGED) from problem
     values = shift + 1.0 / found
     upper = values.imag > -1e-10 * np.abs(values)
     values, y = values[upper], y[:, upper]
@@ -220,7 +220,7 @@ def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Seque
 
 
 def _likeness(M: Any, omega: Array, shapes: Array, values: Complex, z: Complex) -> Array:
-    """How well damped modes go on from undamped ones, in shape and speed; shape (m, candidates)."""
+    """Resemblance of damped to undamped modes, in shape and frequency; shape (m, candidates)."""
     size = np.sqrt(sum(np.einsum("ij,ij->i", part, (M @ part.T).T) for part in (z.real, z.imag)))
     within = np.abs((M @ shapes.T).T @ z.T) ** 2 / np.maximum(size, 1e-300) ** 2
     least = 1e-6 * float(np.abs(omega).max(initial=1e-300))

@@ -17,16 +17,16 @@ from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.assembly import assemble_state, close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
+from pitchpoint.solvers.gear_trains import (
+    driven_coordinates,
+    held_spins,
+    rates_through_loops,
+)
 from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
 from pitchpoint.solvers.model_damping import with_damping
 from pitchpoint.solvers.start_notes import start_notes
 from pitchpoint.solvers.states_at_start import rest_of_controls, states_of_inputs
 from pitchpoint.solvers.sticking import settle_clutches
-from pitchpoint.solvers.trains import (
-    driven_coordinates,
-    held_spins,
-    rates_through_loops,
-)
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 UNBALANCED = "the loads do not balance"
 """How the remark begins that the speed will drift."""
 IMBALANCE = 1e-6
-"""Net torque over the largest torque from which a run says that its loads do not balance."""
+"""Net torque over the largest torque from which a run notes that its loads do not balance."""
 
 
 @dataclass(frozen=True)
@@ -125,7 +125,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
 def _at_rest(
     system: System, state: State, held: Sequence[int], driven: Sequence[int]
 ) -> tuple[System, Equilibrium, tuple[str, ...]]:
-    """The system with its balancing torques, and its equilibrium with what there is to say about it.
+    """The system with its balancing torques, and its equilibrium with notes on it.
 
     Torques balance the mean of what pulsates; the equilibrium is that under the loads of the start.
     """
@@ -155,7 +155,7 @@ def _turn_to(system: System, state: State, body: str, angle: float) -> None:
 
 
 def _from_given(system: System, state: State, driven: Sequence[int]) -> State:
-    """The state that the search for rest begins at: loops closed where the joints say that they start.
+    """The state at which the search for rest begins: loops closed at the start values of the joints.
 
     What the loads do not move stays there. Loops that do not close so are closed by the search.
     """
@@ -174,7 +174,7 @@ def _from_given(system: System, state: State, driven: Sequence[int]) -> State:
 def _closed(
     system: System, scenario: Scenario, state: State, driven: Sequence[int], rest: bool = False
 ) -> tuple[State, tuple[str, ...]]:
-    """Close the loops from the start values of the joints, which stay; with what there is to say about it.
+    """Close the loops from the start values of the joints, which stay; with notes on it.
 
     A mechanism at rest (`rest`) has closed loops; its rates have to fit them still.
     """

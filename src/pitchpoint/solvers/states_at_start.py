@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.equilibrium import Equilibrium, find_equilibrium
-from pitchpoint.solvers.still import STATE, restless, signal_states
+from pitchpoint.solvers.rest_unknowns import STATE, restless, signal_states
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
@@ -33,7 +33,7 @@ AT_REST = 1e-9
 def rest_of_controls(
     system: System, state: State, held: Sequence[int], known: Collection[int]
 ) -> tuple[Equilibrium, tuple[str, ...]]:
-    """Equilibrium with the states of signals, and what there is to say about them.
+    """Equilibrium with the states of signals, and notes on them.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def rest_of_controls(
         found = _with_states_kept(system, state, held)  # its own error, if the machine has no rest either
         return found, ("no rest of machine and controllers: states of signals begin at their start values",)
     found, notes = _balanced(system, found, held, known)
-    # states count little beside forces in what ends an equilibrium
+    # states count little next to forces in what ends an equilibrium
     return replace(found, state=states_of_inputs(system, found.state)), notes
 
 
@@ -116,7 +116,7 @@ def _balanced(
 
 
 def _acting(system: System, state: State) -> Array:
-    """Size of the torques that signals put on every coordinate, for what counts as nothing beside it."""
+    """Size of the torques that signals put on every coordinate, for what is negligible next to it."""
     whole = np.abs(evaluate.matrix(system, state, 0.0, 1.0, 0.0, EXACT))
     return np.asarray(whole @ np.abs(state.v) + 1.0)
 

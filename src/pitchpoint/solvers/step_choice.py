@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.model.scenario import EXPLICIT_METHODS
+from pitchpoint.solvers.gear_trains import mesh_rates
 from pitchpoint.solvers.start import Start, drive_records, speeds_of
 from pitchpoint.solvers.step_modes import counted_frequency
-from pitchpoint.solvers.trains import mesh_rates
 from pitchpoint.system.meshes import mesh_records
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     scenario
         Its step, sample rate and speeds count.
     """
-    if scenario.method == "kinematics":  # every time stands for itself
+    if scenario.method == "kinematics":  # every time is independent
         h = scenario.step or (scenario.duration or 1.0) / KINEMATIC_STEPS
     else:
         h = scenario.step or shortest_period(start, scenario) / STEPS_PER_PERIOD

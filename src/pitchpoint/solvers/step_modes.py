@@ -5,7 +5,7 @@ Finite elements have modes far above anything that happens to them; with steps f
 hours. An implicit method lets them follow their forces as springs do, which is what they do. A mode whose
 share of what is excited is s may have an error 1/s times that of one which is all of it, so with an error
 that falls with the square of the step it counts with the frequency f sqrt(s). Shares: of the energy of the
-mode in meshes, contacts and whatever else is no linear spring; of the compliance of the coordinates under a
+mode in meshes, contacts and other nonlinear springs; of the compliance of the coordinates under a
 load. Explicit methods must follow every mode, or they become unstable.
 """
 
@@ -59,14 +59,14 @@ def counted_frequency(start: Start, explicit: bool = False) -> float:
     share = np.zeros(len(omega))
     for found in (_excited_energy(start, shapes), _loaded_compliance(system, shapes, omega, bends)):
         share = np.maximum(share, found)
-    if not share.any():  # drives, bases, releases: what moves it is no element
+    if not share.any():  # drives, bases, releases: what moves it is not an element
         share = values
     weight = np.sqrt(np.clip(share / np.where(bends, values, np.inf), 0.0, 1.0))
     return float((omega * weight).max() / (2.0 * np.pi))
 
 
 def _excited_energy(start: Start, shapes: Array) -> Array:
-    """Twice the energy of every mode in what is no linear spring."""
+    """Twice the energy of every mode in nonlinear elements."""
     system, state = start.system, start.state
     parts = []
     for on in ({kind: slice(None) for kind in system.records if registry.find(kind).excites}, {}):

@@ -18,7 +18,7 @@ from pitchpoint.elements.friction_clutch import BRISTLE
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import Equilibrium, balancing_loads, find_equilibrium
-from pitchpoint.solvers.trains import rotations
+from pitchpoint.solvers.gear_trains import rotations
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System

@@ -101,10 +101,10 @@ def split(
     touched
         Meshes that carry nothing and are kept at the edge of contact.
     progress
-        Told after every element.
+        Called after every element.
     rates
         Speeds whose forces (drag of bearings, motors) load the meshes through their cycles; those of `state`
-        if left out.
+        if omitted.
     """
     under = state.v if rates is None else rates
     M, D, K = (

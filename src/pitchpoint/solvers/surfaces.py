@@ -29,7 +29,7 @@ PROBE = 1e-7
 
 
 class Surface(NamedTuple):
-    """One surface: its event function, its mesh, and the slice by its lean and its place."""
+    """One surface: its event function, its mesh, and the slice by its tilt and its place."""
 
     event: int
     mesh: int
@@ -41,7 +41,7 @@ class Surface(NamedTuple):
 
 def all_surfaces(system: System) -> list[Surface]:
     """Every surface at which a force of the system can jump."""
-    meshes: dict[str, int] = {}  # events stand in the order of the meshes
+    meshes: dict[str, int] = {}  # events are in the order of the meshes
     found = []
     for k, event in enumerate(system.layout.events):
         kind, _, name = event.name.partition("[")

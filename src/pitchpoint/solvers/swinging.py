@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.multibody.bodies import GENERAL
-from pitchpoint.solvers.still import rest_matrix
+from pitchpoint.solvers.rest_unknowns import rest_matrix
 from pitchpoint.system.residual import EXACT, NEWTON
 from pitchpoint.system.system import State, System
 

@@ -12,7 +12,7 @@ from pitchpoint.core.kernel import kernel
 APART = 1.0 / 16.0
 """Distance of the points of the differences, over the step."""
 DISAGREEMENT = 0.1
-"""Change of a derivative from one estimate to the next, over its size, from which it says nothing."""
+"""Change of a derivative from one estimate to the next, over its size, from which it is unreliable."""
 
 
 @kernel

@@ -17,10 +17,10 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.constraint_rows import explain, row_notes
 from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.mean_balance import drift_notes
-from pitchpoint.solvers.rows import explain, row_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import UNBALANCED, Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
@@ -78,7 +78,7 @@ def run_time(
     sink
         Takes the samples; without one only statistics remain.
     progress
-        Told the time reached after every chunk.
+        Called with the time reached after every chunk.
     start
         Where to begin; default the start of the scenario.
     channels
@@ -87,7 +87,7 @@ def run_time(
     Returns
     -------
     TimeSummary
-        Also of a failed or interrupted run: the status says so.
+        Also of a failed or interrupted run, as its status shows.
 
     Raises
     ------
@@ -289,7 +289,7 @@ class _Loop:
         return f"{explain(self.system, status)}{found}{remedy(self.start, self.scenario, status, self.h)}"
 
     def _picked(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The channels asked for of rows of all."""
+        """The requested channels of rows of all."""
         return values[:, self.channels] if len(self.channels) else values
 
     def summary(self, status: int, wall_s: float) -> TimeSummary:
@@ -318,7 +318,7 @@ class _Loop:
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
-            sentence=(self.sampler.said if self.sampler is not None else "") or self._sentence(status),
+            sentence=(self.sampler.failure if self.sampler is not None else "") or self._sentence(status),
             steps=self.steps,
             step=0.0 if self.adaptive else self.h,
             wall_s=wall_s,
@@ -359,7 +359,7 @@ def solve_time(
     scenario
         What to do; default the one of the system.
     progress
-        Told the time reached after every chunk.
+        Called with the time reached after every chunk.
     on_failure
         "raise" raises a SolverError that carries the partial dataset; "keep" returns it, status in its
         attributes.

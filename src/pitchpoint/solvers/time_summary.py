@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What takes the samples of a run, and what a run says of itself when it is done."""
+"""The receiver of the samples of a run, and the summary of a finished run."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Sink(Protocol):
     """Anything that takes samples as they come, such as a result file."""
 
     def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
-        """Take n samples: times [s], shape (n,), and all channels, or those asked for, shape (n, no)."""
+        """Take n samples: times [s], shape (n,), and all channels, or those requested, shape (n, no)."""
 
 
 @dataclass
@@ -56,7 +56,7 @@ class TimeSummary:
     notes
         What the user should know, in sentences.
     state
-        State reached. A run can go on from it, but a drive by formula or function is followed up to the
+        State reached. A run can continue from it, but a drive by formula or function is followed up to the
         duration of its scenario only.
     """
 

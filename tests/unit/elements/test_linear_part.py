@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.elements import linear_part
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
-from pitchpoint.solvers.trains import free_spins
+from pitchpoint.solvers.gear_trains import free_spins
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import differences, positive

@@ -16,9 +16,9 @@ from pitchpoint.model.mobility import alone, tree_of, yielding
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.remarks import warn_of_remarks
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.gear_trains import free_spins
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.null_space import null_space
-from pitchpoint.solvers.trains import free_spins
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.layout import products
 from tests.support.mechanism_files import model_of, random_chain

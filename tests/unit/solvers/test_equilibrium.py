@@ -88,7 +88,7 @@ def test_a_pinion_rests_at_a_jump_of_the_stiffness(law):
             assert row[pairs].min() >= 0.0
         resting += len(found.share)
         assert all(0.0 <= part <= 1.0 for part in found.share)
-        rows = np.array([evaluate.observe(system, side) for side in (found.state, *found.beside)])
+        rows = np.array([evaluate.observe(system, side) for side in (found.state, *found.other_sides)])
         for column in (force, *pairs):  # each pair has its own, also where a new one enters
             low, high = rows[:, column].min(), rows[:, column].max()
             assert low * (1.0 - 1e-6) <= row[column] <= high * (1.0 + 1e-6)
@@ -155,7 +155,7 @@ def test_equal_meshes_between_the_same_bodies_jump_together(motion, law):
         resting += len(found.share)
         assert len(found.share) <= 1
         rows = np.array(
-            [evaluate.observe(system, side)[forces].sum() for side in (found.state, *found.beside)]
+            [evaluate.observe(system, side)[forces].sum() for side in (found.state, *found.other_sides)]
         )
         assert rows.min() * (1.0 - 1e-6) <= row[forces].sum() <= rows.max() * (1.0 + 1e-6)
     assert resting > 0

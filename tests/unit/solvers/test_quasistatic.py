@@ -239,5 +239,5 @@ def test_friction_that_a_slow_roll_leaves_out_is_reported():
     text = re.sub(r"stiffness: {law: fourier[^}]*}", "friction: {mu: 0.05}", ROLLED)
     (note,) = roll_through(compiled(text, "three")[1]).notes
     assert note.startswith(
-        "friction of mesh first and second is left out: a slow roll is computed at zero speed"
+        "friction of mesh first and second is neglected: a slow roll is computed at zero speed"
     )

@@ -69,7 +69,7 @@ def test_what_carries_the_end_of_a_condensed_bushing_feels_it(arm):
     1e5. Frequencies to 1e-3, that of the wish of the reduction.
     """
     assert arm.kept == ("base", "arm")
-    assert arm.reasons == ("carries arm", "asked for")
+    assert arm.reasons == ("carries arm", "requested")
     assert arm.error.coordinates == (13, 7)
     full = evaluate.matrix(arm.full, arm.full_state, 0.0, 0.0, 1.0)
     less = evaluate.matrix(arm.system, arm.state, 0.0, 0.0, 1.0)

@@ -7,10 +7,10 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.gear_trains import held_spins
 from pitchpoint.solvers.quasistatic import roll_through
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_modes import counted_frequency
-from pitchpoint.solvers.trains import held_spins
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.unit.solvers.test_controls_from_files import DRIVE, ERROR, PAIR, PI

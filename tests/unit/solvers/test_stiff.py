@@ -17,7 +17,7 @@ from pitchpoint.elements.signal import LAW, OVER_TIME
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING
 from pitchpoint.solvers import bdf, runge_kutta, sampling
-from pitchpoint.solvers.rows import redundant_rows
+from pitchpoint.solvers.constraint_rows import redundant_rows
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

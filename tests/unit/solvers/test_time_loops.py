@@ -15,7 +15,7 @@ from pitchpoint.elements.signal import LAW, OVER_TIME, Pool, set_table
 from pitchpoint.elements.speed_pieces import straight_pieces
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers import generalized_alpha, runge_kutta, sampling
-from pitchpoint.solvers.rows import explain, redundant_rows, row_notes
+from pitchpoint.solvers.constraint_rows import explain, redundant_rows, row_notes
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble

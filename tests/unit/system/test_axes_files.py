@@ -12,8 +12,8 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.frames import body_frame
 from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.gear_trains import free_spins, mesh_rates
 from pitchpoint.solvers.time import solve_time
-from pitchpoint.solvers.trains import free_spins, mesh_rates
 from pitchpoint.system.compile import compile_model
 from tests.support.turned_world import about
 

@@ -36,7 +36,7 @@ def tangent_stiffness(system: System, state: State, m: int) -> float:
     return float((whole - rest) / radius**2)
 
 
-def touching_error(system: System, clear: State, m: int, contact: float) -> float:
+def unloaded_error(system: System, clear: State, m: int, contact: float) -> float:
     """Transmission error of mesh m alone where its flank just touches, gear 1 turned as in `clear`.
 
     Where the same teeth stay in mesh the force is a power of the depth: Newton's method on its root goes down

@@ -22,7 +22,7 @@ NAMES = {"alpha": "rx", "beta": "ry"}
 """Coordinates under the names of model files and channels."""
 
 
-def unheld(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, ...]:
+def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, ...]:
     """Names of the coordinates that loads push and nothing holds, all flanks in contact.
 
     Loads in the null space of the (symmetric) stiffness matrix have no equilibrium.
@@ -50,13 +50,13 @@ def unheld(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, 
     share = np.where(pushed > 1e-3 * pushed.max(), (null**2).sum(axis=0), 0.0)
     spins = np.array([name == "spin" for _, _, name in parts])
     if share[~spins].any():
-        share[spins] = 0.0  # a spin turns because its gear gives way
+        share[spins] = 0.0  # a spin turns because its gear deflects
     named = np.flatnonzero(share >= SHARE * share.max())
     return tuple(f"{parts[k][0]}.{NAMES.get(parts[k][2], parts[k][2])}" for k in named)
 
 
 def advice(names: tuple[str, ...]) -> str:
-    """Say what is not held and what would hold it.
+    """Name what is not held and what would hold it.
 
     Examples
     --------

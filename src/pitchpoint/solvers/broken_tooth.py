@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import State, System
 
 
-def missing_tooth(system: System, state: State) -> str:
-    """Say which mesh rests only far inside its flanks because a tooth is broken; '' if there is none.
+def broken_tooth(system: System, state: State) -> str:
+    """Name the mesh that rests only far inside its flanks because a tooth is broken; '' if there is none.
 
     All pairs of a mesh have the same overlap along the line of action. Where a broken tooth leaves none in
     contact, gears turn under their load until another pair comes onto the path of contact: some millimetres

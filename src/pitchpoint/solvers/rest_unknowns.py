@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is unknown at rest: places of bodies, and the states of elements, which stand among the rates.
+"""What is unknown at rest: places of bodies, and the states of elements, which are among the rates.
 
 Large systems have sparse matrices here, small ones dense ones; both are used alike.
 """
@@ -23,16 +23,16 @@ Array = NDArray[np.float64]
 STATE = "state."
 """How the names of the hidden bodies of signals begin."""
 SLIGHT = 1e-3
-"""Influence of a place on the rate of a state, over that of the speeds, up to which it is none: the axis of a
-shaft that bends is sensed a little askew."""
+"""Influence of a place on the rate of a state, over that of the speeds, up to which it is neglected: the axis
+of a shaft that bends is sensed at a small tilt."""
 ROUNDING = 8 * 2.2e-16
-"""Rounding of a force beside its terms, also of one that a place makes: as many are added up at a body."""
+"""Rounding of a force relative to its terms, also of one caused by a place: as many are added up at a body."""
 GROWTH = 1.01
 """Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 LARGE = 300
 """Coordinates from which matrices are sparse (SciPy, which takes a fifth of a second to import)."""
 REGULAR = 1e13
-"""Condition number up to which a matrix is inverted as it is; beyond it what is singular is left out."""
+"""Condition number up to which a matrix is inverted as it is; beyond it singular parts are excluded."""
 
 
 def slopes(system: System, state: State, jac: int) -> Array:
@@ -118,7 +118,7 @@ def signal_states(system: System) -> NDArray[np.int64]:
 
 
 def restless(system: System, state: State, free: NDArray[np.int64]) -> NDArray[np.int64]:
-    """States of signals whose rates nothing that is free has a say in, such as the integral of a speed error.
+    """States of signals whose rates do not depend on free coordinates, such as the integral of a speed error.
 
     They cannot be brought to rest and keep their values. Limits do not count: an integral that comes to rest
     only because a controller tracks its limit has not found anything.

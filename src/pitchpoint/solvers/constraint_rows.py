@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a run has to say of its constraint rows: which repeat others, which contradict them."""
+"""Notes on the constraint rows of a run: which repeat others, which contradict them."""
 
 from __future__ import annotations
 

@@ -11,9 +11,9 @@ from pitchpoint.elements import ratio
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.gear_trains import exchange, free_spins, held_spins, rotations
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import solve_time
-from pitchpoint.solvers.trains import exchange, free_spins, held_spins, rotations
 from pitchpoint.system.system import assemble
 from tests.support.engine import chain, gear_rows
 from tests.support.machines import compiled, pair

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Trains: bodies that can only turn together, and the rotations that nothing hinders.
+"""Gear trains: bodies that can only turn together, and the rotations that no element constrains.
 
 Every element that carries torque is one linear relation between the rates of the spins: meshes and rigid
 ratios by their teeth, couplings, beams and bearings stiff about their axis by equal rates. What satisfies all
@@ -36,7 +36,7 @@ def free_spins(system: System) -> tuple[int, ...]:
 
 
 def held_spins(system: System) -> tuple[int, ...]:
-    """Spins of driven bodies, and those that must be held beside them."""
+    """Spins of driven bodies, and those that must be held in addition."""
     return _independent(system, driven_coordinates(system))
 
 
@@ -48,7 +48,7 @@ def driven_coordinates(system: System) -> tuple[int, ...]:
 def exchange(system: System, held: Sequence[int], spin: int, state: State | None = None) -> tuple[int, ...]:
     """Hold one spin in place of the one among `held` that its train moves most; it comes last.
 
-    With a state a train also goes on through closed loops, as they stand there.
+    With a state a train also continues through closed loops in their position there.
     """
     return exchange_all(system, held, (spin,), state)
 
@@ -82,7 +82,7 @@ def _exchanged(free: NullSpace, held: tuple[int, ...], spin: int) -> tuple[int, 
 
 
 def turning_rates(system: System, state: State, spin: int) -> Array:
-    """Rates of all coordinates as one spin turns at 1 rad/s through teeth and closed loops, as they stand.
+    """Rates of all coordinates as one spin turns at 1 rad/s through teeth and closed loops at a state.
 
     What they leave open besides moves as little as it can.
 
@@ -112,7 +112,7 @@ def is_independent(system: System, state: State, held: Sequence[int], spin: int)
 
 
 def rates_through_loops(system: System, state: State, given: Collection[int]) -> Array:
-    """Rates that fit teeth and closed loops at a state, those of some coordinates as they stand in it.
+    """Rates that fit teeth and closed loops at a state, those of some coordinates being given in it.
 
     What the given ones leave open changes as little as it can; where they contradict teeth and loops, all
     rates stay as they are.
@@ -200,7 +200,7 @@ def body_rates(system: System, body: str) -> Array:
 
 
 def rotations(system: System, spins: Sequence[int]) -> Array:
-    """Rates of all coordinates as each of some spins turns at 1 rad/s and other held ones stand still.
+    """Rates of all coordinates as each of some spins turns at 1 rad/s and other held ones are at rest.
 
     A train that something keeps from turning turns as its teeth want, whatever it is tied to.
 
@@ -238,7 +238,7 @@ def rigid_rotations(system: System) -> Array:
 
 
 def driven_rotations(system: System) -> dict[int, Array]:
-    """Rates of all coordinates (nd,) as one driven spin turns at 1 rad/s and the others stand still, by spin.
+    """Rates of all coordinates (nd,) as one driven spin turns at 1 rad/s and the others are at rest, by spin.
 
     Of drives on one train the first counts.
     """
