@@ -2,7 +2,7 @@
 """Steps of a multistep method that end at events, where forces jump or bend.
 
 A polynomial over the bend is not a solution, so a step ends there. First guess: where the polynomial through
-the past, all of it before the event, meets it; then where that of the shortened step does, until the step ends
+the past, all of it before the event, meets it; then where that of the shortened step does, until it ends
 behind the event by no more than `LOCATED` of the step tried. `multistep_restart` continues from there.
 """
 

@@ -26,7 +26,7 @@ SLIGHT = 1e-3
 """Influence of a place on the rate of a state, over that of the speeds, up to which it is neglected: the axis
 of a shaft that bends is sensed at a small tilt."""
 ROUNDING = 8 * 2.2e-16
-"""Rounding of a force relative to its terms, also of one caused by a place: as many are added up at a body."""
+"""Rounding of a force relative to its terms, also of one caused by a place: as many add up at a body."""
 GROWTH = 1.01
 """Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
 LARGE = 300
