@@ -52,7 +52,7 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
             "leaves nothing of the beam",
             value=f"{section.bore * 1e3:.6g} mm",
             limit=f"below the diameter {section.diameter * 1e3:.6g} mm",
-            remedy="diameters, not radii, are asked for",
+            remedy="give diameters, not radii",
         )
     if section.bending and len(section.bending) != 2:
         report.problem(
@@ -65,7 +65,7 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
 def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
     one, two = beam.ends
     if any(split(e)[0] not in {*parts.bodies, GROUND} for e in beam.ends):
-        return  # told already
+        return  # reported already
     first, second = place_of(parts, one), place_of(parts, two)
     if first is None or second is None:
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Beams that begin with a jolt: one end turns at the start of a scenario, the other stands on ground."""
+"""Beams that begin with a jolt: one end turns at the start of a scenario, the other is fixed to ground."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ def element_angles(part: RollingBearing, severity: float | None = None) -> NDArr
 
 
 def check_bearing_faults(name: str, bearing: RollingBearing, report: Reader) -> None:
-    """Faults lie on elements that exist, spalls on a part of their track, elements beside each other."""
+    """Faults lie on elements that exist, spalls on a part of their track, elements do not overlap."""
     numbered = True
     for label, fault in bearing.faults.items():
         at: Place = ("rolling_bearings", name, "faults", label)
@@ -109,7 +109,7 @@ def _room(bearing: RollingBearing, at: Place, report: Reader) -> None:
     gaps = np.diff(np.append(angles, angles[0] + 2.0 * math.pi))
     ratio = bearing.element_diameter / bearing.pitch_diameter
     if ratio >= 1.0 or 2.0 * math.pi / bearing.elements < 2.0 * math.asin(ratio):
-        return  # told elsewhere, or elements that touch already
+        return  # reported elsewhere, or elements that touch already
     least = 2.0 * math.asin(ratio)
     if gaps.min() < least:
         most = (2.0 * math.pi / bearing.elements - least) * (bearing.elements - 1)

@@ -65,9 +65,7 @@ def _choices(gear: BevelGear, at: Place, report: Reader) -> None:
             remedy="add hand: left or hand: right",
         )
     if gear.mate_teeth is None and gear.shaft_angle != math.radians(90.0):
-        report.problem(
-            (*at, "shaft_angle"), "stands without mate_teeth", remedy="give mate_teeth, or remove it"
-        )
+        report.problem((*at, "shaft_angle"), "requires mate_teeth", remedy="give mate_teeth, or remove it")
 
 
 def _impossible(gear: BevelGear) -> list[Message]:

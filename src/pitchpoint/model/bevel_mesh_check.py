@@ -74,7 +74,7 @@ def check_bevel_pairs(parts: Parts, report: Reader) -> None:
 
 
 def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
-    """Whether apexes and directions are where the pair wants them; says by how much they miss."""
+    """Whether apexes and directions are where the pair requires them; reports the deviation."""
     from pitchpoint.model.carried_trains import carrying
 
     first, second = (apex_of(parts, gear) for gear in mesh.gears)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where bevel gears stand: apexes, directions from there into the gears, pitch rays, angles of teeth."""
+"""Places of bevel gears: apexes, directions from there into the gears, pitch rays, angles of teeth."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def pitch_ray(axes: Array, own: Array, other: Array) -> float:
 
 
 def turned_to(machine: Model | Parts, gear: str, R: float) -> float:
-    """Angle about the z axis of its body by which a tooth at R stands before that in the middle of its face.
+    """Angle about the z axis of its body by which a tooth at R is ahead of that in the middle of its face.
 
     Only spiral teeth do, and it only counts where gears of unequal widths have other middles.
     """
@@ -72,7 +72,7 @@ def turned_to(machine: Model | Parts, gear: str, R: float) -> float:
 def tooth_phases(machine: Model | Parts, mesh: BevelMesh, angles: dict[str, float]) -> list[float]:
     """Signed phases z (gamma - ray) of the teeth 0 of both gears at the pitch ray, at R_m of gear 1 [rad].
 
-    Teeth stand in the middle of the spaces of the mate where both add up to an odd multiple of pi.
+    Teeth are in the middle of the spaces of the mate where both add up to an odd multiple of pi.
     """
     ways = [apex_of(machine, g) for g in mesh.gears]
     assert ways[0] is not None and ways[1] is not None  # a mesh of gears without bodies has no place
@@ -88,9 +88,9 @@ def tooth_phases(machine: Model | Parts, mesh: BevelMesh, angles: dict[str, floa
 
 
 def assemble_bevels(machine: Model | Parts) -> dict[str, float]:
-    """Turn all bevel gears so that their meshes stand in the middle of their backlash.
+    """Turn all bevel gears so that their meshes are in the middle of their backlash.
 
-    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh stands at 0.
+    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh is at 0.
     """
     gears = machine.bevel_gears
     angles = {n: g.initial_angle for n, g in gears.items() if g.initial_angle is not None}

@@ -17,7 +17,7 @@ from pitchpoint.model.validate import check
 
 
 def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
-    """Make a model from nested mappings as they stand in a file.
+    """Make a model from the nested mappings of a file.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ SAME = 1e-9
 
 
 def line_carrier(parts: Parts, one: str, two: str) -> str:
-    """The body that carries the line between two gears round; ground where both stand on ground.
+    """The body that carries the line between two gears round; ground where both are on ground.
 
     It is what the gear hangs on whose base moves with more joints.
     """
@@ -43,7 +43,7 @@ def line_carrier(parts: Parts, one: str, two: str) -> str:
 def carrying(parts: Parts, one: str, two: str) -> int | None:
     """Which of two bodies with bevel gears in mesh rides on a carrier that turns about the axis of the other.
 
-    1 or 2; 0 if both hang on one body; None if neither is so, and nobody can say how their teeth meet.
+    1 or 2; 0 if both hang on one body; None if neither is so, and the relation of their teeth is unknown.
     """
     mechanism = parts.mechanism
     bases = [base_of(parts, mechanism, body) for body in (one, two)]
@@ -74,7 +74,7 @@ def carried_speeds(
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
     """Speeds of all spins and given ones that contradict earlier ones, see `speed_ratios.start_speeds`.
 
-    Bodies that are `supported` stand still where the given speeds let them.
+    Bodies that are `supported` are at rest where the given speeds allow it.
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
@@ -117,7 +117,7 @@ def speed_in_space(
     spins
         Speeds of bodies as a file counts them, against what they hang on [rad/s].
     body
-        Name of the body; ground stands still.
+        Name of the body; ground does not move.
     about
         Body whose axis counts.
     against
@@ -173,7 +173,7 @@ def _sense(parts: Parts, one: str, two: str) -> float:
 def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
     """Row over the spins that a mesh, a coupling or a ratio holds at zero."""
     where, one, two, ratio = link
-    if where[0] == "ratios":  # of the spins as they stand in the file
+    if where[0] == "ratios":  # of the spins as given in the file
         row = np.zeros(len(place))
         for body, factor in ((one, -ratio), (two, 1.0)):
             if body in place:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Keys of a component that exclude each other or belong together, as their descriptions say."""
+"""Keys of a component that exclude each other or belong together, by their descriptions."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of contacts: shapes have their sizes, pairs of surfaces can touch, laws say one thing."""
+"""Checks of contacts: shapes have their sizes, pairs of surfaces can touch, laws are consistent."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _forces(part: CamContact | CurveContact | SurfaceContact, at: Place, report:
 
 def _law(law: ContactLaw, at: Place, report: Reader) -> None:
     if law.restitution is not None and law.damping > 0.0:
-        report.problem((*at, "damping"), "stands beside restitution", remedy="give one of the two")
+        report.problem((*at, "damping"), "cannot be combined with restitution", remedy="give one of the two")
 
 
 def _friction(friction: ContactFriction, at: Place, report: Reader) -> None:
@@ -90,7 +90,9 @@ def _curve(curve: ContactCurve, at: Place, report: Reader) -> None:
         roll = curve.roll
         if len(roll) != 2 or not min(roll, default=0.0) > 0.0 or roll[0] == roll[1]:
             report.problem(
-                (*at, "roll"), "is not two different angles above zero", remedy="write [10 deg, 40 deg], say"
+                (*at, "roll"),
+                "is not two different angles above zero",
+                remedy="write for example [10 deg, 40 deg]",
             )
         return
     if curve.shape == "circle":

@@ -62,7 +62,7 @@ class Level:
     changes
         Values by path of the model.
     place
-        Where it stands in the file.
+        Its place in the file.
     """
 
     label: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Directions of axes, as a file gives them, are such: neither zero nor askew."""
+"""Checks of the directions of axes: neither zero nor oblique."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SQUARE = 1e-6
 
 
 def check_directions(parts: Parts, report: Reader) -> None:
-    """Axes are directions, and x stands at right angles to z."""
+    """Axes are directions, and x is at right angles to z."""
     for name, body in parts.bodies.items():
         check_axes(body.axes, ("bodies", name, "axes"), report)
         for word, marker in body.markers.items():
@@ -28,14 +28,16 @@ def check_directions(parts: Parts, report: Reader) -> None:
 
 
 def check_axes(axes: Axes | None, at: Place, report: Reader) -> None:
-    """Directions that are some, and stand at right angles to each other."""
+    """Directions are not zero, and at right angles to each other."""
     if axes is None:
         return
     for key in ("z", "x"):
         given = getattr(axes, key)
         if given is not None and not any(given):
             report.problem(
-                (*at, key), "is no direction: all its numbers are zero", remedy="write [1, 0, 0], say"
+                (*at, key),
+                "is not a direction: all its numbers are zero",
+                remedy="write for example [1, 0, 0]",
             )
             return
     if axes.x is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic bodies among the bodies: a body with markers at the nodes stands in for each, and its checks."""
+"""Elastic bodies among the bodies: each is represented by a body with markers at the nodes; its checks."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ AXIAL = (
 """Sections whose parts need the axis of a body."""
 
 MATRICES = ("stiffness_file", "mass_file", "place_file")
-"""Files of an elastic body whose matrices stand apart."""
+"""Files of an elastic body with one matrix each."""
 ALL_FILES = ("file", *MATRICES, "spin_stiffness_file")
 
 
 def stand_in(part: ElasticBody) -> Body:
-    """Body that stands for an elastic one: free, with markers at its nodes."""
+    """Body that represents an elastic one: free, with markers at its nodes."""
     return Body(motion="free", position=part.position, axes=part.axes, markers=part.nodes, elastic=part)
 
 
@@ -50,8 +50,8 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
         if part.static_shapes and part.below is not None:
             report.problem(
                 (group, name, "static_shapes"),
-                "stands beside below: the shapes count among a number of modes",
-                remedy="give modes: 12, say, instead of below",
+                "cannot be combined with below: the shapes count among a number of modes",
+                remedy="give for example modes: 12 instead of below",
             )
         _files(name, part, report)
         if not part.nodes and (group, name, "nodes") not in report.tainted:
@@ -72,7 +72,9 @@ def _files(name: str, part: ElasticBody, report: Reader) -> None:
     given = [k for k in ALL_FILES[1:] if getattr(part, k) is not None]
     if part.file is not None and given:
         report.problem(
-            (*at, given[0]), "stands beside file", remedy=f"give file alone, or {', '.join(MATRICES)}"
+            (*at, given[0]),
+            "cannot be combined with file",
+            remedy=f"give file alone, or {', '.join(MATRICES)}",
         )
     elif part.file is None and not given:
         report.problem(
@@ -82,7 +84,7 @@ def _files(name: str, part: ElasticBody, report: Reader) -> None:
         )
     elif given and (missing := [k for k in MATRICES if k not in given]):
         report.problem(
-            at, f"lacks {' and '.join(missing)} beside {' and '.join(given)}", remedy="give all three"
+            at, f"lacks {' and '.join(missing)} in addition to {' and '.join(given)}", remedy="give all three"
         )
 
 

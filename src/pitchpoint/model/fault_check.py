@@ -36,7 +36,7 @@ def check_faults(gear: Gear | BevelGear, at: Place, report: Reader) -> None:
         if tooth >= gear.number_of_teeth:
             report.problem(
                 (*here, "tooth"),
-                "is no tooth of this gear",
+                "is not a tooth of this gear",
                 value=str(tooth),
                 limit=f"<= {gear.number_of_teeth - 1}",
                 remedy="count from 0",

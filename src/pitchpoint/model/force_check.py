@@ -127,7 +127,7 @@ def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
 
 
 def _states(parts: Parts, report: Reader) -> None:
-    """Elements with a state of their own are told apart by their names."""
+    """Elements with a state of their own are distinguished by their names."""
     seen: dict[str, str] = {}
     for group, names in states_of(parts).items():
         for name in names:
@@ -196,7 +196,7 @@ def _load(parts: Parts, name: str, load: Load, report: Reader) -> None:
             report.problem((*at, "along"), "is marker, and no marker is given", remedy="add marker: NAME")
         return
     if any(load.position):
-        report.problem((*at, "position"), "stands beside marker", remedy="give one of the two")
+        report.problem((*at, "position"), "cannot be combined with marker", remedy="give one of the two")
     if load.force is None:
         report.problem((*at, "marker"), "has no effect on a torque", remedy="remove it, or give a force")
     if body is not None and load.marker not in body.markers:

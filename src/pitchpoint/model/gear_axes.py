@@ -56,7 +56,7 @@ def mesh_frame(machine: Machine, body: str | None) -> Array:
 
 
 def settle_twists(parts: Parts, report: Reader) -> None:
-    """Check that axes in mesh are parallel, and settle how the x axes of their bodies stand apart."""
+    """Check that axes in mesh are parallel, and settle the angle between the x axes of their bodies."""
     for name, mesh in parts.meshes.items():
         one, two = ends_of(parts, mesh)
         if one is None or two is None or one == two:

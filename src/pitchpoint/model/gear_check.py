@@ -30,14 +30,18 @@ def _six(part: Any, at: Place, report: Reader) -> None:
         others += [k for k in ("axial", "torsion") if getattr(part, k) != 0.0]
         if others:
             report.problem(
-                (*at, "matrix"), f"stands beside {', '.join(others)}", remedy="give the matrix alone"
+                (*at, "matrix"),
+                f"cannot be combined with {', '.join(others)}",
+                remedy="give the matrix alone",
             )
     for both, single in (("radial", "xy"), ("tilt", ("rx", "ry"))):
         if getattr(part, both) is not None:
             for key in single:
                 if getattr(part, key) is not None:
                     report.problem(
-                        (*at, key), f"stands beside {both}", remedy=f"give {both}, or x and y apart"
+                        (*at, key),
+                        f"cannot be combined with {both}",
+                        remedy=f"give {both}, or x and y separately",
                     )
 
 
@@ -62,7 +66,7 @@ def _gear_choices(name: str, gear: Any, report: Reader) -> None:
         if flank_map.tooth >= gear.number_of_teeth:
             report.problem(
                 (*at, "deviations", "flank_maps", i, "tooth"),
-                "is no tooth of this gear",
+                "is not a tooth of this gear",
                 value=str(flank_map.tooth),
                 limit=f"<= {gear.number_of_teeth - 1}",
             )

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Keys that a model gives and that have no effect beside its other keys: a sentence for each of them.
+"""Keys that a model gives and that have no effect next to its other keys: a sentence for each of them.
 
-What is said here is sure: without the key every result stays as it is, or the sentence names what is left
-of it. Data of a part that its motion does not need, such as the mass of a body that only spins, are no such
-keys: they belong to the part and wait for another motion.
+A sentence is exact: without the key every result stays as it is, or the sentence names what is left of it.
+Data of a part that its motion does not need, such as the mass of a body that only spins, are not reported:
+they belong to the part and are used with another motion.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def _frictions(model: Model) -> Iterator[Message]:
 
 
 def _width_integrals(model: Model) -> Iterator[Message]:
-    """Slices that nobody asks for, and slices of what is the same across the width."""
+    """Slices that are not used, and slices of what is the same across the width."""
     for name, mesh in model.meshes.items():
         law = mesh.stiffness.law
         follows = law in OF_PAIRS and any(model.gears[g].is_modified for g in mesh.gears)
@@ -123,7 +123,7 @@ def _width_integrals(model: Model) -> Iterator[Message]:
 
 
 def _restitution(damping: ContactDamping, where: str) -> Iterator[Message]:
-    """Keys of a damper beside a restitution, and the other way round."""
+    """Keys of a damper next to a restitution, and the other way round."""
     usual = defaults_of(type(damping))
     if damping.restitution is None:
         if damping.speed != usual["speed"]:
@@ -137,7 +137,7 @@ def _restitution(damping: ContactDamping, where: str) -> Iterator[Message]:
 
 
 def _laws(model: Model) -> Iterator[Message]:
-    """Keys beside others that decide alone: of stiffness, contact damping and tip circles."""
+    """Keys next to others that decide alone: of stiffness, contact damping and tip circles."""
     for name, mesh in model.every_mesh.items():
         law, damping, at = mesh.stiffness, mesh.damping, f"{model.section_of(name)}.{name}"
         if isinstance(law, Din3990) and law.single_stiffness is not None and law.virtual_teeth != "iso":
@@ -147,7 +147,8 @@ def _laws(model: Model) -> Iterator[Message]:
             )
         if isinstance(law, Hertz) and law.force is not None and law.diameter != "reference":
             yield remark(
-                f"meshes.{name}.stiffness.diameter", "has no effect beside force and depth, which give K"
+                f"meshes.{name}.stiffness.diameter",
+                "has no effect together with force and depth, which give K",
             )
         if damping is not None and damping.s_0 == 0.0 and damping.law != "linear":
             yield remark(f"{at}.damping.law", "has no effect with s_0: 0, where the damping is there at once")
@@ -156,7 +157,8 @@ def _laws(model: Model) -> Iterator[Message]:
     for name, gear in model.gears.items():
         if gear.tip_diameter is not None and gear.tip_alteration != 0.0:
             yield remark(
-                f"gears.{name}.tip_alteration", "has no effect beside tip_diameter, which is taken as it is"
+                f"gears.{name}.tip_alteration",
+                "has no effect together with tip_diameter, which is taken as it is",
             )
 
 
@@ -218,13 +220,13 @@ def _inertias(model: Model) -> Iterator[Message]:
                 if getattr(body, own) is not None and getattr(model.gears[gear], of_gear) is not None:
                     yield remark(
                         f"gears.{gear}.{of_gear}",
-                        f"has no effect on the motion beside bodies.{name}.{own}, "
+                        f"has no effect on the motion together with bodies.{name}.{own}, "
                         "which holds for the whole body",
                     )
 
 
 def _joints(model: Model) -> Iterator[Message]:
-    """Keys of joints that their type does not read, joints that hold nothing, markers that nobody names."""
+    """Keys of joints that their type does not read, joints that hold nothing, markers without use."""
     for name, joint in model.joints.items():
         if joint.lead is not None and joint.type != "screw":
             yield remark(
@@ -326,7 +328,7 @@ def _scenarios(model: Model) -> Iterator[Message]:
         if kind != "time" and keys:
             yield remark(
                 f"scenarios.{name}",
-                f"{_listed(keys)} {'have' if keys[1:] else 'has'} no effect beside {kind}",
+                f"{_listed(keys)} {'have' if keys[1:] else 'has'} no effect with {kind}",
             )
             continue
         if "tolerance" in keys and scenario.method not in ERROR_METHODS:
@@ -358,7 +360,7 @@ def _driven_starts(model: Model) -> Iterator[Message]:
             seat = model.mechanism.seats[found[0]]
             own = seat.coordinates[found[1]]
             for key in ("start", "speed") if seat.joint is not None else ():
-                idle = key == "speed" or drive.value is not None  # a speed goes on from the start
+                idle = key == "speed" or drive.value is not None  # a speed continues from the start
                 if idle and own in getattr(model.joints[str(seat.joint)], key):
                     yield remark(
                         f"joints.{seat.joint}.{key}",

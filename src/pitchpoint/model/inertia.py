@@ -33,7 +33,7 @@ class BodyInertia:
     """Moment of inertia about a diameter through the centre of mass [kg m^2]."""
     center: float
     """Axial position of the centre of mass from the origin [m]."""
-    beside: tuple[float, float] = (0.0, 0.0)
+    off_axis: tuple[float, float] = (0.0, 0.0)
     """Position of the centre of mass off the axis, x and y of the body [m]."""
     tensor: tuple[float, ...] | None = None
     """Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass of a body that is not round [kg m^2]."""
@@ -41,7 +41,7 @@ class BodyInertia:
     @property
     def place(self) -> tuple[float, float, float]:
         """Centre of mass from the origin, axes of the body [m]."""
-        return (*self.beside, self.center)
+        return (*self.off_axis, self.center)
 
     def about_center(self) -> NDArray[np.float64]:
         """Inertia about the centre of mass, axes of the body, shape (3, 3) [kg m^2]."""
@@ -145,8 +145,8 @@ def body_inertia(
     if tensor is None:
         tensor = _of_gears(found, (x, y, center))
     i_xx, i_yy, i_zz = tensor[:3]
-    beside = mass * (x * x + y * y)
-    return BodyInertia(mass, i_zz + beside, 0.5 * (i_xx + i_yy), center, (x, y), tensor)
+    off_axis = mass * (x * x + y * y)
+    return BodyInertia(mass, i_zz + off_axis, 0.5 * (i_xx + i_yy), center, (x, y), tensor)
 
 
 def _of_solid(body: Body, part: SolidReference) -> BodyInertia:

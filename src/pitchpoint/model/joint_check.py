@@ -35,7 +35,7 @@ def check_joints(parts: Parts, report: Reader) -> None:
         if joint.type in ("spherical", "free", "shaft") and abs(joint.start.get("beta", 0.0)) > MOST_TILT:
             report.problem(
                 (*at, "start", "beta"),
-                "is a right angle or more, where alpha and spin cannot be told apart",
+                "is a right angle or more, where alpha and spin cannot be distinguished",
                 value=f"{math.degrees(joint.start['beta']):.6g} deg",
                 limit=f"<= {math.degrees(MOST_TILT):.6g} deg",
                 remedy="turn the joint and its bodies by their axes instead",
@@ -46,7 +46,7 @@ def check_joints(parts: Parts, report: Reader) -> None:
                     listed = ", ".join(joint.names) or "none"
                     report.problem(
                         (*at, key, word),
-                        f"is no coordinate of a joint of type {joint.type}",
+                        f"is not a coordinate of a joint of type {joint.type}",
                         remedy=f"its coordinates are {listed}",
                     )
 
@@ -72,7 +72,9 @@ def _friction(joint: Joint, at: Place, report: Reader) -> None:
 def _functions(joint: Joint, at: Place, report: Reader) -> None:
     """A joint made of functions has some, and each of its coordinates moves something."""
     if not joint.motion and (*at, "motion") not in report.tainted:
-        report.problem((*at, "motion"), "is missing", remedy="add motion: {x: 2 mm * sin(t / 1 s)}, say")
+        report.problem(
+            (*at, "motion"), "is missing", remedy="add for example motion: {x: 2 mm * sin(t / 1 s)}"
+        )
     if joint.type == "moved":
         if joint.coordinates:
             report.problem(
@@ -82,7 +84,7 @@ def _functions(joint: Joint, at: Place, report: Reader) -> None:
             )
         return
     if not joint.coordinates and (*at, "coordinates") not in report.tainted:
-        report.problem((*at, "coordinates"), "is missing", remedy="add coordinates: {s: length}, say")
+        report.problem((*at, "coordinates"), "is missing", remedy="add for example coordinates: {s: length}")
     used = {v for laws in joint.motion.values() for law in laws for v in _variables(law)}
     for word in joint.coordinates:
         if word not in used and ("joints",) not in report.tainted:

@@ -16,7 +16,7 @@ from typing import Any, TypeAlias
 
 REQUIRED: Any = dataclasses.MISSING
 BAD: Any = object()
-"""Stands for a value that could not be read; its problem has been noted."""
+"""Placeholder of a value that could not be read; its problem has been noted."""
 
 TYPE = "type"
 """Key that names the kind of a component where a section has several kinds."""
@@ -31,8 +31,8 @@ class Key:
 
     `kind` names the reader: quantity, integer, choice, text, boolean, quantities (a list), names, end and
     ends (places on bodies), component (nested mapping), components (mapping of names to components) or a
-    special form that `model/read.py` registers. Components of several kinds (`of` is a table) say by the key
-    `type` which one they are; their classes have that word as `form`.
+    special form that `model/read.py` registers. Components of several kinds (`of` is a table) are selected by
+    the key `type`; their classes have that word as `form`.
     """
 
     kind: str
@@ -48,7 +48,7 @@ class Key:
     dotted: bool = False  # names of components may be two words with a dot, as JOINT.COORDINATE
     apart: bool = False  # what is wrong in it leaves the component that holds it as good as it is
     of: Any = None  # dataclass of nested components, or table of variants
-    display: str = ""  # default in the words of a user, where a formula stands behind it
+    display: str = ""  # default in the words of a user, where it is a formula
     sample: str = ""  # a usual value, where the example of the dimension would be none
     later: bool = False  # came with a later version: empty, it leaves the hash of a model as it was
     names: str = ""  # section whose components it names

@@ -30,7 +30,7 @@ _SUM = {"inertia": "polar", "mass": "mass", "transverse_inertia": "transverse"}
 
 
 def check_masses(parts: Parts, report: Reader) -> None:
-    """One way to say where the mass lies, and one that some mass can have."""
+    """The distribution of mass is given once, and is possible."""
     for name, body in parts.bodies.items():
         at: Place = ("bodies", name)
         if at in report.tainted:
@@ -40,20 +40,20 @@ def check_masses(parts: Parts, report: Reader) -> None:
             if others:
                 report.problem(
                     (*at, "inertia_tensor"),
-                    f"stands beside {' and '.join(others)}",
+                    f"cannot be combined with {' and '.join(others)}",
                     remedy="give the tensor alone",
                 )
             _tensor(body, (*at, "inertia_tensor"), report)
         elif body.solid is not None and not body.is_round and others:
             report.problem(
                 (*at, others[0]),
-                "stands beside a solid that is not round about the z axis of the body",
+                "cannot be combined with a solid that is not round about the z axis of the body",
                 remedy=f"remove {' and '.join(others)}, or turn the solid by its axes and origin",
             )
         elif not body.is_round and others:
             report.problem(
                 (*at, "center_of_mass"),
-                f"lies off the axis, and {' and '.join(others)} would not say how the mass lies about it",
+                f"lies off the axis, and {' and '.join(others)} do not define its inertia about it",
                 remedy="give inertia_tensor about the centre of mass instead",
             )
 
@@ -97,7 +97,7 @@ def _inertia(parts: Parts, name: str, report: Reader) -> None:
     given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
     total = None
     if _readable(parts, body, report):
-        # whatever is computed with the body asks for all that its gears have to give
+        # whatever is computed with the body needs all data of its gears
         carried = (*body.gears, *body.bevel_gears)
         if asks_gears(body) and not all(_has_inertia(parts, g, report) for g in carried):
             return
@@ -148,7 +148,7 @@ def _transverse(name: str, body: Body, total: BodyInertia, report: Reader) -> No
 
 
 def _has_inertia(parts: Parts, gear: str, report: Reader) -> bool:
-    """Whether mass and inertia of a gear can be had; a bore that is too large, say, is reported."""
+    """Whether mass and inertia of a gear are defined; a bore that is too large is reported."""
     group = "gears" if gear in parts.gears else "bevel_gears"
     try:
         if group == "gears":

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """How bodies hang on each other: the joints spread over a tree, those that are left close loops.
 
-Bodies that give their motion stand on ground. Then the first joint of the file whose first body hangs and
+Bodies with a motion are joined to ground. Then the first joint of the file whose first body hangs and
 whose second does not carries the second, again and again; where no joint fits that way, the first one that
-joins a hanging body with one that does not is turned round. What is left joins bodies that hang already: it
+joins a hanging body with one that does not is reversed. What is left joins bodies that hang already: it
 is cut.
 """
 
@@ -33,18 +33,18 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 MOTIONS = {"fixed": "fixed", "torsion": "revolute", "planar": "planar", "free": "shaft"}
-"""Type of the joint to ground that a motion stands for."""
+"""Type of the joint to ground of each motion."""
 
-#: Columns of the frame of a joint that is turned round, as (column, sign): about the new axes the first body
+#: Columns of the frame of a joint that is reversed, as (column, sign): about the new axes the first body
 #: moves against the second by the very coordinates that the second has against the first.
 _TURNED = {"universal": ((1, -1), (0, -1), (2, -1)), "spherical": ((2, -1), (1, -1), (0, -1))}
 _FLIPPED = ((0, 1), (1, -1), (2, -1))
-#: Coordinates of a joint that is turned round, in the order of their displacements.
+#: Coordinates of a joint that is reversed, in the order of their displacements.
 _RENAMED = {"universal": ("beta", "alpha"), "spherical": ("spin", "beta", "alpha")}
 COUNTED = ("revolute", "cylindrical", "screw", "planar", "shaft")
 """Joints whose spin is counted in whole turns."""
 ONE_WAY = ("planar", "shaft", "free")
-"""Joints whose coordinates have no counterpart when they are turned round."""
+"""Joints whose coordinates have no counterpart when they are reversed."""
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Seat:
     joint: str | None = None
     """Name of the joint, None for a motion against ground."""
     kind: str = "revolute"
-    """Type of the joint, or the one that the motion stands for."""
+    """Type of the joint, or that of the motion."""
     turned: bool = False
     """Whether the joint moves its first body."""
     coordinates: tuple[str, ...] = ()
@@ -151,7 +151,7 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
 
 
 def _seat_by_joints(joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None:
-    """Seat by the first joint that carries its second body, else by the first that can be turned round."""
+    """Seat by the first joint that carries its second body, else by the first that can be reversed."""
     names = [n for n, j in joints.items() if not j.cut]
     ends = [tuple(split(e)[0] for e in joints[n].bodies) for n in names]
     touching: dict[str, list[int]] = {}
@@ -258,7 +258,7 @@ def seat_frame(machine: Machine, seat: Seat) -> tuple[Array, Array]:
 
 
 def axial_offset(machine: Machine, seat: Seat) -> float | None:
-    """Where the origin of a body lies on the axis it spins about, from its joint [m]; None beside the axis.
+    """Where the origin of a body lies on the axis it spins about, from its joint [m]; None off the axis.
 
     None also if the z axis of the body has another direction.
     """
@@ -268,8 +268,8 @@ def axial_offset(machine: Machine, seat: Seat) -> float | None:
         return None
     apart = origin - place
     along = float(axes[:, 2] @ apart)
-    beside = float(np.linalg.norm(apart - along * axes[:, 2]))
-    if axes[:, 2] @ own[:, 2] < 1.0 - 1e-12 or beside > 1e-6 * max(1e-3, abs(along)):
+    off_axis = float(np.linalg.norm(apart - along * axes[:, 2]))
+    if axes[:, 2] @ own[:, 2] < 1.0 - 1e-12 or off_axis > 1e-6 * max(1e-3, abs(along)):
         return None
     return along
 
@@ -290,13 +290,13 @@ def coordinate(mechanism: Mechanism, machine: Machine, name: str) -> tuple[str, 
     joint = machine.joints[part]
     if word not in joint.names:
         listed = ", ".join(joint.names) or "none"
-        return f"names {word[:40]!r}, which is no coordinate of {part} ({joint.type}); it has {listed}"
+        return f"names {word[:40]!r}, which is not a coordinate of {part} ({joint.type}); it has {listed}"
     seat = mechanism.carrier(part)
     if seat is None:
         return f"names a coordinate of {part}, which closes a loop and has none of its own"
     if seat.turned and joint.type in ONE_WAY:
         return (
-            f"names a coordinate of {part}, which is turned round because {seat.parent} carries {seat.body}; "
+            f"names a coordinate of {part}, which is reversed because {seat.parent} carries {seat.body}; "
             f"write its bodies as [{seat.parent}, {seat.body}]"
         )
     if joint.type in TUMBLING and joint.dimension(word) == "angle":

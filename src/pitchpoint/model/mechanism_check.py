@@ -69,8 +69,8 @@ def _floating(parts: Parts, report: Reader) -> None:
     for name in parts.mechanism.floating:
         joints = [n for n, j in parts.joints.items() if name in {split(e)[0] for e in j.bodies}]
         if joints and all(parts.joints[n].cut for n in joints):
-            message = f"floats: {' and '.join(joints)} say cut: true and carry nothing"
-            remedy = f"leave cut: true out of {joints[0]}, or give the body motion: torsion"
+            message = f"floats: {' and '.join(joints)} have cut: true and carry nothing"
+            remedy = f"remove cut: true from {joints[0]}, or give the body motion: torsion"
         elif joints:
             verb = "join" if joints[1:] else "joins"
             message = f"floats: {' and '.join(joints)} {verb} it to bodies that hang on nothing"
@@ -85,13 +85,13 @@ def _seats(parts: Parts, report: Reader) -> None:
     """Joints that the tree could not take as they are written."""
     for name, joint in parts.joints.items():
         first, second = (split(e)[0] for e in joint.bodies)
-        told = [b for b in (first, second) if b != GROUND and parts.bodies[b].motion is not None]
-        told = [b for b in told if not parts.bodies[b].stands_in]  # joints hold those beside their motion
-        if GROUND in (first, second) and told:
+        moved = [b for b in (first, second) if b != GROUND and parts.bodies[b].motion is not None]
+        moved = [b for b in moved if not parts.bodies[b].stands_in]  # joints add to the motion of those
+        if GROUND in (first, second) and moved:
             report.problem(
-                ("bodies", told[0], "motion"),
-                f"says how {told[0]} moves against ground, and so does the joint {name}",
-                value=str(parts.bodies[told[0]].motion),
+                ("bodies", moved[0], "motion"),
+                f"defines how {moved[0]} moves against ground, and so does the joint {name}",
+                value=str(parts.bodies[moved[0]].motion),
                 remedy="leave motion out, or the joint",
             )
             continue
@@ -142,7 +142,7 @@ def _cuts(parts: Parts, report: Reader) -> None:
 
 
 def _placed(parts: Parts, report: Reader) -> None:
-    """Every joint has a place; told of those from which the others would follow."""
+    """Every joint has a place; reported for those from which the others would follow."""
     if not all_linked_known(parts, report):
         return  # what broke before would have given it
     lost = {n: j for n, j in parts.joints.items() if joint_place(parts, j) is None}
@@ -150,7 +150,7 @@ def _placed(parts: Parts, report: Reader) -> None:
     for name in near or list(lost)[:1]:
         report.problem(
             ("joints", name, "position"),
-            "is missing: neither a marker nor a body says where the joint is",
+            "is missing: neither a marker nor a body defines where the joint is",
             remedy="give position: [x, y, z], or a marker of a body with a place",
         )
 
@@ -203,7 +203,7 @@ def _frames_agree(parts: Parts, name: str, report: Reader) -> None:
         if angle > CLOSE:
             report.problem(
                 ("joints", name, "bodies" if joint.axes is None else "axes"),
-                f"do not agree with the axes of {end}, which stand {math.degrees(angle):.6g} deg askew",
+                f"do not agree with the axes of {end}, which are tilted by {math.degrees(angle):.6g} deg",
                 limit="0 deg where all coordinates are zero",
                 remedy="correct the axes of a marker, or turn the body by its axes; start turns the joint",
             )
@@ -276,8 +276,8 @@ def _polar(parts: Parts, report: Reader) -> None:
         if body.transverse_inertia is None and axial_offset(parts, seat) is None:
             report.problem(
                 ("bodies", name, "inertia"),
-                f"does not say how the mass lies about the axis of {seat.joint}, not the z axis of {name}",
-                remedy="give inertia_tensor about the centre of mass, or transverse_inertia beside it",
+                f"does not define the inertia about the axis of {seat.joint}, not the z axis of {name}",
+                remedy="give inertia_tensor about the centre of mass, or also transverse_inertia",
             )
 
 
@@ -311,7 +311,7 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
 
 
 def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """A gear that is fixed to something stands, or turns with what counts its turns about the same axis."""
+    """A gear that is fixed to something does not turn, or turns with a body about the same axis."""
     root = seat
     while root.kind == "fixed" and root.parent in parts.mechanism.seats:
         root = parts.mechanism.seats[root.parent]

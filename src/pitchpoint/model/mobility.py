@@ -2,8 +2,8 @@
 """Inertia of a mechanism where the file places it: every free direction needs some.
 
 The mass matrix itself would take the square of the number of bodies. It is factorised body by body instead,
-from the tips of the tree to its roots: what a body brings to the one it hangs on is its inertia less what
-its own joint gives way (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 7). The mass matrix is
+from the tips of the tree to its roots: what a body adds to the one it hangs on is its inertia less the part
+that its own joint releases (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 7). The mass matrix is
 singular where the inertia that the joint of some body then feels is.
 """
 
@@ -41,7 +41,7 @@ class Link:
     """One body of the tree with the coordinates of its joint, all in world axes."""
 
     parent: int
-    """Number of the body it hangs on, -1 for one that stands."""
+    """Number of the body it hangs on, -1 for one on ground."""
     names: list[str]
     own: list[Column]
     mass: float
@@ -50,7 +50,7 @@ class Link:
     about: Array
     """Tensor of inertia about it [kg m^2]."""
     felt: Array = field(default_factory=lambda: np.zeros((6, 6)))
-    """Inertia of the body and of what hangs on it and gives way, turns first."""
+    """Inertia of the body and of the released bodies that hang on it, turns first."""
     locked: Array = field(default_factory=lambda: np.zeros((6, 6)))
     """The same if the joints of the bodies on it were locked."""
 
@@ -90,7 +90,7 @@ def columns(parts: Parts, seat: Seat) -> list[tuple[str, Column]]:
 
 
 def tree_of(parts: Parts) -> list[Link]:
-    """Bodies with what they hang on, parents first; elastic ones stand, their mass is in their files."""
+    """Bodies with what they hang on, parents first; elastic ones are fixed, their mass is in their files."""
     links: list[Link] = []
     numbers = {GROUND: -1}
     for name, seat in parts.mechanism.seats.items():
@@ -109,11 +109,11 @@ def tree_of(parts: Parts) -> list[Link]:
 
 
 def alone(links: list[Link]) -> list[tuple[str, float]]:
-    """Inertia that every coordinate moves while all others stand [kg or kg m^2], by its name."""
+    """Inertia that every coordinate moves while all others are fixed [kg or kg m^2], by its name."""
     children: dict[int, list[int]] = {}
     for k, link in enumerate(links):
         children.setdefault(link.parent, []).append(k)
-    order: list[int] = []  # what hangs on a body stands behind it, without others between
+    order: list[int] = []  # what hangs on a body follows it, without others between
     ends: dict[int, int] = {}
     stack = [(k, False) for k in reversed(children.get(-1, []))]
     while stack:

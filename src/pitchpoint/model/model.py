@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The model: what stands in drawings and data sheets, frozen and valid by construction."""
+"""The model: data of drawings and data sheets, frozen and valid by construction."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class Model(Contents):
     lines: Mapping[Place, int] | None = derived()
     """Lines of the keys that it has there, counted from 1."""
     changed: bool | None = derived()
-    """Whether values have been replaced since: the file no longer says what the model is."""
+    """Whether values have been replaced since: the file no longer describes the model."""
     allow_code: bool = derived(False)
     """Whether it was read with permission to name Python functions; `replace` then permits them too."""
     pairs: Mapping[str, GearPair] = derived()
@@ -118,7 +118,7 @@ class Model(Contents):
         parts
             The parts.
         keys
-            Values of the keys that are no sections; those left out have their defaults.
+            Values of the keys that are not sections; omitted ones have their defaults.
         file, lines, allow_code
             As in the class.
         """
@@ -246,7 +246,7 @@ class Model(Contents):
 
     @cached_property
     def phasing(self) -> Phasing:
-        """How the gears are put together, see `pitchpoint.model.phasing`."""
+        """How the gears are assembled, see `pitchpoint.model.phasing`."""
         return assemble(self.gears, self.meshes)
 
     @property
@@ -260,7 +260,7 @@ class Model(Contents):
         return {**self.meshes, **self.bevel_meshes}
 
     def section_of(self, mesh: str) -> str:
-        """Section of the file that a mesh stands in."""
+        """Section of the file with a mesh."""
         return "meshes" if mesh in self.meshes else "bevel_meshes"
 
     @cached_property
@@ -305,7 +305,7 @@ class Model(Contents):
         """Mesh whose frequency a sweep counts."""
         chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
         if chosen.sweep is None:
-            raise ModelError([Message("scenarios", "is no sweep", remedy="name a scenario with sweep")])
+            raise ModelError([Message("scenarios", "is not a sweep", remedy="name a scenario with sweep")])
         meshes = sweep_meshes(self._parts(), chosen.sweep.body)
         return chosen.sweep.mesh or next(iter(meshes))
 

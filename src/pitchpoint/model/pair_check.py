@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the geometry has to say about the gears and pairs of a model, put at the keys of the file."""
+"""Problems and warnings of the geometry of gears and pairs, at the keys of the file."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 OFFSET_TOLERANCE = 1e-4
-"""Base pitches by which an assembly may stand beyond its backlash: what elastic teeth take up."""
+"""Base pitches by which an assembly may exceed its backlash: the deflection of elastic teeth."""
 
 
 def check_gear(parts: Parts, name: str, report: Reader) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the gears of a machine are put together: the angle of tooth 0 of every gear at spin 0.
+"""Assembly of the gears of a machine: the angle of tooth 0 of every gear at spin 0.
 
 Two gears are assembled centred in their backlash: when a tooth of gear 1 is centred on the line of
 centres, a space of gear 2 is centred on it. With gamma the angle of the centre of tooth 0 (at mid-face, from
@@ -7,7 +7,7 @@ the x axis of its body), theta_1 and theta_2 the directions from either axis to 
 
     z_1 (gamma_1 - theta_1) + z_2 (gamma_2 - theta_2) = pi   (mod 2 pi),
 
-in the middle of the common face width, where a tooth of a helical gear stands at gamma + o tan(beta)/r.
+in the middle of the common face width, where a tooth of a helical gear is at gamma + o tan(beta)/r.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def pitch_directions(mesh: Mesh, gear1: Gear, gear2: Gear) -> tuple[float, float
 
 
 def tooth_twist(gear: Gear, offset: float) -> float:
-    """Angle by which a tooth at the axial position `offset` from mid-face stands ahead [rad].
+    """Angle by which a tooth at the axial position `offset` from mid-face is ahead [rad].
 
     A right-hand tooth turns counter-clockwise along the positive axis, on external and internal gears alike.
     """
@@ -67,9 +67,9 @@ def _phase(gear: Gear, angle: float, direction: float, offset: float) -> float:
 
 
 def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
-    """Turn all gears so that their meshes stand in the middle of their backlash.
+    """Turn all gears so that their meshes are in the middle of their backlash.
 
-    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh stands at 0.
+    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh is at 0.
     What is left where a mesh joins two gears that are already placed is its `offset`.
 
     Parameters

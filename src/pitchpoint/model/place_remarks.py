@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bodies that stand where hardly anybody wants them, because the model leaves their places open."""
+"""Bodies at places that are rarely intended, because the model leaves their places open."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SAME = 1e-6
 
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
-    """A remark for every axis that a joint has placed, and for gears that stand in each other."""
+    """A remark for every axis that a joint has placed, and for gears that overlap."""
     return (*_axes_by_joints(model), *_gears_in_gears(model))
 
 
@@ -68,16 +68,16 @@ def _gears_in_gears(model: Model) -> Iterator[Message]:
     for first, second in _on_one_axis(spans, [model.gears[span[1]].geometry.d_a for span in spans]):
         (one, a, at, along, low, high), (two, b, other, way, least, most) = first, second
         apart = other - at
-        beside = float(np.linalg.norm(apart - (apart @ along) * along))
+        off_axis = float(np.linalg.norm(apart - (apart @ along) * along))
         reach = SAME * model.gears[a].geometry.d_a
-        if one == two or abs(along @ way) < 1.0 - SAME or beside > reach:
+        if one == two or abs(along @ way) < 1.0 - SAME or off_axis > reach:
             continue
         ends = sorted(float(other @ along + x * (way @ along)) for x in (least, most))
         here = float(at @ along)
         if min(ends[1], here + high) - max(ends[0], here + low) > reach:
             yield remark(
                 f"bodies.{two}",
-                f"{b} stands in {a} of {one}, on the same axis",
+                f"{b} overlaps with {a} of {one}, on the same axis",
                 "give the meshes that place them a direction each, or the bodies a position: [x, y, z]",
             )
 
@@ -88,8 +88,8 @@ def _on_one_axis(spans: list[Span], sizes: list[float]) -> Iterator[tuple[Span, 
     ways = np.array([span[3] for span in spans]).reshape(-1, 3)
     for k, (span, size) in enumerate(zip(spans, sizes, strict=True)):
         apart = places[k + 1 :] - span[2]
-        beside = np.linalg.norm(apart - np.outer(apart @ span[3], span[3]), axis=1)
-        near = (beside <= 2.0 * SAME * size) & (np.abs(ways[k + 1 :] @ span[3]) >= 1.0 - 2.0 * SAME)
+        off_axis = np.linalg.norm(apart - np.outer(apart @ span[3], span[3]), axis=1)
+        near = (off_axis <= 2.0 * SAME * size) & (np.abs(ways[k + 1 :] @ span[3]) >= 1.0 - 2.0 * SAME)
         for other in np.flatnonzero(near):
             yield span, spans[k + 1 + int(other)]
 

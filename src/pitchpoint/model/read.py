@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plain mappings (from YAML, JSON or Python) to components, with every problem collected.
 
-The reader knows nothing about files: it is given the data and, if there are any, the lines the keys stand in.
+The reader knows nothing about files: it is given the data and, if there are any, the lines of the keys.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ class Reader:
     directory
         Directory that relative file names start from.
     within
-        Keys beside the one that is being read, for values whose meaning depends on them.
+        Keys next to the one that is being read, for values whose meaning depends on them.
     aliases
-        Where components stand in the file that stand in for others: SECTION, NAME -> SECTION, NAME.
+        Where the file has components that represent others: SECTION, NAME -> SECTION, NAME.
     """
 
     lines: Mapping[Place, int] = field(default_factory=dict)
@@ -53,7 +53,7 @@ class Reader:
     aliases: dict[Place, Place] = field(default_factory=dict)
 
     def line(self, path: Place) -> int | None:
-        """Line of a path, or of the nearest part of it that stands in the file."""
+        """Line of a path, or of the nearest part of it in the file."""
         for n in range(len(path), -1, -1):
             if path[:n] in self.lines:
                 return self.lines[path[:n]]
@@ -269,7 +269,7 @@ class Reader:
         )
 
     def nested_names(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a mapping of names to components; what cannot be read is left out."""
+        """Read a mapping of names to components; what cannot be read is omitted."""
         if not isinstance(data, Mapping):
             return self.problem(path, "is not a mapping of names", value=shown(data))
         out = {}
@@ -299,7 +299,7 @@ class Reader:
             return True
         self.problem(
             (*path, text),
-            "is no usable name",
+            "is not a usable name",
             remedy="use letters, digits, '_' and '-', without dots and brackets",
         )
         return False

@@ -40,7 +40,7 @@ def lines(reader: Reader, name: str, path: Place, instead: str) -> Any:
         with file.open(encoding="utf-8-sig") as stream:
             found = [(n, line.split("#")[0].strip()) for n, line in enumerate(stream, start=1)]
     except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "it is no text file"
+        reason = error.strerror if isinstance(error, OSError) else "it is not a text file"
         return reader.problem(path, f"the file '{name}' cannot be read: {reason}", remedy=f"give {instead}")
     return [(n, _cells(text)) for n, text in found if text]
 
@@ -138,7 +138,7 @@ def points(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     pair = Key("quantities", "", dimension="length", length=(2, 2))
     if not isinstance(data, list | tuple):
         return reader.problem(
-            path, "are no points", value=shown(data), remedy="name a CSV file, or give [[x, y], ...]"
+            path, "are not points", value=shown(data), remedy="name a CSV file, or give [[x, y], ...]"
         )
     rows = [
         reader.sequence(pair, row, (*path, i), lambda _, v, at: reader.number(number, v, at))
@@ -165,7 +165,7 @@ def _from_file(reader: Reader, name: str, found: list[Line], path: Place) -> Any
             if faults <= _SHOWN:
                 reader.problem(
                     path,
-                    f"is no point (file '{name}', line {number})",
+                    f"is not a point (file '{name}', line {number})",
                     value=shown(",".join(cells)),
                     remedy="give finite numbers in the units of the heading, with a decimal point",
                 )
@@ -200,7 +200,7 @@ def _columns(reader: Reader, name: str, found: list[Line], path: Place) -> Any:
             except UnitError:
                 return reader.problem(
                     path,
-                    f"is no unit of length {here}",
+                    f"is not a unit of length {here}",
                     value=shown(match[2]),
                     remedy="write mm, um, m or inch",
                 )

@@ -59,7 +59,7 @@ def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return reader.problem(
             path,
             "pushes away in some direction: one of its eigenvalues is negative",
-            remedy="correct the signs, or the entries beside the diagonal",
+            remedy="correct the signs, or the off-diagonal entries",
         )
     return rows
 

@@ -73,7 +73,7 @@ def coordinates(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     for name, word in data.items():
         at = (*path, str(name))
         if not str(name).isidentifier() or str(name) in RESERVED:
-            reader.problem(at, "is no name for a coordinate", remedy="use a word such as s or psi")
+            reader.problem(at, "is not a name for a coordinate", remedy="use a word such as s or psi")
             continue
         found = reader.word(Key("choice", "", choices=("length", "angle")), word, at)
         if found is not BAD:
@@ -144,7 +144,7 @@ def motions(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         ]
         out[str(name)] = BAD if BAD in found else tuple(found)
     if len(out) != len(data):
-        reader.tainted.add(path)  # that nothing is left of it is no problem of its own
+        reader.tainted.add(path)  # an empty rest is not a problem of its own
         return BAD
     return BAD if any(v is BAD for v in out.values()) else out
 
@@ -199,18 +199,20 @@ def recheck_motions(value: Mapping[str, Any], path: Place, reader: Reader) -> No
         if name not in DISPLACEMENTS:
             reader.unknown({name: laws}, DISPLACEMENTS, path)
         elif not isinstance(laws, list | tuple) or not laws:
-            reader.problem(at, "is no tuple of laws", value=shown(laws), remedy="write (FormulaLaw(...),)")
+            reader.problem(at, "is not a tuple of laws", value=shown(laws), remedy="write (FormulaLaw(...),)")
         else:
             for law in laws:
                 if isinstance(law, int | float | str):
-                    reader.problem(at, "is no law", value=shown(law), remedy="wrap it, as in Constant(0.1)")
+                    reader.problem(
+                        at, "is not a law", value=shown(law), remedy="wrap it, as in Constant(0.1)"
+                    )
                 elif isinstance(law, Constant):
                     reader.number(Key("quantity", "", dimension=DISPLACEMENTS[name]), law.value, at)
 
 
 # --- ratios -------------------------------------------------------------------------------------------------
 def terms(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read coefficients by coordinates; lengths are noted, so that they can be told from plain numbers."""
+    """Read coefficients by coordinates; lengths are noted, to distinguish them from plain numbers."""
     if not isinstance(data, Mapping):
         return reader.problem(
             path, "is not a mapping of coordinates", value=shown(data), remedy="write {A: 20, B: 40}"

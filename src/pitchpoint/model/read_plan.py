@@ -20,13 +20,13 @@ from pitchpoint.model.show import shown
 OWN = ("factors", "jitter")
 MOST_CASES = 10_000_000
 RESERVED = ("case", "file", "status", "status_code", "sentence", "seed", "steps")
-"""Columns that every table of cases has beside the labels."""
+"""Columns that every table of cases has in addition to the labels."""
 _SHARE = Key("quantity", "standard deviation over the value", "dimensionless", minimum=0.0, maximum=1.0)
 _HOW = "write PATH: [VALUE, ...], or named conditions NAME: {PATH: VALUE, ...}"
 
 
 def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan:
-    """Make a plan from nested mappings as they stand in a file.
+    """Make a plan from the nested mappings of a file.
 
     Parameters
     ----------
@@ -202,7 +202,7 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
         report.problem(("scenario",), "is missing", remedy=f"name one over time; there are: {listed}")
     elif scenario not in over_time:
         report.problem(
-            ("scenario",), f"is no scenario over time: {scenario}", remedy=hint(scenario, over_time, 3)
+            ("scenario",), f"is not a scenario over time: {scenario}", remedy=hint(scenario, over_time, 3)
         )
     for levels in plan.factors.values():
         for level in levels:
@@ -220,9 +220,9 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
                 is None
             ):
                 remedy = "name a key of the model that holds one number"
-                report.problem(("jitter", path), "is no number of the model", remedy=remedy)
+                report.problem(("jitter", path), "is not a number of the model", remedy=remedy)
         except ModelError:
-            continue  # said of the level
+            continue  # reported for the level
     for name, channel in plan.channels.items():
         _check_channel(name, channel, model, channels, report)
     if report.problems:
@@ -231,7 +231,7 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
 
 
 def _check_level(level: Level, model: Model, report: Reader, allow_code: bool) -> None:
-    """What the model says to the values of a level, each at its own line where that is known."""
+    """Problems of the model with the values of a level, each at its own line where that is known."""
     if not level.changes:
         return
     try:

@@ -90,11 +90,11 @@ def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def code(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read FILE.py:function; what it is called with stands in other keys."""
+    """Read FILE.py:function; its arguments are in other keys."""
     if isinstance(data, Mapping):
         return reader.problem(
             path,
             "is a mapping",
-            remedy="write function: FILE.py:function, and its numbers under parameters beside it",
+            remedy="write function: FILE.py:function, and its numbers under parameters next to it",
         )
     return read_law.python(reader, key, data, path)

@@ -89,7 +89,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
 def _of_joints(key: Key, value: Any, place: Place, report: Reader) -> None:
     """Mappings by the names of coordinates."""
     if not isinstance(value, Mapping):
-        report.problem(place, "is no mapping", value=shown(value))
+        report.problem(place, "is not a mapping", value=shown(value))
     elif key.kind == "motions":
         recheck_motions(value, place, report)
     elif key.kind != "coordinates" and any(isinstance(v, str) for v in value.values()):
@@ -119,4 +119,4 @@ def _law(key: Key, law: Any, place: Place, report: Reader) -> None:
             _value(axis, x, (*place, i), report)
             _value(number, y, (*place, i), report)
     elif isinstance(law, int | float | str):
-        report.problem(place, "is no law", value=shown(law), remedy="wrap it, as in Constant(150.0)")
+        report.problem(place, "is not a law", value=shown(law), remedy="wrap it, as in Constant(150.0)")

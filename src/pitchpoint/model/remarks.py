@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a model says that has no effect, or one that few users want: allowed, but a user should know."""
+"""Data of a model without effect, or with one that few users want: allowed, but reported."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def replace_at(
 ) -> Any:
     """Copy of a component with the value at a path changed, by the rules of the reader.
 
-    `held` is the key that `part` stands under. Components by name inside a component, such as faults, can be
+    `held` is the key of `part`. Components by name inside a component, such as faults, can be
     added; sections of a model cannot, where a name that is not there is a slip.
     """
     if isinstance(part, Mapping):
@@ -37,7 +37,7 @@ def replace_at(
     report.within = vars(part)
     if name == TYPE and name not in keys and hasattr(part, "form"):
         remedy = f"replace the whole mapping {'.'.join(at)}"
-        report.problem(here, "says which keys there are and cannot change alone", remedy=remedy)
+        report.problem(here, "determines the other keys and cannot change alone", remedy=remedy)
         return part
     if name not in keys:
         report.unknown({name: value}, keys, at)

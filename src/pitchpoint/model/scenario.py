@@ -123,7 +123,7 @@ class Scenario:
     duration: float | None = positive("time", "length of the time response; required without sweep", None)
     sample_rate: float | None = positive(
         "frequency",
-        "samples per second, taken without a filter: vibration above half of it shows at wrong frequencies",
+        "samples per second; no anti-aliasing filter: content above half of it is aliased",
         None,
         display="every step",
     )

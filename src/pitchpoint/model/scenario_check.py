@@ -224,13 +224,15 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     if scenario.drive:
         report.problem(
             (*at[:-1], "drive"),
-            "stands beside sweep, which prescribes the speed itself",
+            "cannot be combined with sweep, which prescribes the speed itself",
             remedy=f"write hold: [{', '.join(scenario.drive)}] for bodies that keep the speed of each point",
         )
     bounds = sweep.mesh_frequency or sweep.speed
     key = "mesh_frequency" if sweep.mesh_frequency is not None else "speed"
     if bounds is not None and bounds[0] >= bounds[1]:
-        report.problem((*at, key), "does not rise", remedy="write [lowest, highest]; direction says the rest")
+        report.problem(
+            (*at, key), "does not rise", remedy="write [lowest, highest]; direction gives the order"
+        )
     if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
         return
     own = parts.bodies[sweep.body].gears if sweep.body in parts.bodies else {}
@@ -253,6 +255,6 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     elif sweep.mesh is not None and sweep.mesh not in teeth and sweep.mesh in every:
         report.problem(
             (*at, "mesh"),
-            f"names {sweep.mesh}, which is no mesh of {sweep.body}",
+            f"names {sweep.mesh}, which is not a mesh of {sweep.body}",
             remedy=f"name one of {', '.join(teeth)}",
         )

@@ -76,7 +76,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
     if key.kind == "variant":
         return {"oneOf": [_reference(cls, definitions, law) for law, cls in key.of.items()]}
     row = {"type": "array", "items": number}
-    # a list of any length may also stand in a text file
+    # a list of any length may also be in a text file
     file = {"type": "string"}
     if key.kind == "quantities":
         listed = {**row, **_length(key)}

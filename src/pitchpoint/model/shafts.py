@@ -2,7 +2,7 @@
 """Elastic shafts among the bodies: what sits where on them, their checks, and where they are cut.
 
 To everything that names a body a shaft is a body with six freedoms, whose origin is the start of the shaft:
-one stands in for it among the bodies. Only the rules of the system know that it is a row of stations.
+a body represents it among the bodies. Only the rules of the system know that it is a row of stations.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ MOST_PIECES = 2000
 
 # --- among the bodies ---------------------------------------------------------------------------------------
 def stand_in(shaft: Shaft) -> Body:
-    """Body that stands for a shaft: its gears, place and markers, and the mass of its sections."""
+    """Body that represents a shaft: its gears, place and markers, and the mass of its sections."""
     return Body(
         gears=dict(shaft.gears),
         bevel_gears=dict(shaft.bevel_gears),
@@ -45,14 +45,14 @@ def stand_in(shaft: Shaft) -> Body:
 
 
 def own_bodies(bodies: Mapping[str, Body]) -> dict[str, Body]:
-    """Bodies without those that stand for elastic shafts and bodies."""
+    """Bodies without those that represent elastic shafts and bodies."""
     return {name: body for name, body in bodies.items() if not body.stands_in}
 
 
 def add_shafts(parts: Parts, report: Reader) -> None:
     """Check the shafts by themselves and put a body in the place of each.
 
-    What is found about those bodies later is told of the shafts.
+    Later problems of those bodies are reported for the shafts.
     """
     for path in [p for p in report.tainted if p[0] == "shafts"]:
         report.tainted.add(("bodies", *path[1:]))
@@ -106,7 +106,7 @@ def check_shaft_places(parts: Parts, report: Reader) -> None:
                 continue
             report.problem(
                 at,
-                f"is no place on the shaft {name}",
+                f"is not a place on the shaft {name}",
                 value=_mm(place),
                 limit=f"0 to {_mm(shaft.length)} from its start",
                 remedy="places on a shaft count from the start of its first section",
@@ -125,7 +125,7 @@ def _mm(length: float) -> str:
 
 # --- what sits where ----------------------------------------------------------------------------------------
 def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
-    """Everything that sits or acts on the shafts: where the file says so, and its place from the start [m].
+    """Everything that sits or acts on the shafts: its key in the file, and its place from the start [m].
 
     Parameters
     ----------

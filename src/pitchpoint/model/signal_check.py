@@ -143,8 +143,8 @@ def _formula(at: Place, block: bl.FormulaBlock, report: Reader) -> None:
         except FormulaError:
             report.problem(
                 (*at, "inputs", i),
-                f"{name[:40]!r} is no name that a formula can use",
-                remedy="call the signal a word of letters, digits and '_' that is no function",
+                f"{name[:40]!r} is not a name that a formula can use",
+                remedy="call the signal a word of letters, digits and '_' that is not a function",
             )
             return
     try:
@@ -174,14 +174,16 @@ def _transfer_function(at: Place, block: bl.TransferFunction, report: Reader) ->
 def _pid(at: Place, block: bl.Pid, report: Reader) -> None:
     if block.derivative != 0.0 and block.filter_time == 0.0:
         report.problem(
-            (*at, "filter_time"), "is missing: a derivative needs one", remedy="add filter_time: 1 ms, say"
+            (*at, "filter_time"),
+            "is missing: a derivative needs one",
+            remedy="add for example filter_time: 1 ms",
         )
     follows = block.limits is not None and block.integral != 0.0 and block.tracking_time is None
     if follows and not block.proportional / block.integral > 0.0:
         report.problem(
             (*at, "tracking_time"),
             "does not follow from these gains: proportional over integral is not positive",
-            remedy="add tracking_time: 100 ms, say",
+            remedy="add for example tracking_time: 100 ms",
         )
 
 

@@ -43,10 +43,12 @@ def _function(law: PythonLaw, arguments: tuple[str, ...], at: Place, report: Rea
         )
         return
     except SyntaxError as error:
-        report.problem(at, f"names '{file.name}', which is no Python: {error.msg} (its line {error.lineno})")
+        report.problem(
+            at, f"names '{file.name}', which is not valid Python: {error.msg} (its line {error.lineno})"
+        )
         return
     except ValueError:
-        report.problem(at, f"names '{file.name}', which is no Python text")
+        report.problem(at, f"names '{file.name}', which is not Python text")
         return
     known = {node.name: node for node in tree.body if isinstance(node, Definition)}
     if law.function not in known:
@@ -70,7 +72,7 @@ def _function(law: PythonLaw, arguments: tuple[str, ...], at: Place, report: Rea
 
 
 def _may_bind(tree: ast.Module, name: str) -> bool:
-    """Whether statements other than definitions may make a name, so that only running them would tell."""
+    """Whether statements other than definitions may define a name, which only running them would show."""
     simple = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Expr)
     for node in tree.body:
         if isinstance(node, ast.Import | ast.ImportFrom):

@@ -60,7 +60,7 @@ def inputs(block: bl.Block) -> list[tuple[str, Place]]:
 def at_once(machine: Any) -> dict[str, list[str]]:
     """For every signal those that it follows without a state between; loads follow whatever acts.
 
-    Actuators stand among them as they are named.
+    Actuators are among them under their names.
     """
     found: dict[str, list[str]] = {name: [] for name, _ in made(machine)}
     for name, part in machine.actuators.items():

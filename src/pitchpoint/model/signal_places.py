@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks of what sensors and torques name: coordinates, observations, bodies and how these move.
 
-Each is told as soon as what it hangs on could be read, beside whatever else is wrong with the file.
+Each problem is reported as soon as the parts it depends on could be read, in addition to all others.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def _tree_known(parts: Parts, report: Reader) -> bool:
 
 
 def _all_read(parts: Parts, report: Reader, groups: tuple[str, ...]) -> bool:
-    """Whether the names of all parts of some sections are known: no such section is spelled wrong, say."""
+    """Whether the names of all parts of some sections are known: no such section is misspelled."""
     values = set(keys_of(Contents)) - set(GROUPS)
     broken = {str(p[0]) for p in report.tainted if len(p) == 1} - values
     lost = {word for word in broken if not parts.known(word)}
@@ -95,7 +95,7 @@ def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader, 
     elif tilts and word in ("alpha", "beta", "spin"):
         report.problem(
             (*at, "coordinate"),
-            f"names {sensor.coordinate}, a turn among others ({seat.kind}), which is no angle in a plane",
+            f"names {sensor.coordinate}, a turn among others ({seat.kind}), which is not an angle in a plane",
             remedy=remedy,
         )
 
@@ -149,7 +149,9 @@ def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None
     match = re.fullmatch(r"(\w+)\[([^\[\]]+)\]", sensor.channel)
     if match is None:
         report.problem(
-            where, f"{sensor.channel[:40]!r} is no observation", remedy="write tension[SPRING], say"
+            where,
+            f"{sensor.channel[:40]!r} is not an observation",
+            remedy="write for example tension[SPRING]",
         )
         return
     if match[1] == "signal":
@@ -158,7 +160,7 @@ def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None
     if match[1] not in table():
         report.problem(
             where,
-            f"{match[1][:40]!r} is no quantity that results have",
+            f"{match[1][:40]!r} is not a quantity of results",
             remedy=did_you_mean(match[1], table()) + "the names are those of a result file",
         )
         return
@@ -194,7 +196,7 @@ def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader, w
     if along < SAME if spins else SAME < along < PARALLEL:
         report.problem(
             at,
-            f"stand {math.degrees(math.acos(along)):.4g} deg askew: {bodies[0]} and {bodies[1]}",
+            f"are tilted by {math.degrees(math.acos(along)):.4g} deg: {bodies[0]} and {bodies[1]}",
             limit="45 deg" if spins else "0 deg, or above 45 deg",
             remedy="let the torque act back on the body that carries the driven one, or write "
             "{type: force, quantity: moment, ...}",

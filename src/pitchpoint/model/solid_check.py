@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def check_solids(parts: Parts, report: Reader) -> None:
-    """Read the solids of gears, shafts and bodies; those that cannot be had are left out of what follows."""
+    """Read the solids of gears, shafts and bodies; those that cannot be read are omitted later on."""
     for group in ("gears", "shafts", "bodies"):
         components = getattr(parts, group)
         for name, component in list(components.items()):
@@ -35,13 +35,13 @@ def check_solids(parts: Parts, report: Reader) -> None:
 
 def _check(part: SolidReference, at: Place, group: str, report: Reader) -> bool:
     if part.density is not None and part.material is not None:
-        report.problem((*at, "density"), "stands beside material", remedy="give one of the two")
+        report.problem((*at, "density"), "cannot be combined with material", remedy="give one of the two")
         return False
     if part.origin is not None and group != "bodies":
         single = group.removesuffix("s")
         report.problem(
             (*at, "origin"),
-            f"has no effect: a {single} lies where its body or its section says",
+            f"has no effect: a {single} lies where its body or its section is",
             remedy="remove it",
         )
         return False

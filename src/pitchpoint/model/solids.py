@@ -46,9 +46,9 @@ def _placed(part: SolidReference, density: float, volume: float, center: Any, mo
     at = turn.T @ (np.array(center) - np.array(part.origin or (0.0, 0.0, 0.0)))
     mass = density * volume
     polar, central = float(about[2, 2]), 0.5 * float(about[0, 0] + about[1, 1])
-    beside = max(abs(about[0, 0] - about[1, 1]), *(abs(about[i, k]) for i, k in ((0, 1), (1, 2), (2, 0))))
+    off_axis = max(abs(about[0, 0] - about[1, 1]), *(abs(about[i, k]) for i, k in ((0, 1), (1, 2), (2, 0))))
     size = math.sqrt((polar + 2.0 * central) / mass)
-    if beside <= ROUND * max(polar, central) and math.hypot(at[0], at[1]) <= ROUND * size:
+    if off_axis <= ROUND * max(polar, central) and math.hypot(at[0], at[1]) <= ROUND * size:
         return SolidMass(mass, (0.0, 0.0, float(at[2])), polar, central, None)
     entries = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))
     tensor = tuple(float(about[i, k]) for i, k in entries)

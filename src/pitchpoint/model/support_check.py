@@ -19,14 +19,14 @@ if TYPE_CHECKING:
 
 HOUSED = 1e-3
 """Distance of a bearing from the named place of its housing [m]; what is less is a rigid arm."""
-ASKEW = math.radians(5.0)
-"""Angle from which rings do not stand about one axis; no bearing is mounted that far askew."""
+TILTED = math.radians(5.0)
+"""Angle from which rings do not share one axis; no bearing is mounted with that tilt."""
 COAXIAL = 1e-6
 """Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""
 
 
 def check_positions(parts: Parts, report: Reader) -> None:
-    """Springs act between axes, which do not turn with the bodies; a place beside the axis would turn."""
+    """Springs act between axes, which do not turn with the bodies; a place off the axis would turn."""
     for group in ("bearings", "couplings"):
         for name, part in getattr(parts, group).items():
             x, y, z = part.position
@@ -92,7 +92,7 @@ def check_couplings(parts: Parts, report: Reader) -> None:
         places = [b.origin for b in bodies if b is not None and b.origin is not None]
         if len(places) < 2 or not _holds_sideways(coupling):
             continue
-        if _askew(parts, "couplings", name, coupling.bodies, report):
+        if _tilted(parts, "couplings", name, coupling.bodies, report):
             continue
         z = body_frame(parts, coupling.bodies[0])[1][:, 2]
         apart = float(np.linalg.norm(np.cross(z, np.subtract(places[1], places[0]))))
@@ -112,11 +112,11 @@ def check_turning(parts: Parts, report: Reader) -> None:
     for group in TURNING:
         for name, part in getattr(parts, group).items():
             if len(part.bodies) == 2 and all(b in parts.bodies for b in part.bodies):
-                _askew(parts, group, name, part.bodies, report)
+                _tilted(parts, group, name, part.bodies, report)
 
 
-def _askew(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report: Reader) -> bool:
-    """Whether two bodies have different z axes as drawn, which is told."""
+def _tilted(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report: Reader) -> bool:
+    """Whether two bodies have different z axes as drawn, which is reported."""
     z, other = (body_frame(parts, b)[1][:, 2] for b in bodies)
     cosine = float(z @ other)
     if cosine < 1.0 - COAXIAL**2:
@@ -141,13 +141,13 @@ def check_rings(parts: Parts, report: Reader) -> None:
                 continue
             z, other = (axes_of(parts, end)[:, 2] for end in bearing.ends)
             angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), abs(float(z @ other)))
-            if angle > ASKEW:
+            if angle > TILTED:
                 inner, outer = bearing.ends
                 report.problem(
                     (group, name, "ends"),
                     f"have z axes {math.degrees(angle):.6g} deg apart",
                     value=f"{inner} and {outer}",
-                    limit=f"{math.degrees(ASKEW):.3g} deg",
+                    limit=f"{math.degrees(TILTED):.3g} deg",
                     remedy=f"give the marker {outer} axes whose z lies along that of {inner}; on ground it "
                     "takes a body with motion: fixed and a marker",
                 )

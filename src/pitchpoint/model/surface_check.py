@@ -170,5 +170,5 @@ def _sizes(part: ContactSurface, needed: tuple[str, ...], at: Place, report: Rea
             report.problem((*at, key), f"is missing: the {part.shape} needs it", remedy=f"add {key}")
     if part.half_angle is not None and part.half_angle >= 0.5 * math.pi:
         report.problem(
-            (*at, "half_angle"), "is no cone", limit="< 90 deg", remedy="give the half of its angle"
+            (*at, "half_angle"), "is not a cone", limit="< 90 deg", remedy="give the half of its angle"
         )

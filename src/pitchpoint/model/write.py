@@ -42,7 +42,7 @@ def quantity_text(value: float, dimension: str) -> float | str:
 
 
 def plain(model: Model) -> dict[str, Any]:
-    """Nested dictionaries as a file would hold them; whatever has its default is left out.
+    """Nested dictionaries as a file would hold them; values equal to their defaults are omitted.
 
     Parameters
     ----------
@@ -73,8 +73,8 @@ class _Writer:
             self.within = part
             value = getattr(part, name)
             if name == "bodies" and isinstance(value, Mapping):
-                value = own_bodies(value)  # those that stand for shafts follow from them
-            # the stiffness law is always written: it is the one choice nobody should have to look up
+                value = own_bodies(value)  # those that represent shafts follow from them
+            # the stiffness law is always written: no reader should have to look up this choice
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue
             out[name] = self.value(key, value)
@@ -133,7 +133,7 @@ class _Writer:
         }
 
     def variant(self, key: Key, value: Any) -> dict[str, Any]:
-        """A part whose law says which it is."""
+        """A part that its law identifies."""
         return {"law": value.law, **self.component(value)}
 
     def speeds(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:

@@ -167,5 +167,5 @@ def _of(inertia: Any) -> dict[str, Any]:
 
 def _polar(inertia: Any) -> float:
     """Moment of inertia about an axis along z through the centre of mass [kg m^2]."""
-    beside = math.hypot(*inertia.beside)
-    return float(inertia.polar - inertia.mass * beside * beside)
+    off_axis = math.hypot(*inertia.off_axis)
+    return float(inertia.polar - inertia.mass * off_axis * off_axis)

@@ -43,7 +43,7 @@ ROUNDS = 8
 NEARER = 0.1
 """Shift of the damped modes over the lowest frequency that is not zero."""
 STILL = 1e-5
-"""Eigenvalue over that shift below which a rigid mode has frequency 0: double zeros lose half their digits."""
+"""Eigenvalue over that shift below which it is that of a rigid mode: a double zero loses half its digits."""
 MOST_SHIFT = 1e6
 """Shift over the largest stiffness at which only a negative mass can leave anything below it."""
 OWN = 0.5

@@ -60,7 +60,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "no direction": (
         [("axes: {z: [1, 0, 0]}", "axes: {z: [0, 0, 0]}")],
         "joints.cylinder.axes.z",
-        "is no direction",
+        "is not a direction",
     ),
     "askew axes": (
         [("axes: {z: [1, 0, 0]}", "axes: {z: [1, 0, 0], x: [1, 1, 0]}")],
@@ -80,7 +80,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "start of what is not there": (
         [("axes: {z: [1, 0, 0]}", "axes: {z: [1, 0, 0]}, start: {spin: 3 deg}")],
         "joints.cylinder.start.spin",
-        "is no coordinate of a joint of type prismatic",
+        "is not a coordinate of a joint of type prismatic",
     ),
     "start of what is nothing": (
         [("axes: {z: [1, 0, 0]}", "axes: {z: [1, 0, 0]}, start: {q: 3 deg}")],
@@ -143,7 +143,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
             ("{big: {}", "{big: {axes: {z: [0, 1, 1]}}"),
         ],
         "joints.crank_pin.bodies",
-        "rod.big, which stand 45 deg askew",
+        "rod.big, which are tilted by 45 deg",
     ),
     "a joint without a place": (
         [(", position: [0, 0, 0]}", "}"), ("rod.big", "rod"), (CYLINDER, "")],
@@ -185,7 +185,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "a tensor and an inertia": (
         [("    inertia_tensor: [2e-4", "    inertia: 1 kg m^2\n    inertia_tensor: [2e-4")],
         "bodies.crank.inertia_tensor",
-        "stands beside inertia",
+        "cannot be combined with inertia",
     ),
     "inertia off the axis": (
         [("inertia_tensor: [2e-4, 1.1e-3, 1.2e-3, 0, 0, 0]", "inertia: 1e-3 kg m^2")],
@@ -195,7 +195,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "a polar inertia about another axis": (
         [("{mass: 0.5 kg}", "{mass: 0.5 kg, inertia: 0.1 kg m^2}")],
         "bodies.piston.inertia",
-        "does not say how the mass lies about the axis of cylinder",
+        "does not define the inertia about the axis of cylinder",
     ),
     "a rod of no length": (
         [(PIN, f"{PIN}rods:\n  r: {{ends: [crank.pin, rod.big]}}\n")],
@@ -257,7 +257,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
             (PISTON, PISTON + "  b: {mass: 1 kg}\n"),
         ],
         "joints.more.coordinates.t",
-        "is no name for a coordinate",
+        "is not a name for a coordinate",
     ),
     "start of a plane turned round": (
         [
@@ -293,7 +293,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
             joint("type: revolute, bodies: [ground, block], position: [0, 0, 0], cut: true"),
         ],
         "bodies.block",
-        "say cut: true and carry nothing",
+        "have cut: true and carry nothing",
     ),
     "a ratio of one": (
         [(PIN, f"{PIN}ratios:\n  r: {{terms: {{crank: 1}}}}\n")],
@@ -333,7 +333,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "two dots in a drive": (
         [(PIN, PIN + RUN % "drive: {a.b.c: {speed: 3 rpm}}")],
         "scenarios.run.drive.a.b.c",
-        "is no usable name",
+        "is not a usable name",
     ),
     "gears on a swinging body": (
         [("gears: {}", "gears: {}"), ("  piston: {mass: 0.5 kg}", "  piston: {mass: 0.5 kg, gears: [g]}")],

@@ -87,7 +87,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "an output with a dot": (
         [("[extra]", "[ex.tra]"), ("signal: extra", "signal: u")],
         "controllers.loop.ex.tra",
-        "is no usable name",
+        "is not a usable name",
     ),
     "a loop": ([("{speed: -1}", "{speed: -1, u: 1}")], "blocks.error", "error <- u <- error"),
     "a loop over a transfer function": (
@@ -240,7 +240,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "blocks.more.function",
         "define it as loop(t, x, p)",
     ),
-    "no Python": ([(LOOP, "'bad.py:loop'")], "controllers.loop.function", "which is no Python"),
+    "no Python": ([(LOOP, "'bad.py:loop'")], "controllers.loop.function", "which is not valid Python"),
     "no reference": ([(LOOP, "laws.py")], "controllers.loop.function", "write 'file.py:function'"),
     "function as a mapping": (
         [(LOOP, "{python: 'laws.py:loop'}")],
@@ -264,7 +264,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "controllers.more.limits",
         "leave no room",
     ),
-    "askew": ([("[drum, motor]", "[drum, cross]")], "actuators.trim.bodies", "stand 90 deg askew"),
+    "askew": ([("[drum, motor]", "[drum, cross]")], "actuators.trim.bodies", "are tilted by 90 deg"),
     "ground first": (
         [("[drum, motor]", "[ground, motor]")],
         "actuators.trim.bodies",

@@ -138,7 +138,7 @@ BAD: dict[str, tuple[list[str], str, list[str]]] = {
     "two columns x": (["x [mm],x [mm]", *tooth_lines()], "tooth: real.csv", ["two columns x"]),
     "NaN": (changed(9, "nan,1"), "tooth: real.csv", ["line 9", "'nan,1'", "finite numbers"]),
     "words": (changed(9, "12 mm,1"), "tooth: real.csv", ["line 9", "'12 mm,1'"]),
-    "missing value": (changed(9, "12"), "tooth: real.csv", ["line 9", "is no point"]),
+    "missing value": (changed(9, "12"), "tooth: real.csv", ["line 9", "is not a point"]),
     "empty": ([], "tooth: real.csv", ["without a heading"]),
     "heading only": ([HEAD], "tooth: real.csv", ["0 points do not describe it", "10 to 2000"]),
     "few points": (GOOD[:8], "tooth: real.csv", ["7 points do not describe it", "10 to 2000"]),

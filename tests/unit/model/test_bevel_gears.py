@@ -70,7 +70,7 @@ def test_given_mass_takes_the_place_of_that_of_the_geometry():
         ("pitch_cone_angle", "mate_teeth: 20, pitch_cone_angle", "pitch_cone_angle and mate_teeth at once"),
         ("mean_normal_module: 2.5 mm, ", "", "give exactly one of mean_normal_module"),
         ("face_width", "spiral_angle: 30 deg, face_width", "a spiral bevel gear is left or right handed"),
-        ("face_width", "shaft_angle: 80 deg, face_width", "shaft_angle (line 2): stands without mate_teeth"),
+        ("face_width", "shaft_angle: 80 deg, face_width", "shaft_angle (line 2): requires mate_teeth"),
         ("face_width: 12 mm", "face_width: 120 mm", "face_width"),
         (
             "face_width",
@@ -82,7 +82,7 @@ def test_given_mass_takes_the_place_of_that_of_the_geometry():
         ("bevel_gears: {a: 50 mm}", "gears: [a]", "names the gear 'a', which does not exist"),
         ("opens: +z", "opens: up", "opens"),
         ("opens", "helix_angle: 3 deg, opens", "helix_angle"),
-        ("opens", "faults: {x: {type: broken_tooth, tooth: 20}}, opens", "x.tooth (line 3): 20 is no tooth"),
+        ("opens", "faults: {x: {type: broken_tooth, tooth: 20}}, opens", "(line 3): 20 is not a tooth"),
         ("opens", "faults: {x: {type: broken_tooth, tooth: 0, width: 13 mm}}, opens", "limit 12 mm"),
         ("opens", "faults: {x: {type: broken_tooth, tooth: 0, height: 1 mm}}, opens", "height"),
         ("opens", "faults: {x: {type: pitch_error, tooth: 0, amount: 5}}, opens", "limit 2.5 mm"),

@@ -131,7 +131,7 @@ def test_what_the_model_does_not_know(tmp_path: Path) -> None:
     assert "factors.torque.loads.input.torque[0]" in found[1]
     assert "'m' is not the unit of a torque" in found[1]
     assert "does not exist" in found[2]
-    assert "jitter.title (line 9): is no number of the model" in found[4]
+    assert "jitter.title (line 9): is not a number of the model" in found[4]
     assert "did you mean speed[driven]" in found[5]
     assert "did you mean driver" in found[6]
 

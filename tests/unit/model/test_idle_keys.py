@@ -214,15 +214,15 @@ ROLL = "quasi_static: {points: 10}"
 @pytest.mark.parametrize(
     ("keys", "words"),
     [
-        (f"method: rk4, speed: {{one: 150}}, {SWEEP}", "method and speed have no effect beside sweep"),
-        (f"tolerance: 1e-5, {ROLL}", "tolerance has no effect beside quasi_static"),
-        (f"step: 1e-5, settle_time: 0.1, {ROLL}", "settle_time and step have no effect beside quasi_static"),
+        (f"method: rk4, speed: {{one: 150}}, {SWEEP}", "method and speed have no effect with sweep"),
+        (f"tolerance: 1e-5, {ROLL}", "tolerance has no effect with quasi_static"),
+        (f"step: 1e-5, settle_time: 0.1, {ROLL}", "settle_time and step have no effect with quasi_static"),
         ("duration: 1, tolerance: 1e-5", "tolerance: has no effect with method: generalized_alpha"),
         ("duration: 1, method: rk4, tolerance: 1e-5", "tolerance: has no effect with method: rk4"),
         ("duration: 1, method: constant_bdf, tolerance: 1e-5", "tolerance: has no effect with method: c"),
         ("duration: 1, method: rk4, form: SI2", "form: has no effect with method: rk4"),
         ("duration: 1, order: 3", "order: has no effect with method: generalized_alpha"),
-        (f"order: 3, form: SI2, {ROLL}", "form and order have no effect beside quasi_static"),
+        (f"order: 3, form: SI2, {ROLL}", "form and order have no effect with quasi_static"),
     ],
 )
 def test_keys_that_a_scenario_does_not_read(keys: str, words: str) -> None:

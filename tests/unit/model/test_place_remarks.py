@@ -58,7 +58,7 @@ def test_a_carrier_without_a_place_would_turn_about_a_pin() -> None:
 def test_planets_without_directions_stand_in_each_other() -> None:
     bare = re.sub(r"(b\d: .*), position: \[[^]]*\]", r"\1", SET)
     (sentence,) = told(bare)
-    assert sentence.startswith("bodies.b1: p1 stands in p0 of b0, on the same axis")
+    assert sentence.startswith("bodies.b1: p1 overlaps with p0 of b0, on the same axis")
     turned = bare.replace("s1: {gears: [sun, p1]}", "s1: {gears: [sun, p1], direction: 180 deg}")
     assert told(turned) == ()
 

@@ -75,7 +75,7 @@ REFUSED = {
     "no such tooth": (
         "gears.a.faults.new",
         BROKEN | {"tooth": 20},
-        "faults.new.tooth: 20 is no tooth of this gear",
+        "faults.new.tooth: 20 is not a tooth of this gear",
     ),
     "unknown key": (
         "gears.a.faults.new",
@@ -87,7 +87,7 @@ REFUSED = {
         "wear",
         "cannot change alone; replace the whole mapping gears.a.faults.old",
     ),
-    "no name": ("gears.a.faults.", BROKEN, "is no usable name"),
+    "no name": ("gears.a.faults.", BROKEN, "is not a usable name"),
     "another component": ("gears.a.faults.new", PitchError, "does not exist"),
     "a section": ("gears.c", {"number_of_teeth": 20}, "gears.c: does not exist; there are a, b"),
 }
@@ -120,7 +120,7 @@ def test_a_run_sets_a_whole_fault(tmp_path: Path, capsys: pytest.CaptureFixture[
     command = ["run", str(file), "-s", "run", "-o", str(tmp_path / "out.h5"), "--quiet", "--set"]
     assert run_command([*command, fault]) == 0
     assert run_command([*command, "gears.b.faults.chip={type: broken_tooth, tooth: 60}"]) == 2
-    assert "gears.b.faults.chip.tooth: 60 is no tooth of this gear" in capsys.readouterr().err
+    assert "gears.b.faults.chip.tooth: 60 is not a tooth of this gear" in capsys.readouterr().err
 
 
 PLAN = """\
@@ -155,7 +155,7 @@ def test_a_plan_puts_faults_in(tmp_path: Path, capsys: pytest.CaptureFixture[str
     (tmp_path / "plan.yaml").write_text(wrong, encoding="utf-8")
     capsys.readouterr()
     assert run_command(["dataset", str(tmp_path / "plan.yaml"), "-o", str(out), "--quiet"]) == 2
-    assert "(line 6): is refused: gears.a.faults.old.tooth: 20 is no tooth" in capsys.readouterr().err
+    assert "(line 6): is refused: gears.a.faults.old.tooth: 20 is not a tooth" in capsys.readouterr().err
 
 
 WRONG = """\

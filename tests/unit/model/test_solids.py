@@ -191,7 +191,7 @@ def test_a_solid_round_about_z_is_a_round_body(folder: Path) -> None:
     assert model.bodies["rotor"].is_round
     found = model.body_inertia("rotor")
     assert found.tensor is None
-    assert found.beside == (0.0, 0.0)
+    assert found.off_axis == (0.0, 0.0)
     assert found.center == pytest.approx(0.1, rel=1e-6)
     # a polygon of 24 corners: 2 % less moment than the circle
     assert found.polar == pytest.approx(0.5 * found.mass * 0.02**2, rel=0.03)
@@ -205,7 +205,7 @@ def test_a_rod_drawn_along_x_is_no_round_body_until_it_is_turned(folder: Path) -
     turned = rotor(folder, 0, ", axes: {z: [1, 0, 0]}")
     assert turned.bodies["rotor"].is_round
     assert turned.body_inertia("rotor").polar == pytest.approx(rotor(folder, 2).body_inertia("rotor").polar)
-    with pytest.raises(ModelError, match=r"bodies.rotor.inertia .*stands beside a solid that is not round"):
+    with pytest.raises(ModelError, match=r"bodies.rotor.inertia .*cannot be combined with a solid that"):
         rotor(folder, 0, body=", inertia: 1 kg m^2")
 
 
@@ -270,10 +270,10 @@ def test_values_of_a_solid_can_be_replaced(folder: Path) -> None:
         ),
         (
             {"GEAR_SOLID": ", density: 1 g/cm^3, material: steel"},
-            "solid.density .line 5.: stands beside material",
+            "solid.density .line 5.: cannot be combined with material",
         ),
         ({"GEAR_SOLID": ", origin: [0, 0, 0]"}, "solid.origin .line 5.: has no effect: a gear lies where"),
-        ({"GEAR_SOLID": ", axes: {z: [0, 0, 0]}"}, "solid.axes.z .line 5.: is no direction"),
+        ({"GEAR_SOLID": ", axes: {z: [0, 0, 0]}"}, "solid.axes.z .line 5.: is not a direction"),
         (
             {"GEAR_SOLID": ", axes: {z: [0, 1, 1]}"},
             "a solid with principal moments .* is not round about an axis",
@@ -285,7 +285,7 @@ def test_values_of_a_solid_can_be_replaced(folder: Path) -> None:
         ),
         (
             {"BOX": ", inertia: 1 kg m^2"},
-            "bodies.box.inertia .line 11.: stands beside a solid that is not round",
+            "bodies.box.inertia .line 11.: cannot be combined with a solid that is not round",
         ),
     ],
 )

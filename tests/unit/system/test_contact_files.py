@@ -244,7 +244,7 @@ CASES = {
         BALL,
         [("depth: 0.1 mm", "depth: 0.1 mm, damping: 1, restitution: 0.5")],
         "surface_contacts.c.law.damping",
-        "stands beside restitution",
+        "cannot be combined with restitution",
     ),
     "friction the wrong way round": (
         BALL,

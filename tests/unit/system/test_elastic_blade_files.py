@@ -122,5 +122,5 @@ def test_a_wrong_stiffness_by_spin_is_told(tmp_path):
     np.savez(tmp_path / "blade.npz", **{**data, "K_spin": np.eye(5)})
     with pytest.raises(ModelError, match="K has 102 displacements, K_spin has 5"):
         compile_model(blade_with(tmp_path, text))
-    with pytest.raises(ModelError, match=r"spin_stiffness_file \(line 10\): stands beside"):
+    with pytest.raises(ModelError, match=r"spin_stiffness_file \(line 10\): cannot be combined with"):
         blade_with(tmp_path, text.replace("modes: 12", "modes: 12\n    spin_stiffness_file: s.mtx"))

@@ -226,7 +226,7 @@ def test_a_turning_pair_runs_like_the_shafts(tmp_path):
     [
         ("rotor: true", "rotor: false", "are fixed to input, which counts no turns about their axis"),
         ("{body: journal_1, torque", "{body: input, torque", "names the elastic body input, which bends"),
-        ("modes: 12", "below: 1 kHz", "input.static_shapes: stands beside below"),
+        ("modes: 12", "below: 1 kHz", "input.static_shapes: cannot be combined with below"),
         ("rotor: true", "rotor: yes please", "input.rotor: "),
         ("speed: {input:", "speed: {journal_1:", "has no spin"),
     ],

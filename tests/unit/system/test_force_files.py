@@ -247,7 +247,7 @@ CASES = {
     "radial and x": (
         "bushings:\n  b: {ends: [arm, ground], stiffness: {radial: 1, x: 2}}",
         "bushings.b.stiffness.x",
-        "stands beside radial",
+        "cannot be combined with radial",
     ),
     "a spring on one body": (
         "springs:\n  s: {ends: [arm, arm.tip], stiffness: 1}",
@@ -288,7 +288,7 @@ CASES = {
     "marker and position": (
         "loads:\n  f: {body: arm, marker: tip, position: [0, 0, 1], force: [1, 0, 0]}",
         "loads.f.position",
-        "stands beside marker",
+        "cannot be combined with marker",
     ),
     "marker of a torque": (
         "loads:\n  f: {body: arm, marker: tip, torque: 1}",

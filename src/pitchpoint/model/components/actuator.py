@@ -18,7 +18,7 @@ class TorqueActuator:
     form: ClassVar[str] = "torque"
     signal: str = text(SIGNAL)
     bodies: tuple[str, ...] = ends(
-        "the driven body, and the one that takes the reaction (ground if left out); on a shaft BODY.MARKER "
+        "the driven body, and the one that takes the reaction (ground if omitted); on a shaft BODY.MARKER "
         "is the place, else its start",
         length=(1, 2),
     )

@@ -69,7 +69,7 @@ class Beam:
     )
     material: Material | str = key("material", "name in the library or its properties", "steel")
     pieces: int = integer(
-        "beams that it is reckoned as, one behind the other; bodies with six coordinates stand between them",
+        "number of beams in series that represent it; bodies with six coordinates lie between them",
         4,
         minimum=1,
         maximum=1000,

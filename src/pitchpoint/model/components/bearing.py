@@ -24,8 +24,8 @@ class Bearing:
     )
     stiffness: Stiffness6 = component(Stiffness6, "stiffness against displacement and tilt", Stiffness6())
     housing: str | None = end(
-        "what it sits in, in place of ground: BODY, or BODY.MARKER at the bearing, a node of an elastic body "
-        "say; it leaves the spin free",
+        "its housing, in place of ground: BODY, or BODY.MARKER at the bearing, such as a node of an elastic "
+        "body; it leaves the spin free",
         None,
     )
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")

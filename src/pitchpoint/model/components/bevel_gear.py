@@ -55,7 +55,7 @@ class BevelGear:
     )
     shaft_angle: float = quantity(
         "angle",
-        "shaft angle of the pair, beside mate_teeth",
+        "shaft angle of the pair, with mate_teeth",
         math.radians(90.0),
         minimum=math.radians(1.0),
         maximum=math.radians(179.0),

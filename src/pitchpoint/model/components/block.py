@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blocks: signals made of other signals.
 
-Values of signals and gains are numbers in SI units of both sides. Where one stands, a unit may be written
-(`1500 rpm`, `2 N m s`): it turns the number into SI and is not compared with anything.
+Values of signals and gains are numbers in SI units of both sides. They may have a unit
+(`1500 rpm`, `2 N m s`): it converts the number to SI and is not checked.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pitchpoint.model.keys import choice, key, positive, quantities, quantity, t
 
 INPUT = "name of the signal it is made of"
 UNIT = "unit that results give the signal"
-LEAST_AND_MOST = "least and greatest value"
+LEAST_AND_MOST = "minimum and maximum"
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -107,9 +107,9 @@ class Body:
     joint: str | None = derived()
     """Name of the joint that carries it, if one does."""
     shaft: Shaft | None = derived()
-    """The elastic shaft that it stands for, if it does: its origin is the start of the shaft."""
+    """The elastic shaft that it represents, if any: its origin is the start of the shaft."""
     elastic: ElasticBody | None = derived()
-    """The elastic body that it stands for, if it does: its markers are the nodes."""
+    """The elastic body that it represents, if any: its markers are the nodes."""
 
     @property
     def moves(self) -> str:
@@ -118,7 +118,7 @@ class Body:
 
     @property
     def stands_in(self) -> bool:
-        """Whether it stands for an elastic shaft or body, which a file describes elsewhere."""
+        """Whether it represents an elastic shaft or body, which a file describes elsewhere."""
         return self.shaft is not None or self.elastic is not None
 
     @property

@@ -147,15 +147,15 @@ class ContactSurface:
     tube: float | None = positive("length", "torus: radius of its tube", None)
     length: float | None = positive(
         "length",
-        "cylinder: its length between flat ends, its middle at the origin; without end beside a sphere or "
+        "cylinder: its length between flat ends, its middle at the origin; infinite against a sphere or "
         "triangles",
         None,
     )
     half_angle: float | None = positive("angle", "cone: angle between axis and surface", None)
-    hollow: bool = boolean("material outside; triangles are turned round", False)
+    hollow: bool = boolean("material outside; triangles are reversed", False)
     file: str | None = key("file", "triangles: their file, .stl or .npy", None)
     unit: float | None = positive(
-        "length", "triangles: length of one unit of the file; STL files do not tell theirs", None
+        "length", "triangles: length of one unit of the file; STL files do not contain theirs", None
     )
     open: bool = boolean("triangles: the surface may have borders, which nothing gets near to", False)
 
@@ -164,7 +164,7 @@ class ContactSurface:
 class SurfaceContact:
     """Surfaces of two bodies in space.
 
-    A sphere against anything, a cylinder or torus on a plane, cylinders crossed, beside each other or one in
+    A sphere against anything, a cylinder or torus on a plane, cylinders crossed, parallel or one in
     the bore of the other, triangles against anything. The law counts for the whole line of cylinders along
     their length, and of triangles against anything but a sphere for one square metre.
     """

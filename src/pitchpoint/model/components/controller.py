@@ -41,7 +41,7 @@ class SampledPid:
     integral: float = key("value", "gain of its integral", 0.0)
     derivative: float = key("value", "gain of its derivative", 0.0)
     limits: tuple[float, float] | None = key(
-        "values", "least and greatest output", None, length=(2, 2), display="none"
+        "values", "minimum and maximum output", None, length=(2, 2), display="none"
     )
     start: float = key("value", f"output {START}, and its integral at the first call", 0.0)
     period: float = positive("time", PERIOD)

@@ -78,7 +78,7 @@ class Joint:
     """A joint between two bodies: it moves the second against the first.
 
     Its displacements are x, y, z along its axes on the first body, then the turns alpha about x, beta about
-    the turned y, spin about the turned z. All are zero where the bodies stand as the file places them.
+    the turned y, spin about the turned z. All are zero where the file places the bodies.
     """
 
     type: str = choice(

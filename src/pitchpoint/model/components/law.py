@@ -22,7 +22,7 @@ class Constant:
     """The same value at all times."""
 
     value: float
-    """SI value in the dimension of the key it stands for."""
+    """SI value in the dimension of its key."""
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class PythonLaw:
     """SHA-256 of the file as it was when the law was named: a changed function is another model."""
 
     def __post_init__(self) -> None:
-        with suppress(OSError, ValueError):  # a file that is not there is told by the checks
+        with suppress(OSError, ValueError):  # a missing file is reported by the checks
             found = hashlib.sha256(Path(self.file).read_bytes()).hexdigest()
             object.__setattr__(self, "digest", found)
 

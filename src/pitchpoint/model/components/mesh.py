@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A pair of gears in mesh: where they stand, how much play they have, what their flanks do."""
+"""A pair of gears in mesh: places, backlash, and the laws of their flanks."""
 
 from __future__ import annotations
 
@@ -120,11 +120,11 @@ class TransmissionError:
 
 @dataclass(frozen=True, kw_only=True)
 class Misalignment:
-    """Axes that the housing holds askew: lean of axis 2 against axis 1, on its way up z."""
+    """Axes tilted by the housing: tilt of axis 2 against axis 1, on its way up z."""
 
     in_plane: float = quantity(
         "angle",
-        "lean in the plane of both axes, f_Sigma_delta over the span, positive along the line from gear 1 to "
+        "tilt in the plane of both axes, f_Sigma_delta over the span, positive along the line from gear 1 to "
         "the pitch point",
         0.0,
         minimum=-0.1,
@@ -132,7 +132,7 @@ class Misalignment:
     )
     out_of_plane: float = quantity(
         "angle",
-        "lean across that plane, f_Sigma_beta over the span, positive a quarter turn counter-clockwise of it",
+        "tilt across that plane, f_Sigma_beta over the span, positive a quarter turn counter-clockwise of it",
         0.0,
         minimum=-0.1,
         maximum=0.1,
@@ -143,7 +143,7 @@ class Misalignment:
 
     @property
     def skew(self) -> tuple[float, float]:
-        """Lean across the plane of the axes and in it [rad]."""
+        """Tilt across the plane of the axes and in it [rad]."""
         return self.severity * self.out_of_plane, self.severity * self.in_plane
 
 
@@ -185,7 +185,7 @@ class Mesh:
     damper: Damper | None = component(Damper, "damper that also acts inside the gap")
     friction: Friction | None = component(Friction, "sliding friction of the flanks")
     transmission_error: TransmissionError | None = component(TransmissionError, "static transmission error")
-    misalignment: Misalignment | None = component(Misalignment, "axes held askew by the housing")
+    misalignment: Misalignment | None = component(Misalignment, "axes tilted by the housing")
     a_w: float | None = derived()
     """Centre distance in force [m], signed as in ISO 21771 (negative for internal pairs)."""
     offset1: float = derived(0.0)

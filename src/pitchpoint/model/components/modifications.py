@@ -68,7 +68,7 @@ class Modifications:
     """Flank modifications by side, seen from the positive axis with the tooth pointing up, for stiffness laws
     of single tooth pairs (din3990, energy, pair_table).
 
-    A side that is left out takes `both`; nothing is added up.
+    A side that is omitted takes `both`; nothing is added up.
     """
 
     left: FlankModifications | None = component(FlankModifications, "left flanks")
@@ -107,7 +107,7 @@ class FlankMap:
 
 @dataclass(frozen=True, kw_only=True)
 class FlankPitch:
-    """Single pitch deviations that differ between left and right flanks; a side left out has none."""
+    """Single pitch deviations that differ between left and right flanks; an omitted side has none."""
 
     left: tuple[float, ...] = quantities(
         "length", "left flanks: single pitch deviations, one per tooth, or the name of a text file", ()

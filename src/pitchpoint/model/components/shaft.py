@@ -43,7 +43,7 @@ class Shaft:
     material: Material | str = key("material", "name in the library or its properties", "steel")
     solid: SolidReference | None = component(
         SolidReference,
-        "solid whose mass is spread over the sections as theirs is; gears are no part of it",
+        "solid whose mass is spread over the sections as theirs is; gears are not part of it",
     )
     gears: dict[str, float] = key(
         "gears", "names of the gears, with the places of their mid-faces from the start of the shaft [m]", {}

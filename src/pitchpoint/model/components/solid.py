@@ -20,7 +20,7 @@ class SolidReference:
 
     file: str = key("file", "the file, .step, .stp, .stl or .npy", sample="gear.step")
     unit: float | None = positive(
-        "length", "STL: length of one unit of the file; STEP files tell theirs", None, sample="1 mm"
+        "length", "STL: length of one unit of the file; STEP files contain theirs", None, sample="1 mm"
     )
     part: str | None = text("STEP: name of the solid in a file with several", None)
     material: Material | str | None = key(
@@ -33,7 +33,7 @@ class SolidReference:
     axes: Axes | None = component(
         Axes,
         "directions in the file of the axes of the body; of gears and shafts z is the axis, which is found "
-        "where it is left out",
+        "if omitted",
     )
     origin: Triple | None = quantities(
         "length", "bodies: place in the file of the origin of the body", None, length=(3, 3)

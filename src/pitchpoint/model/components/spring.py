@@ -34,7 +34,7 @@ class Spring:
 
 @dataclass(frozen=True, kw_only=True)
 class Maxwell:
-    """Spring and damper one behind the other along the line between two points; no force at the start."""
+    """Spring and damper in series along the line between two points; no force at the start."""
 
     ends: tuple[str, str] = key("ends", POINTS, length=(2, 2))
     stiffness: float = positive("stiffness", "of the spring")

@@ -34,7 +34,7 @@ class BrokenTooth:
     """A tooth of which a part is missing, on both flanks: a corner, a piece of one end, a band along the tip,
     or all of it.
 
-    A size that is left out is the whole of the tooth.
+    A size that is omitted is the whole of the tooth.
     """
 
     form: ClassVar[str] = "broken_tooth"
@@ -59,7 +59,7 @@ class BrokenTooth:
     severity: float = _severity("scales the given sizes; without any of them, the height")
 
     def sizes(self, face_width: float, tooth_height: float) -> tuple[float, float]:
-        """Width and height that are missing [m]; sizes of the whole tooth stand in for those left out."""
+        """Width and height that are missing [m]; omitted sizes are those of the whole tooth."""
         width, height = self.width or face_width, self.height or tooth_height
         scaled = self.shape == "corner"
         if scaled or self.width is not None:
@@ -94,7 +94,7 @@ class BrokenBevelTooth:
     severity: float = _severity("scales the width")
 
     def left(self, R_i: float, R_e: float) -> tuple[float, float]:
-        """Cone distances between which the tooth stands [m], from those of the face; none if they cross."""
+        """Cone distances between which the tooth is left [m], from those of the face; none if they cross."""
         missing = self.severity * (R_e - R_i if self.width is None else self.width)
         return (R_i, R_e - missing) if self.at == "outer" else (R_i + missing, R_e)
 

@@ -26,7 +26,7 @@ class Points:
     file: str = field(default="", compare=False)
     lines: tuple[int, ...] = field(default=(), compare=False)
     teeth: tuple[int, ...] = field(default=(), compare=False)
-    """Number of the tooth of each point, where the file says it."""
+    """Number of the tooth of each point, where the file gives it."""
 
     def of_tooth(self, number: int) -> Points:
         """Only the points of one tooth; all of them where no tooth is named."""
@@ -54,8 +54,8 @@ class ToothProfile:
 
     tooth: Points | None = _points("one tooth, root to root: CSV file, or list of [x, y]")
     both: Points | None = _points("one flank, root to tip or back; the other flank is its mirror image")
-    left: Points | None = _points("the left flank, root to tip or back; one left out stays nominal")
-    right: Points | None = _points("the right flank, root to tip or back; one left out stays nominal")
+    left: Points | None = _points("the left flank, root to tip or back; nominal if omitted")
+    right: Points | None = _points("the right flank, root to tip or back; nominal if omitted")
     number: int = integer(
         "number of the tooth that the points are of; turns them back by as many pitches", 0, minimum=0
     )
@@ -88,13 +88,13 @@ class ToothProfile:
             return outline_from_flanks(gear, **parts)
         except OutlineError as error:
             name = error.part if error.part in self.given else "both"
-            said = error.problem
+            problem = error.problem
             raise GeometryError(
-                f"{said.text}{self._source(name, error.point)}",
+                f"{problem.text}{self._source(name, error.point)}",
                 where=f"tooth_profile.{name}",
-                value=said.value,
-                limit=said.limit,
-                remedy=said.remedy,
+                value=problem.value,
+                limit=problem.limit,
+                remedy=problem.remedy,
             ) from None
 
     def _turned(self, name: str, angle: float) -> NDArray[np.float64]:
@@ -105,7 +105,7 @@ class ToothProfile:
         return xy @ np.array([[cos, sin], [-sin, cos]])
 
     def _source(self, name: str, point: int | None) -> str:
-        """Where a point stands, for messages."""
+        """Where a point comes from, for messages."""
         points: Points = getattr(self, name)
         if points.file and point is not None:
             return f" (file '{points.file}', line {points.lines[point]})"

@@ -33,7 +33,7 @@ class TorsionSpring:
 
 @dataclass(frozen=True, kw_only=True)
 class TorsionMaxwell:
-    """Torsion spring and damper one behind the other between two bodies; without torque at the start."""
+    """Torsion spring and damper in series between two bodies; without torque at the start."""
 
     bodies: tuple[str, ...] = key("names", TURNING, length=(1, 2))
     stiffness: float = positive("torsional_stiffness", "of the spring")
