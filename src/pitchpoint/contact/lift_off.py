@@ -15,7 +15,13 @@ MOST_STEPS = 60
 
 @kernel
 def secant(bracket):
-    """Zero of the straight line through both ends of a bracket (a, c, f_a, f_c, side)."""
+    """Zero of the straight line through both ends of a bracket (a, c, f_a, f_c, side).
+
+    Examples
+    --------
+    >>> secant((0.0, 3.0, -1.0, 2.0, 0))
+    1.0
+    """
     a, c, f_a, f_c, _ = bracket
     return (a * f_c - c * f_a) / (f_c - f_a)
 
@@ -26,6 +32,15 @@ def narrowed(bracket, z, f):
 
     `side` is the end replaced last, 1 for c and -1 for a. Where the same end is replaced twice, the value of
     the other one is halved, so that both ends converge.
+
+    Examples
+    --------
+    >>> bracket = (0.0, 2.0, -2.0, 2.0, 0)  # f = z^2 - 2
+    >>> for _ in range(9):
+    ...     z = secant(bracket)
+    ...     bracket = narrowed(bracket, z, z * z - 2.0)
+    >>> round(z, 12)
+    1.414213562373
     """
     a, c, f_a, f_c, side = bracket
     if (f > 0.0) == (f_c > 0.0):

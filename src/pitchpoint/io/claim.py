@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Who writes a result file: its writer keeps it from being replaced, and nothing that is in use is emptied.
 
-HDF5 locks a file while it is open, exclusively to write and shared to read, but a writer lets go of the lock
-where SWMR begins. From then on it keeps a shared lock of its own: readers are let in, and who wants to
-replace the file asks for an exclusive one first. The system drops a lock with its process, however that ends.
+HDF5 locks a file while it is open, exclusively to write and shared to read, but a writer releases the lock
+where SWMR begins. From then on it keeps a shared lock of its own: readers are admitted, and a process that
+replaces the file requests an exclusive one first. The system drops a lock when its process ends.
 
-An older file is not emptied but taken out of its folder, and the new one is made where no file is: who reads
-the old one without a lock reads it to its end. Of several writers that begin at once one goes on; the others
-find the name taken, or another file under it.
+An older file is not emptied but taken out of its folder, and the new one is made where no file is: a reader
+of the old one without a lock reads it to its end. Of several writers that begin at once one continues; the
+others find the name taken, or another file under it.
 
 Windows has no such locks; there an open file cannot be taken away. On a file system without locks the last
-writer wins, and the one whose file is gone says so as it ends.
+writer wins, and the one whose file is gone reports it at its end.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ def is_at(descriptor: int, path: Path) -> bool:
 
 
 def _locked(descriptor: int, *, exclusive: bool) -> bool:
-    """Ask for a lock; False if another process holds one against it, True also where there are no locks."""
+    """Request a lock; False if another process holds one against it, True also where there are no locks."""
     if fcntl is None:
         return True
     try:

@@ -5,8 +5,8 @@ Dimension scales, one variable per quantity and text attributes make the file ne
 multiple-reader mode (SWMR) orders what reaches the disk, so that another process may read while it grows and
 a killed process leaves everything that was flushed. In that mode no object and no attribute may be added,
 therefore all of them are made first and `begin` freezes the structure; `status`, `sentence` and `notes` are
-text attributes of fixed length and may still change. `status` says `running` from the start: a file that
-still says so, with no process behind it, was cut off.
+text attributes of fixed length and may still change. `status` is `running` from the start: a file in which
+it still is, without a process that writes, was cut off.
 """
 
 from __future__ import annotations
@@ -48,10 +48,10 @@ class ResultError(PitchpointError, OSError):
 
 @dataclass(frozen=True)
 class Header:
-    """What a result file says about itself, so that it can be traced years later.
+    """Provenance of a result file, so that it can be traced years later.
 
     `options` holds the solver's options as plain numbers and texts; `model_text` the model file as read.
-    Without `stamped` the time of making is left out, so that equal results are equal files.
+    Without `stamped` the time of making is omitted, so that equal results are equal files.
     """
 
     kind: str
@@ -107,7 +107,7 @@ class Container:
             os.ftruncate(descriptor, end)
 
     def _describe_file(self, header: Header) -> None:
-        """Write provenance and status, so that a file that is cut off from here on says whose it is."""
+        """Write provenance and status, so that a file that is cut off from here on identifies its source."""
         import h5py
 
         from pitchpoint.core.provenance import package_version
@@ -143,7 +143,7 @@ class Container:
         Raises
         ------
         WriteError
-            With the reason; the file is closed, keeps what was flushed, and says that the computation failed.
+            With the reason; the file is closed, keeps what was flushed, and has the status of a failed run.
         """
         try:
             yield
@@ -153,7 +153,7 @@ class Container:
             raise self._give_up(error) from error
 
     def _give_up(self, error: OSError | RuntimeError) -> PitchpointError:
-        """Cut the file off from the disk and let it say why; gives the error to raise."""
+        """Cut the file off from the disk with the reason in it; gives the error to raise."""
         there = False  # another writer's file of this name is left alone
         with contextlib.suppress(OSError, RuntimeError):
             there = is_at(self.file.id.get_vfd_handle(), self._place)
@@ -173,7 +173,7 @@ class Container:
         return fault
 
     def _make_file(self) -> h5py.File:
-        """Replace what stands there by a new file; a link goes on pointing to it."""
+        """Replace what is there by a new file; a link still points to it."""
         import h5py
 
         self._place = place = self.path.resolve()
@@ -261,7 +261,7 @@ class Container:
         )
         if not growing:
             # Space is given before others may read: a table that grows the file later would lie beyond the
-            # end that a reader has just been told.
+            # end that a reader has just read.
             made[...] = np.full(shape, made.fillvalue, made.dtype)  # a bare number is written row by row
         return self._attach(made, scales, attributes)
 
@@ -330,7 +330,7 @@ class Container:
             self._close()
 
     def _close(self) -> None:
-        """Close the file and say whether it is still where it was made."""
+        """Close the file and report whether it is still where it was made."""
         there = is_at(self.file.id.get_vfd_handle(), self._place)
         self.file.close()
         if not there:

@@ -13,7 +13,7 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n")
 
 
 def plain_cell(value: object) -> object:
-    """Give a value as it may stand in a table: numbers as they are, texts never as formulas.
+    """Give a value in the form of a table: numbers as they are, texts never as formulas.
 
     Examples
     --------

@@ -72,7 +72,7 @@ class DatasetFolder:
             )
 
     def begin(self, plan: str, model: str) -> None:
-        """Make the folder, keep the texts of plan and model, take away drafts that nobody writes any more."""
+        """Make the folder, keep the texts of plan and model, take away abandoned drafts."""
         try:
             self.cases.mkdir(parents=True, exist_ok=True)
             for name, text in (("plan.yaml", plan), ("model.yaml", model)):
@@ -89,7 +89,7 @@ class DatasetFolder:
         return self.cases / f"{key}.h5"
 
     def known(self, keys: Iterable[str]) -> dict[str, dict[str, Any]]:
-        """What the files of some cases say of themselves: status, sentence, options; only of whole files."""
+        """Metadata of the files of some cases: status, sentence, options; only of whole files."""
         import h5py
 
         there = {p.stem for p in self.cases.glob("*.h5")} if self.cases.is_dir() else set()
@@ -173,6 +173,6 @@ def _put(target: Path, data: bytes) -> None:
             with replacing(target, draft):
                 write_draft(draft, data)
             return
-        except FileNotFoundError:  # another run that begins took the draft for one that nobody writes
+        except FileNotFoundError:  # another run that begins took the draft for an abandoned one
             if attempt + 1 == ATTEMPTS:
                 raise

@@ -237,7 +237,7 @@ def export_gear(
     MissingDependencyError
         For STEP, if OCC is not installed.
     OutputError
-        If the file cannot be written, or another kind of file or one of another program stands there.
+        If the file cannot be written, or an existing file is of another kind or program.
     """
     path = Path(path)
     kind = _kind(path, format, FORMATS)
@@ -275,11 +275,11 @@ def export_shaft(
     Raises
     ------
     GeometryError
-        If the format is unknown or the sections are no shaft.
+        If the format is unknown or the sections do not form a shaft.
     MissingDependencyError
         For STEP, if OCC is not installed.
     OutputError
-        If the file cannot be written, or another kind of file or one of another program stands there.
+        If the file cannot be written, or an existing file is of another kind or program.
     """
     path = Path(path)
     kind = _kind(path, format, SHAFT_FORMATS)
@@ -320,7 +320,7 @@ def export_bevel_gear(
     GeometryError
         If the format is unknown or there is no such tooth or body.
     OutputError
-        If the file cannot be written, or another kind of file or one of another program stands there.
+        If the file cannot be written, or an existing file is of another kind or program.
     """
     path = Path(path)
     check_target(path, _kind(path, format, BEVEL_FORMATS))
@@ -334,7 +334,7 @@ def _kind(path: Path, format: str | None, known: Sequence[str]) -> str:
     kind = _OTHER_ENDINGS.get(kind, kind)
     if kind not in known:
         raise GeometryError(
-            "is no format of such a file",
+            "is not a format of such a file",
             where="format",
             value=f"{kind!r}",
             limit=", ".join(known),

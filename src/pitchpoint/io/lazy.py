@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file as a lazy `xarray.Dataset`: structure now, samples when somebody asks for them.
+"""A result file as a lazy `xarray.Dataset`: structure now, samples when they are used.
 
 The general readers of netCDF ask every variable of a growing dimension for its length, for each variable
 anew: a minute for 168 channels. Here one table of lengths serves all.

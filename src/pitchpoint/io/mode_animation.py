@@ -22,7 +22,7 @@ from pitchpoint.io.target import write_file
 RADIUS = 0.1
 """Where a turn counts as a displacement [m]."""
 MOST_NUMBERS = 6_000_000
-"""Numbers that the motion of the nodes of one body may take in a file; of more, every second is kept, say."""
+"""Numbers that the motion of the nodes of one body may take in a file; larger ones are decimated."""
 Array = NDArray[np.float64]
 FORMATS = (".json", ".npz")
 

@@ -3,7 +3,7 @@
 
 In the mode for files that grow (SWMR) HDF5 reads a block whose check sum is wrong again and again, with
 pauses that double each time: of a damaged file it does not let go within a lifetime. Every file is therefore
-opened without that mode first, in which HDF5 says at once what is wrong. Only one that says that it is
+opened without that mode first, in which HDF5 reports at once what is wrong. Only one whose status is
 running is opened again with SWMR, after all its names, shapes, attributes and places of blocks have been
 looked through.
 """
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     import h5py
 
 PATIENCE = 5.0
-"""How long to wait for a writer that is just making its file, or in the midst of a block [s]."""
+"""How long to wait for a writer that is just making its file, or within a block [s]."""
 _PAUSE = 0.02
 _LOOKS = 3
 """A file that cannot be read and has not changed for so many looks is damaged, and not being written."""
@@ -50,12 +50,12 @@ DAMAGE = (
 
 _HEAP = b"GCOL\1\0\0\0"
 _TEXTS_END = 1 << 24
-"""Texts are made before the first sample is written; behind these bytes stand samples."""
+"""Texts are made before the first sample is written; samples follow behind these bytes."""
 
 
 @contextlib.contextmanager
 def opened(path: str | os.PathLike[str]) -> Iterator[h5py.File]:
-    """Open a result file for a `with` block; what is found damaged in the block is said in a sentence."""
+    """Open a result file for a `with` block; damage found in the block is reported in a sentence."""
     file = open_file(path)
     try:
         with understood(path):
@@ -66,7 +66,7 @@ def opened(path: str | os.PathLike[str]) -> Iterator[h5py.File]:
 
 @contextlib.contextmanager
 def understood(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Say in a sentence that a file does not hold what the block expects of it: variables, dimensions, types.
+    """Report in a sentence that a file does not hold what the block expects: variables, dimensions, types.
 
     Raises
     ------
@@ -115,7 +115,7 @@ def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
     Raises
     ------
     ValueError
-        If there is none for an axis, or it is no scale.
+        If there is none for an axis, or it is not a scale.
     """
     import h5py
 
@@ -130,7 +130,7 @@ def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
 
 
 def open_file(path: str | os.PathLike[str]) -> h5py.File:
-    """Open a result file for reading, beside its writer if need be, or say what is wrong with it.
+    """Open a result file for reading, also while it is written, or report what is wrong with it.
 
     Raises
     ------
@@ -161,15 +161,16 @@ def open_file(path: str | os.PathLike[str]) -> h5py.File:
 
 
 def damaged(path: str | os.PathLike[str], error: Exception) -> ResultError:
-    """Make the error of a file that contradicts itself; what the library says of it is repeated."""
+    """Make the error of a file that contradicts itself; the message of the library is repeated."""
     if isinstance(error, PermissionError):
         return ResultError(f"{os.fspath(path)}: may not be read by this user")
-    said = " ".join(str(error).split())[:200] or type(error).__name__
-    return ResultError(f"{os.fspath(path)}: is no readable HDF5 file, damaged or cut off ({said}); run again")
+    reason = " ".join(str(error).split())[:200] or type(error).__name__
+    name = os.fspath(path)
+    return ResultError(f"{name}: is not a readable HDF5 file, damaged or cut off ({reason}); run again")
 
 
 def heaps_end(data: Any, until: int | None = None) -> bool:
-    """Whether the texts of a file lie one behind the other up to the end of their heaps.
+    """Whether the texts of a file lie in sequence up to the end of their heaps.
 
     A heap is a chain of (index, length); HDF5 follows it without looking whether it leads on (HDF5 File
     Format Specification 3.0, III.E). `data` are bytes, or a file mapped to memory; heaps are looked for up to
@@ -193,10 +194,10 @@ def heaps_end(data: Any, until: int | None = None) -> bool:
 
 
 class Still(io.RawIOBase):
-    """A file as it stands, without the mark of a writer, with which HDF5 refuses it.
+    """A file as it is, without the mark of a writer, with which HDF5 refuses it.
 
-    The library shares what two readers of one process open by name, and wants the same options of both; what
-    comes through here is nobody else's.
+    The library shares what two readers of one process open by name, and requires the same options of both;
+    files opened here are not shared.
     """
 
     def __init__(self, name: str) -> None:
@@ -245,7 +246,7 @@ class Still(io.RawIOBase):
 
 
 def _open_still(name: str) -> h5py.File:
-    """Open without SWMR and look through what stands there now."""
+    """Open without SWMR and check the present contents."""
     import h5py
 
     still = Still(name)
@@ -302,7 +303,7 @@ def _look_through(file: h5py.File) -> None:
 
 
 def _look_at(item: h5py.Dataset, size: int) -> None:
-    """Whether an array can be what it says, in a file of this size."""
+    """Whether an array of its declared size fits in a file of this size."""
     if item.id.get_storage_size() > size:
         raise ValueError(f"{item.name} is larger than its file")
     if item.chunks:

@@ -114,7 +114,7 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
     xarray.Dataset
         One variable per channel over `time`, or the tables of a sweep or of modes over their own dimensions.
         A run that watched events has `event_time` [s], `event_name` and `event_direction` over `event`.
-        `attrs["status"]` says finished, failed, interrupted or running, `attrs["notes"]` what is to be known.
+        `attrs["status"]` is finished, failed, interrupted or running; `attrs["notes"]` are its notes.
         Close it, or use it in a `with` block.
     """
     file = open_file(path)
@@ -146,7 +146,7 @@ def _events(file: h5py.File) -> dict[str, Any]:
 
 
 def _channels(file: h5py.File) -> list[str]:
-    """Variables that are no dimensions."""
+    """Variables that are not dimensions."""
     return [name for name, item in members(file).items() if hasattr(item, "shape") and not item.is_scale]
 
 

@@ -88,7 +88,7 @@ def shaft_step(sections: Sequence[Section], name: str = "shaft") -> str:
     Raises
     ------
     GeometryError
-        If the sections are no shaft.
+        If the sections do not form a shaft.
     MissingDependencyError
         If OCC is not installed.
     """

@@ -47,7 +47,7 @@ def shorten(path: str | os.PathLike[str]) -> None:
 def unmarked(block: bytes) -> bytes:
     """Superblock of an HDF5 file (48 bytes) without the mark 'open for writing'.
 
-    Given back as it is where there is no such mark, or where the checksum says that it is damaged.
+    Given back as it is where there is no such mark, or where the checksum shows that it is damaged.
     """
     if not _is_sound(block) or block[11] == 0:
         return block

@@ -109,7 +109,7 @@ class SweepWriter(FilledTable):
 def read_sweep(path: str | os.PathLike[str]) -> dict[str, Any]:
     """Read the swept mesh as plain data: `mesh`, `points` in the order run, `jumps`.
 
-    Points that were not computed are left out; `open_result` has all channels.
+    Points that were not computed are omitted; `open_result` has all channels.
     """
     with open_table(path, "sweep") as file:
         return _plain(file)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Before a file is written: only what pitchpoint wrote of the same kind may be replaced, and never an input.
 
-Kind and writer are read from the contents, not from the ending. Nothing is asked of what is no ordinary file
-(a pipe, a terminal).
+Kind and writer are read from the contents, not from the ending. Files that are not ordinary (a pipe, a
+terminal) are not checked.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class OutputError(PitchpointError, OSError):
 def _is_result(path: Path, head: bytes) -> bool:
     """Recognise a result by its attribute `format`, which is on the disk before any other contents.
 
-    What cannot be opened may be somebody's damaged file: it is no result.
+    What cannot be opened may be a damaged file of another program: it does not count as a result.
     """
     if not head.startswith(HDF5):
         return False
@@ -77,7 +77,7 @@ SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
 STEP_MARK = "pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
-"""How pages, drawings and tables say who wrote them; in DXF the group 999 is a comment."""
+"""Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
 
 
 INDEX_HEAD = "case,file,status,status_code,sentence"
@@ -146,7 +146,7 @@ def check_target(
 
 
 def check_place(path: str | os.PathLike[str]) -> None:
-    """Say before a long computation that its file has no place; folders that are missing are made later.
+    """Report before a long computation that its file has no place; folders that are missing are made later.
 
     Raises
     ------
@@ -193,7 +193,7 @@ def replacing(target: Path, draft: Path | None = None) -> Iterator[Path]:
     target
         The file; links are followed, and an older file passes on its permissions.
     draft
-        The side file; one in the same folder with the ending of the target if left out.
+        The side file; one in the same folder with the ending of the target if omitted.
     """
     place = target.resolve()
     if draft is None:
@@ -210,7 +210,7 @@ def replacing(target: Path, draft: Path | None = None) -> Iterator[Path]:
 
 
 def write_draft(draft: Path, data: bytes) -> None:
-    """Write a side file to the disk: a disk that is full says so here, not after the older file is gone."""
+    """Write a side file to the disk: a full disk is reported here, not after the older file is gone."""
     with draft.open("wb") as file:
         file.write(data)
         file.flush()
@@ -218,7 +218,7 @@ def write_draft(draft: Path, data: bytes) -> None:
 
 
 def _write_stream(target: Path, data: bytes) -> None:
-    """Write to a pipe or device; opening a pipe that nobody reads would wait for ever."""
+    """Write to a pipe or device; opening a pipe without a reader would wait for ever."""
     descriptor = os.open(target, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
     os.set_blocking(descriptor, True)
     with open(descriptor, "wb") as file:
@@ -237,7 +237,7 @@ def make_folder(target: Path) -> None:
 
 
 def cannot_be_written(target: Path, error: OSError | ValueError) -> str:
-    """Say that a file cannot be written and why, and what to do if another process is at it."""
+    """Message on a file that cannot be written: the reason, and the remedy if another process uses it."""
     remedy = ""
     if isinstance(error, BlockingIOError | FileExistsError):
         remedy = "; wait until it is closed, or name another file"
@@ -247,7 +247,7 @@ def cannot_be_written(target: Path, error: OSError | ValueError) -> str:
 
 
 def reason_of(error: OSError | ValueError) -> str:
-    """Say in a few words what the system, or HDF5, did not like about a file."""
+    """The reason in a few words why the system, or HDF5, refused a file."""
     if isinstance(error, BlockingIOError | FileExistsError):
         return "another process holds it"
     number = disk_errno(error)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Time series on their way to disk: blocks of samples, decimated, with statistics of every sample.
 
-A solver hands over chunks of any size. The writer keeps at most one block in memory, writes it as one chunk
+A solver passes chunks of any size. The writer keeps at most one block in memory, writes it as one chunk
 per channel, flushes, and forgets it: the memory of a run does not grow with its length. Samples that
 decimation drops are not lost without trace: minimum, maximum, mean and rms of every block are kept at full
 rate in the group `blocks`, and `RunningStatistics` sums up the run.
@@ -43,7 +43,7 @@ class Channel:
     """One recorded quantity: `name` as in `mesh_force[stage]`, SI unit, words and symbol for axes.
 
     Without a symbol of its own it takes that of the nomenclature.
-    Channels are stored as 32-bit floats (7 digits) unless `dtype` says otherwise; angles of a shaft grow
+    Channels are stored as 32-bit floats (7 digits) unless `dtype` is given; angles of a shaft grow
     without limit, so they get 64 bits.
     """
 
@@ -55,7 +55,7 @@ class Channel:
 
     @property
     def stored_as(self) -> str:
-        """Storage type: the one asked for, else float64 for angles and float32 for the rest."""
+        """Storage type: the requested one, else float64 for angles and float32 for the rest."""
         return self.dtype or ("f8" if self.name.startswith("angle[") else "f4")
 
     @property
@@ -76,7 +76,7 @@ class RunningStatistics:
     n_channels
         Number of channels.
     since
-        Samples before this time are left out [s].
+        Samples before this time are omitted [s].
 
     References
     ----------

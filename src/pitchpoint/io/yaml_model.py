@@ -26,7 +26,7 @@ def load_model(path: str | Path, allow_code: bool = False, progress: Progress = 
     allow_code
         Accept entries that name Python functions. They are not run here, but by what computes with the model.
     progress
-        Told how many characters of the file are read; only megabytes take seconds.
+        Called with the number of characters read; only megabytes take seconds.
 
     Returns
     -------
@@ -43,7 +43,7 @@ def load_model(path: str | Path, allow_code: bool = False, progress: Progress = 
 
 
 def text_of(path: str | Path) -> str:
-    """Text of a YAML file; a `ModelError` says why it cannot be read."""
+    """Text of a YAML file; a `ModelError` gives the reason why it cannot be read."""
     file = Path(path)
     try:
         data = file.read_bytes()
@@ -57,7 +57,7 @@ def text_of(path: str | Path) -> str:
         remedy = "save the file as UTF-8"
         if b"\0" in data[:1024]:
             line, remedy = None, "name the model file; this one holds no text at all"
-        problem = Message("YAML syntax", "is no UTF-8 text", remedy=remedy, line=line)
+        problem = Message("YAML syntax", "is not UTF-8 text", remedy=remedy, line=line)
         raise ModelError([problem], str(path)) from None
     return text
 

@@ -14,7 +14,7 @@ from pitchpoint.model.read_plan import read_plan
 
 
 def load_plan(path: str | Path, allow_code: bool = False) -> DatasetPlan:
-    """Read a plan; what it says of its model is checked by `model.read_plan.check_plan`.
+    """Read a plan; `model.read_plan.check_plan` checks it against its model.
 
     Parameters
     ----------

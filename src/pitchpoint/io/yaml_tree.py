@@ -25,7 +25,7 @@ _EVERY = 5000
 
 
 class TreeError(Exception):
-    """The text is no usable YAML; holds the problem."""
+    """The text is not usable YAML; holds the problem."""
 
     def __init__(self, problem: Message) -> None:
         self.problem = problem
@@ -40,7 +40,7 @@ class Tree:
     text
         The text.
     progress
-        Told how many of the characters are read; a megabyte takes a few seconds.
+        Called with the number of characters read; a megabyte takes a few seconds.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Tree:
     lines
         Line of every key and list entry by its path, from 1.
     problems
-        Keys that stand twice, tags, and the like.
+        Duplicate keys, tags, and the like.
     """
 
     def __init__(self, text: str, progress: Progress = silent) -> None:
@@ -114,7 +114,7 @@ class Tree:
         for value_node, key_node, whole in _rejoined(node, [(value, key) for key, value in node.value]):
             line = key_node.start_mark.line + 1
             if not isinstance(key_node, ScalarNode):
-                self._problem(place, "has a key that is no word", line, "write the key as one word")
+                self._problem(place, "has a key that is not a word", line, "write the key as one word")
                 continue
             key = str(key_node.value)
             if key == "<<":
@@ -127,7 +127,7 @@ class Tree:
                 first = self.lines[here]
                 self._problem(
                     here,
-                    f"stands twice, in line {first} and line {line}",
+                    f"is given twice, in line {first} and line {line}",
                     line,
                     "rename or remove one of them",
                 )
@@ -190,7 +190,7 @@ def _plain_text(node: Any) -> str | None:
 
 
 def value_of(text: str) -> Any:
-    """Read one value written as it could stand behind a key.
+    """Read one value, written as after a key.
 
     Examples
     --------
@@ -202,7 +202,7 @@ def value_of(text: str) -> Any:
     except TreeError as error:
         raise ModelError([error.problem]) from None
     if tree.problems or not isinstance(tree.data, dict) or list(tree.data) != ["value"]:
-        problems = tree.problems or [Message("value", "is no single value", value=text)]
+        problems = tree.problems or [Message("value", "is not a single value", value=text)]
         raise ModelError(problems)
     return tree.data["value"]
 
@@ -227,13 +227,13 @@ def _number(text: str) -> int | float | None:
 
 
 class _Watched:
-    """A text as a stream that tells how much of it was taken."""
+    """A text as a stream that reports how much of it was read."""
 
     def __init__(self, text: str, progress: Progress) -> None:
         self._stream, self._size, self._progress = StringIO(text), len(text), progress
 
     def read(self, size: int) -> str:
-        """Hand the parser its next characters, and say how far the file is read."""
+        """Pass the parser its next characters, and report how far the file is read."""
         self._progress(_COMPOSED * self._stream.tell(), self._size)
         return self._stream.read(size)
 

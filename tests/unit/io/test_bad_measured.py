@@ -26,12 +26,12 @@ TEXTS = {
         "x,y\n1,2\n3,4\n",
         "neither a time axis nor a sample rate (limit one of them); give sample_rate=",
     ),
-    "text in numbers": ("time,x\n0,1\n1,oops\n2,3\n", "x (line 3): 'oops' is no number"),
+    "text in numbers": ("time,x\n0,1\n1,oops\n2,3\n", "x (line 3): 'oops' is not a number"),
     "text far below": (
         "time,x\n" + "".join(f"{k},1\n" for k in range(90)) + "90,?\n91,2\n",
         "x (line 92): '?' is no",
     ),
-    "short line": ("time,x\n0,1\n1\n2,3\n", "(line 3): 1 cells stand in this line (limit 2)"),
+    "short line": ("time,x\n0,1\n1\n2,3\n", "(line 3): 1 cells are in this line (limit 2)"),
     "header of other width": ("time,x,y\n0,1\n1,2\n", "(line 2): 2 cells stand under a header"),
     "nan and inf": (
         "time,x,y\n0,1,1\n1,nan,2\n2,nan,inf\n",
@@ -43,9 +43,9 @@ TEXTS = {
         "time,x\n0,1\n1,2\n2,3\n9,4\n10,5\n",
         "step 7 s after sample 2 differs from the usual 1 s",
     ),
-    "same name": ("time,x,x [N]\n0,1,2\n1,3,4\n", "'x' 2 times stand in the file (limit each name once)"),
-    "unit of time": ("time [m],x\n0,1\n1,2\n", "time: 'm' is no unit of time"),
-    "thousands": ("time;x\n0;1,5\n1;1.234,5\n", "x (line 3): '1.234,5' is no number"),
+    "same name": ("time,x,x [N]\n0,1,2\n1,3,4\n", "'x' 2 times are in the file (limit each name once)"),
+    "unit of time": ("time [m],x\n0,1\n1,2\n", "time: 'm' is not a unit of time"),
+    "thousands": ("time;x\n0;1,5\n1;1.234,5\n", "x (line 3): '1.234,5' is not a number"),
     "comma or column": (
         "1,2\n3,4\n",
         "(line 1): '1,2' may be two columns or one number with a decimal comma",
@@ -77,7 +77,7 @@ def test_bad_questions(tmp_path):
     assert "there are force, speed" in refusal(path, channels="zzz")
     assert "'xyz' is not a channel of the file" in refusal(path, units={"xyz": "N"})
     assert "asked for more than once" in refusal(path, channels=["speed", "speed"])
-    assert "none is asked for" in refusal(path, channels=[])
+    assert "none is requested" in refusal(path, channels=[])
     assert "2000 Hz contradicts the file (limit 1000 Hz)" in refusal(path, sample_rate=2000.0)
     assert "expected a frequency" in refusal(path, sample_rate="5 m")
     for rate in (0.0, -1.0, float("nan"), float("inf")):
@@ -86,10 +86,10 @@ def test_bad_questions(tmp_path):
 
 def test_what_is_no_file(tmp_path):
     assert "there is no such file" in refusal(tmp_path / "nothing.wav")
-    assert "is no ordinary file" in refusal(tmp_path)
+    assert "is not an ordinary file" in refusal(tmp_path)
     pipe = tmp_path / "pipe.csv"
     os.mkfifo(pipe)
-    assert "is no ordinary file" in refusal(pipe)  # and does not wait for a writer
+    assert "is not an ordinary file" in refusal(pipe)  # and does not wait for a writer
 
 
 @pytest.mark.parametrize("ending", ["wav", "mat", "h5", "uff"])
@@ -115,7 +115,7 @@ def test_channels_of_different_length(tmp_path):
 def test_matrices_that_do_not_say_which_way(tmp_path):
     path = tmp_path / "a.mat"
     savemat(path, {"m": np.ones((4, 4))})
-    assert "4 × 4 does not say which way time runs" in refusal(path, sample_rate=1.0)
+    assert "4 × 4 does not define the direction of time" in refusal(path, sample_rate=1.0)
 
 
 def test_two_time_axes_and_two_rates(tmp_path):
@@ -171,6 +171,6 @@ def test_damaged_universal_files(tmp_path):
     path.write_text(text[: len(text) // 3])
     assert "begins a data set that does not end" in refusal(path)
     path.write_text("    -1\n    58\n    -1\n")
-    assert "is no readable universal file" in refusal(path)
+    assert "is not a readable universal file" in refusal(path)
     path.write_text("    -1\n   151\nmodel\n    -1\n")
     assert "no data set 58 hold no time response" in refusal(path)

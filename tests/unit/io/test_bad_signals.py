@@ -150,7 +150,11 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "sensors.more.channel",
         "did you mean link?",
     ),
-    "no observation": ([sensor("{type: observation, channel: torque}")], "sensors.more.channel", "is no obs"),
+    "no observation": (
+        [sensor("{type: observation, channel: torque}")],
+        "sensors.more.channel",
+        "not an obs",
+    ),
     "a signal heard": (
         [sensor("{type: observation, channel: 'signal[speed]'}")],
         "sensors.more.channel",

@@ -65,7 +65,7 @@ def test_remarks_quotes_and_a_row_of_units(tmp_path):
 def test_text_columns_are_left_out_and_named(tmp_path):
     data = read_measured(file_of(tmp_path, "a.csv", "time,state,x\n0,on,1\n1,off,2\n"))
     assert list(data.data_vars) == ["x"]
-    assert "left out because they hold text: state" in data.notes
+    assert "omitted because they hold text: state" in data.notes
     with pytest.raises(MeasuredError, match="state: holds text and no numbers"):
         read_measured(tmp_path / "a.csv", channels="state")
 

@@ -2,7 +2,7 @@
 """Files of named arrays (MAT, HDF5): which array is a channel, which the time, which a sample rate.
 
 Vectors are channels, and so are the columns of matrices. A vector called `time` or `t` is the time axis, a
-single number called `sample_rate`, `fs`, `dt` or the like says the sample rate; nothing else is taken for
+single number called `sample_rate`, `fs`, `dt` or the like gives the sample rate; nothing else is taken for
 either. Other single numbers and texts become attributes.
 """
 
@@ -43,11 +43,11 @@ class Found:
     values
         The numbers, or a function that reads them.
     shape
-        Shape of the array; left out where `values` are there.
+        Shape of the array; omitted where `values` are there.
     unit, long_name, scale
         As in `record.Column`.
     rate, start
-        Sample rate [Hz] and start [s] that stand with this array, or None.
+        Sample rate [Hz] and start [s] given with this array, or None.
     """
 
     name: str
@@ -115,7 +115,7 @@ class Arrays:
             self._attributes[name] = value[:_TEXT]
 
     def skip(self, name: str, why: str) -> None:
-        """Remember what is left out."""
+        """Remember what is omitted."""
         self._skipped.setdefault(why, []).append(name)
 
     def record(self, wanted: Wanted) -> Record:
@@ -136,9 +136,9 @@ class Arrays:
                     self._path,
                     f.name,
                     f"an array of {f.extent[0]} × {f.extent[1]}",
-                    "does not say which way time runs",
+                    "does not define the direction of time",
                     None,
-                    "store each channel as a vector, or a vector time beside it",
+                    "store each channel as a vector, or a vector time with it",
                 )
             values = as_floats(f.read())
             for name, place in _split(f, length):
@@ -161,7 +161,7 @@ class Arrays:
             )
         starts = {f.start for f in chosen}
         notes = [
-            f"left out because it is {why}: {', '.join(names[:8])}" for why, names in self._skipped.items()
+            f"omitted because it is {why}: {', '.join(names[:8])}" for why, names in self._skipped.items()
         ]
         return Record(
             form=self._form,
@@ -175,7 +175,7 @@ class Arrays:
         )
 
     def _one_time(self, times: list[Found], chosen: list[Found]) -> Found | None:
-        """The time axis of these channels: the one that stands beside them."""
+        """The time axis of these channels: the one next to them."""
         if len(times) > 1:
             owners = {_owner(f.name) for f in chosen}
             times = [t for t in times if _owner(t.name) in owners] or times
@@ -188,7 +188,7 @@ class Arrays:
 
 
 def stated_rate(path: Path, name: str, value: float, unit: str = "") -> float | None:
-    """Sample rate [Hz] that a number of this name states, None if it is no such name."""
+    """Sample rate [Hz] that a number of this name states, None for other names."""
     from pitchpoint.io.measured.units import to_si
 
     key = key_of(name)
@@ -197,7 +197,7 @@ def stated_rate(path: Path, name: str, value: float, unit: str = "") -> float | 
     stated = value * to_si(unit)[1]
     rate = stated if key in RATE_NAMES else (1.0 / stated if stated else 0.0)
     if not (np.isfinite(rate) and rate > 0.0):
-        raise refused(path, name, f"{value:g}", "is no sample rate", "> 0", "give sample_rate=")
+        raise refused(path, name, f"{value:g}", "is not a sample rate", "> 0", "give sample_rate=")
     return rate
 
 
@@ -206,7 +206,7 @@ def _owner(name: str) -> str:
 
 
 def _split(found: Found, length: int | None) -> list[tuple[str, Any]]:
-    """Names of the channels of an array, and where they stand in it; samples run along the time axis."""
+    """Names of the channels of an array, and their places in it; samples run along the time axis."""
     if len(found.extent) == 1:
         return [(found.name, slice(None))]
     n, m = found.extent

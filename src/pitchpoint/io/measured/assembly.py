@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From what a file says to a dataset: every check that does not depend on the format."""
+"""From the contents of a file to a dataset: every check that does not depend on the format."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def assemble(
     path
         File, for messages and provenance.
     record
-        What the file says.
+        Contents of the file.
     sample_rate
         Sample rate that the user states [Hz], or None.
     channels
@@ -74,7 +74,7 @@ def assemble(
         if any(scale):
             attributes["scale"] = "; ".join(text for text in scale if text)
         if not known:
-            gravity = f" (if it is an acceleration, say units={{{column.name!r}: '9.80665 m/s^2'}})"
+            gravity = f" (if it is an acceleration, give units={{{column.name!r}: '9.80665 m/s^2'}})"
             notes.append(
                 f"{column.name}: unit {unit!r} is not converted to SI{gravity if unit == 'g' else ''}"
             )
@@ -95,13 +95,13 @@ def assemble(
 
 
 def _chosen(path: Path, record: Record, channels: Sequence[str] | None) -> list[Column]:
-    """Channels in the order asked for, each name once."""
+    """Channels in the requested order, each name once."""
     names = [c.name for c in record.columns]
     twice = [name for name, count in Counter(names).items() if count > 1]
     if twice:
         places = ", ".join(f"{name!r} {names.count(name)} times" for name in twice[:_SHOWN])
         raise refused(
-            path, "channels", places, "stand in the file", "each name once", "rename them in the file"
+            path, "channels", places, "are in the file", "each name once", "rename them in the file"
         )
     if not names and channels is None:
         remedy = "name a file with a record, or export the signals as columns of numbers"
@@ -114,9 +114,7 @@ def _chosen(path: Path, record: Record, channels: Sequence[str] | None) -> list[
     by_name = {c.name: c for c in record.columns}
     expanded = [n for name in channels for n in _columns_of(name, names)]
     if not expanded:
-        raise refused(
-            path, "channels", "none", "is asked for", "1 or more", "leave channels out for all of them"
-        )
+        raise refused(path, "channels", "none", "is requested", "1 or more", "omit channels for all of them")
     return [by_name[name] for name in expanded]
 
 
@@ -197,7 +195,9 @@ def _time_axis(
         raise refused(path, "sample_rate", f"{sample_rate:g} Hz", "is impossible", "> 0", "give it in Hz")
     stated = record.rate
     if stated is not None and not (np.isfinite(stated) and stated > 0.0):
-        raise refused(path, "sample rate", f"{stated:g} Hz", "stands in the file", "> 0", "give sample_rate=")
+        raise refused(
+            path, "sample rate", f"{stated:g} Hz", "is given in the file", "> 0", "give sample_rate="
+        )
     if stated is not None and sample_rate is not None:
         _agree(path, sample_rate, stated)
     rate = sample_rate if sample_rate is not None else stated
@@ -226,11 +226,11 @@ def _agree(path: Path, given: float, stated: float) -> None:
 def _stored_axis(
     path: Path, record: Record, rate: float | None
 ) -> tuple[NDArray[np.float64], float | None, list[str]]:
-    """Time axis that stands in the file; rounded times are put back on their grid."""
+    """Time axis of the file; rounded times are put back on their grid."""
     assert record.time is not None
     unit, factor, known = to_si(record.time.unit)
     if unit not in ("", "s") or not known:
-        message, remedy = "is no unit of time", "correct it in the file, such as time [s]"
+        message, remedy = "is not a unit of time", "correct it in the file, such as time [s]"
         raise refused(path, record.time.name, repr(record.time.unit), message, "s, ms, min, h", remedy)
     time, own = record.time.values * factor, record.form.startswith("pitchpoint")
     _finite(path, [record.time])
@@ -260,7 +260,7 @@ def _stored_axis(
         if rate is not None:
             _agree(path, rate, 1.0 / step)
         return time, 1.0 / step, []
-    if own:  # adaptive solvers store their own steps; what needs even ones says so
+    if own:  # adaptive solvers store their own steps; what needs even ones reports it
         return time, None, ["times are not evenly spaced"]
     usual = float(np.median(steps))
     k = int(np.argmax(np.abs(steps - usual)))

@@ -272,7 +272,7 @@ def _own_column(path: Path, dataset: h5py.Dataset, name: str, count: int) -> Col
 
 
 def _damaged(path: Path, error: Exception, remedy: str) -> MeasuredError:
-    """Make the error of a file that contradicts itself; what the library says of it is repeated."""
+    """Make the error of a file that contradicts itself; the message of the library is repeated."""
     reason = ""
     if isinstance(error, OSError | RuntimeError):
         reason = str(error).partition("(")[0].strip().rstrip(":")[:120]

@@ -34,7 +34,7 @@ def read_mat5(path: Path, data: bytes, wanted: Wanted) -> Record:
     mark = data[126:128]
     if mark not in (b"IM", b"MI"):
         raise refused(
-            path, "byte 126", repr(mark), "is no mark of byte order", "IM or MI", "save the file again"
+            path, "byte 126", repr(mark), "is not a mark of byte order", "IM or MI", "save the file again"
         )
     found = Arrays(path, "MAT")
     order = "<" if mark == b"IM" else ">"

@@ -29,7 +29,7 @@ _EXPECTED = {
     ".csv": ("text",),
     ".tsv": ("text",),
 }
-"""What must stand in a file of this ending; other endings leave it to the contents."""
+"""Required contents of a file of this ending; with other endings the contents decide."""
 
 
 def read_measured(
@@ -41,34 +41,34 @@ def read_measured(
 ) -> xr.Dataset:
     """Read a measured file: CSV, TSV, MAT, HDF5, WAV, UFF data set 58, or a result of pitchpoint.
 
-    Nothing is guessed that the file does not say: without a time axis (a channel called `time` or `t`) and
-    without a sample rate it is refused.
+    Nothing is guessed: a file without a time axis (a channel called `time` or `t`) and without a sample rate
+    is refused.
 
     Parameters
     ----------
     path
-        File; its contents say what it is.
+        File; its contents decide the format.
     sample_rate
         Sample rate [Hz] or a text such as "25.6 kHz", where the file has none; it must not contradict a time
         axis.
     channels
-        Names of the channels to read, in this order; left out, all of them.
+        Names of the channels to read, in this order; default: all of them.
     units
-        Unit of a channel, where the file states none or a wrong one: "m/s^2", or what a 1 of the file stands
-        for: "50 m/s^2".
+        Unit of a channel, where the file states none or a wrong one: "m/s^2", or the value of a 1
+        of the file: "50 m/s^2".
 
     Returns
     -------
     xarray.Dataset
         One variable per channel over `time` [s]. Attributes of a channel: `units` (SI where the unit is
         known), `long_name`, `scale` and `units_in_file` where numbers were converted. Attributes of the
-        dataset: `source_file`, `format`, `sha256`, `sample_rate` [Hz], `notes` (what was left out, constant
-        channels) and what else the file says about itself.
+        dataset: `source_file`, `format`, `sha256`, `sample_rate` [Hz], `notes` (what was omitted, constant
+        channels) and other metadata of the file.
 
     Raises
     ------
     MeasuredError
-        If the file cannot be used; the message says where, value, limit and remedy.
+        If the file cannot be used; the message gives place, value, limit and remedy.
     MissingDependencyError
         If a universal file is read without the extra `uff`.
 
@@ -103,7 +103,7 @@ def read_measured(
 def _record(
     path: Path, data: bytes, channels: Sequence[str] | str | None
 ) -> tuple[Record, tuple[str, ...] | None]:
-    """What the file says, and the channels that are asked for."""
+    """Contents of the file, and the requested channels."""
     from pitchpoint.io.measured.assembly import unknown_channels
 
     reader = _reader(path, data, _form(path, data))
@@ -121,7 +121,7 @@ def _contents(path: Path) -> bytes:
             raise refused(path, "", "", "there is no such file", None, "check the path")
         if not path.is_file():
             raise refused(
-                path, "", "", "is no ordinary file", "a file", "name a file, not a folder or a device"
+                path, "", "", "is not an ordinary file", "a file", "name a file, not a folder or a device"
             )
         data = path.read_bytes()
     except (OSError, ValueError) as error:
@@ -144,7 +144,7 @@ def _contents(path: Path) -> bytes:
 
 
 def _form(path: Path, data: bytes) -> str:
-    """Format by contents; an ending that says something else is an error."""
+    """Format by contents; an ending of another format is an error."""
     if data.startswith(_HDF5) or data[512:520] == _HDF5:
         form = "HDF5"
     elif data[:4] in (b"RIFF", b"RIFX", b"RF64"):
@@ -164,7 +164,7 @@ def _form(path: Path, data: bytes) -> str:
             path,
             "first bytes",
             f"{first!r}",
-            f"are {what}, the ending says {path.suffix[1:].upper()}{old}",
+            f"are {what}, the ending is that of {path.suffix[1:].upper()}{old}",
             f"the mark of {' or '.join(expected)}",
             "copy or export the file again, or give it the right ending",
         )

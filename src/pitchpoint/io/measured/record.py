@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a measured file says, before it is checked: columns of numbers, units, time or sample rate."""
+"""Contents of a measured file, before they are checked: columns of numbers, units, time or sample rate."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ STEP_NAMES = ("dt", "delta_t", "time_step", "sample_interval", "sampling_interva
 
 
 class MeasuredError(PitchpointError, ValueError):
-    """A measured file cannot be used; the message says where, value, limit and remedy."""
+    """A measured file cannot be used; the message gives place, value, limit and remedy."""
 
 
 @dataclass(frozen=True)
@@ -32,9 +32,9 @@ class Column:
     Attributes
     ----------
     name
-        As it stands in the file.
+        As in the file.
     values
-        Shape (n,), as they stand in the file.
+        Shape (n,), as in the file.
     unit
         Text of the unit, empty if the file states none.
     long_name
@@ -67,9 +67,9 @@ class Record:
     rate, start
         Sample rate [Hz] and time of the first sample [s] that the file states, or None.
     notes
-        What the reader should know, such as columns that were left out.
+        What the reader should know, such as columns that were omitted.
     attributes
-        What else the file says about itself.
+        Other metadata of the file.
     """
 
     form: str
@@ -84,7 +84,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a user asks for: names of channels, or None for all of them."""
+    """What a user requests: names of channels, or None for all of them."""
 
     channels: tuple[str, ...] | None = None
 
@@ -103,7 +103,7 @@ def refused(
     *,
     line: int | None = None,
 ) -> MeasuredError:
-    """Make the error that says where, which value, which limit, what to do."""
+    """Make the error with place, value, limit and remedy."""
     place = f"{path}: {where}" if where else str(path)
     return MeasuredError(str(Message(place, message, value or None, limit, remedy, line)))
 

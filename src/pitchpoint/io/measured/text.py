@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measured text files: CSV, TSV and their kin, with decimal points or commas.
 
-Separator and decimal sign are read from the file: tabs and semicolons separate wherever they stand; a comma
+Separator and decimal sign are read from the file: tabs and semicolons separate wherever they are; a comma
 separates unless the header has one name only. What could be either is refused. Lines that begin with
 `#`, `%` or `//` are remarks; among them `sample_rate: 25.6 kHz` counts.
 """
@@ -41,7 +41,7 @@ _WORDS = re.compile(r"[^\s\[]+(?:\s*\[[^\]]*\])?")
 _KEY_VALUE = re.compile(r"\s*([\w .\-]{1,40}?)\s*[:=]\s*(.{1,100})")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _PROBE = 20
-"""Rows by which numbers are told from texts."""
+"""Rows by which numbers are distinguished from texts."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
             path, asked[0], "", "holds text and no numbers", "a column of numbers", "choose other channels"
         )
     if texts:
-        notes.append(f"left out because they hold text: {', '.join(texts)}")
+        notes.append(f"omitted because they hold text: {', '.join(texts)}")
     table = _numbers(path, lines, rows, chosen, layout, names)
     columns = {j: Column(names[j], table[:, k], layout.units[j]) for k, j in enumerate(chosen)}
     rate = _stated_rate(
@@ -159,7 +159,7 @@ def _layout(path: Path, lines: Sequence[str], rows: Sequence[int]) -> _Layout:
 
 
 def _comma_or_decimal(path: Path, head: str, body: Sequence[str], line: int) -> str:
-    """Tell a comma between columns from one inside numbers, or refuse."""
+    """Distinguish a comma between columns from one inside numbers, or refuse."""
     if "," in head and not all(_is_number(cell.strip(), comma=True) for cell in head.split()):
         pieces = head.split(",")
         if not all(_is_number(p.strip(), comma=False) for p in pieces):
@@ -212,7 +212,7 @@ def _names(path: Path, layout: _Layout, first: Sequence[str], line: int) -> list
             path,
             "",
             f"{filled} cells",
-            "stand under a header with another number of names",
+            "are under a header with another number of names",
             f"{len(layout.names)}",
             "separate names and numbers by the same sign",
             line=line + 1,
@@ -226,7 +226,7 @@ def _same_width(path: Path, cells: dict[int, list[str]], count: int) -> None:
             row.pop()
         if len(row) != count:
             remedy = "complete or delete this line; it may be where the file was cut off"
-            raise refused(path, "", f"{len(row)} cells", "stand in this line", f"{count}", remedy, line=k + 1)
+            raise refused(path, "", f"{len(row)} cells", "are in this line", f"{count}", remedy, line=k + 1)
 
 
 def _time_place(names: Sequence[str], units: Sequence[str], numeric: Sequence[int]) -> int | None:
@@ -290,8 +290,8 @@ def _careful(
 
 
 def _no_number(path: Path, name: str, cell: str, line: int) -> MeasuredError:
-    remedy = "repair or delete this line, or leave the column out with channels="
-    return refused(path, name, repr(cell[:40]), "is no number", None, remedy, line=line + 1)
+    remedy = "repair or delete this line, or omit the column with channels="
+    return refused(path, name, repr(cell[:40]), "is not a number", None, remedy, line=line + 1)
 
 
 def _resolution(cells: Sequence[str]) -> float:

@@ -25,7 +25,7 @@ _DIRECTIONS = {
 
 
 def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
-    """Read the time responses of a universal file; other data sets are left out."""
+    """Read the time responses of a universal file; other data sets are omitted."""
     if len(_MARK.findall(data)) % 2:
         raise refused(
             path, "", "", "begins a data set that does not end", "-1", "copy it again; it was cut off"
@@ -47,7 +47,9 @@ def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
         if s["abscissa_spacing"] == _EVEN:
             step = float(s["abscissa_inc"])
             if not (np.isfinite(step) and step > 0.0):
-                raise refused(path, name, f"{step:g} s", "is no sampling interval", "> 0", "correct record 7")
+                raise refused(
+                    path, name, f"{step:g} s", "is not a sampling interval", "> 0", "correct record 7"
+                )
             rates.add(1.0 / step)
             starts.add(float(s["abscissa_min"]))
         else:
@@ -68,7 +70,7 @@ def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
         resolution=1e-5 * float(np.abs(axes[0]).max()) if axes and axes[0].size else 0.0,
         rate=next(iter(rates), None),
         start=next(iter(starts), 0.0),
-        notes=(f"{left} functions that are no time responses were left out",) if left else (),
+        notes=(f"{left} functions that are not time responses were omitted",) if left else (),
     )
 
 
@@ -85,7 +87,7 @@ def _sets(path: Path) -> list[dict[str, Any]]:
         read = file.read_sets(wanted) if wanted else []
     except Exception as error:
         raise refused(
-            path, "", "", f"is no readable universal file ({str(error)[:100]})", None, "export it again"
+            path, "", "", f"is not a readable universal file ({str(error)[:100]})", None, "export it again"
         ) from error
     return read if isinstance(read, list) else [read]
 
@@ -104,12 +106,12 @@ def _names(sets: list[dict[str, Any]]) -> list[str]:
 def _column(path: Path, name: str, s: dict[str, Any]) -> Column:
     values, promised = np.asarray(s["data"]), int(s.get("num_pts", 0))
     if values.dtype.kind == "c":
-        raise refused(path, name, "complex numbers", "are no time signal", None, "choose other channels")
+        raise refused(path, name, "complex numbers", "are not a time signal", None, "choose other channels")
     if values.size < promised:
         raise _short(path, name, promised, values.size)
     kind = int(s.get("abscissa_spec_data_type", _TIME))
     if kind not in (0, _TIME):
-        raise refused(path, name, f"type {kind}", "is no time axis", f"{_TIME}", "export it over time")
+        raise refused(path, name, f"type {kind}", "is not a time axis", f"{_TIME}", "export it over time")
     unit = str(s.get("ordinate_axis_units_lab", "")).strip()
     words = ", ".join(
         t for t in (str(s.get(k, "")).strip() for k in ("id1", "ordinate_axis_lab")) if t and t != "NONE"

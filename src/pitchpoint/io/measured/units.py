@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Units of measured channels: known ones become SI, all others stay as they stand, numbers and all."""
+"""Units of measured channels: known ones become SI, all others stay as they are, with their numbers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _PREFERRED = """
 """.split()
 _PLAIN = ("", "1", "-", "–", "none", "dimensionless")
 _AMBIGUOUS = ("g", "G", "C", "F", "U", "r", "h", "t")
-"""Texts that mean one thing in a table of units, another beside a sensor: g is mostly 9.80665 m/s^2."""
+"""Texts that mean one thing in a table of units, another next to a sensor: g is mostly 9.80665 m/s^2."""
 _ENERGY = re.compile(r"(?:^|[^a-zA-Z])[kMmµu]?J\b|W\s*[·*]?\s*s\b")
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*((?!/).*)", re.DOTALL)
 
@@ -43,7 +43,7 @@ def is_unit(text: str) -> bool:
 def to_si(text: str) -> tuple[str, float, bool]:
     """SI unit, factor to it, and whether the unit is known; the numbers of unknown units are left alone.
 
-    A number in front counts too: `50 m/s^2` says what a 1 of the file stands for. Temperatures, decibels and
+    A number in front counts too: `50 m/s^2` is the value of a 1 of the file. Temperatures, decibels and
     volts are not converted, and neither is what has two meanings: g may be a gram or the acceleration of
     gravity (write 9.80665 m/s^2), 1/min counts anything (write rpm).
 

@@ -27,7 +27,9 @@ def read_wav(path: Path, data: bytes, wanted: Wanted) -> Record:
     """Read a RIFF, RIFX or RF64 file with linear samples."""
     order = ">" if data[:4] == b"RIFX" else "<"
     if len(data) < 12 or data[8:12] != b"WAVE":
-        raise refused(path, "byte 8", repr(data[8:12]), "is no WAVE file", "WAVE", "export the sound as WAV")
+        raise refused(
+            path, "byte 8", repr(data[8:12]), "is not a WAVE file", "WAVE", "export the sound as WAV"
+        )
     description, samples = _chunks(path, data, order)
     code, channels, rate, _, block, bits = np.frombuffer(
         description[:16], np.dtype(f"{order}u2,{order}u2,{order}u4,{order}u4,{order}u2,{order}u2")
