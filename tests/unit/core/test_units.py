@@ -242,7 +242,7 @@ def test_signs():
 
 
 def test_unknown_dimension():
-    with pytest.raises(UnitError, match="no known dimension"):
+    with pytest.raises(UnitError, match="not a known dimension"):
         parse_quantity(1, "lenght")
 
 

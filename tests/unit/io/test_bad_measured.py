@@ -32,7 +32,7 @@ TEXTS = {
         "x (line 92): '?' is no",
     ),
     "short line": ("time,x\n0,1\n1\n2,3\n", "(line 3): 1 cells are in this line (limit 2)"),
-    "header of other width": ("time,x,y\n0,1\n1,2\n", "(line 2): 2 cells stand under a header"),
+    "header of other width": ("time,x,y\n0,1\n1,2\n", "(line 2): 2 cells are under a header"),
     "nan and inf": (
         "time,x,y\n0,1,1\n1,nan,2\n2,nan,inf\n",
         "x: 2 of 3 samples, first nan at sample 1; y: 1 of 3 samples, first inf at sample 2: are not finite",
@@ -98,7 +98,7 @@ def test_wrong_magic(tmp_path, ending):
     path.write_text("time,x\n0,1\n1,2\n", encoding="utf-8")
     text = refusal(path)
     assert (
-        "first bytes: 'time,x\\n0' are no known mark" in text and f"the ending says {ending.upper()}" in text
+        "first bytes: 'time,x\\n0' are no known mark" in text and f"the ending is that of {ending.upper()}" in text
     )
     files.write_wav(path)
     if ending != "wav":

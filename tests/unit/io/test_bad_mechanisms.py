@@ -318,7 +318,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "a driven coordinate that is not there": (
         [(PIN, PIN + RUN % "drive: {cylinder.spin: {speed: 3 rpm}}")],
         "scenarios.run.drive.cylinder.spin",
-        "no coordinate of cylinder (prismatic); it has z",
+        "not a coordinate of cylinder (prismatic); it has z",
     ),
     "a travel at a speed of turns": (
         [(PIN, PIN + RUN % "drive: {cylinder.z: {speed: 3 rpm}}")],

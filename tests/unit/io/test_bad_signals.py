@@ -195,7 +195,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "input that no formula can use": (
         [("  turn: {", "  tu-rn: {"), block("{type: formula, formula: 2, inputs: [tu-rn]}")],
         "blocks.more.inputs[0]",
-        "no name that a formula can use",
+        "not a name that a formula can use",
     ),
     "points that fall": (
         [block("{type: table, input: turn, points: [[0, 1], [0, 2]]}")],
@@ -249,7 +249,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "function as a mapping": (
         [(LOOP, "{python: 'laws.py:loop'}")],
         "controllers.loop.function",
-        "its numbers under parameters beside it",
+        "its numbers under parameters next to it",
     ),
     "no period": ([("period: 1 ms", "period: 0 ms")], "controllers.loop.period", "limit > 0"),
     "missing period": ([(", period: 1 ms", "")], "controllers.loop.period", "is missing"),

@@ -85,18 +85,20 @@ def read_measured(
 
     place = Path(path)
     data = _contents(place)
+    digest = hashlib.sha256(data).hexdigest()
     try:
         record, asked = _record(place, data, channels)
     except MemoryError:
         remedy = "choose fewer channels=, or cut it into shorter records"
-        raise refused(place, "", "", "asks for more memory than there is", None, remedy) from None
+        raise refused(place, "", "", "requires more memory than there is", None, remedy) from None
+    del data  # long records need the room
     return assemble(
         place,
         record,
         sample_rate=_hertz(place, sample_rate),
         channels=asked,
         units=dict(units or {}),
-        digest=hashlib.sha256(data).hexdigest(),
+        digest=digest,
     )
 
 

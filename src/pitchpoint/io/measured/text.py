@@ -10,9 +10,10 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -42,6 +43,11 @@ _KEY_VALUE = re.compile(r"\s*([\w .\-]{1,40}?)\s*[:=]\s*(.{1,100})")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _PROBE = 20
 """Rows by which numbers are distinguished from texts."""
+_CLOCK = 200
+"""Rows by which the resolution of a time axis is found."""
+_MOST_REMARKS = 1000
+_BLOCK = 1 << 23
+"""Size of the blocks that are read at once [bytes]; a block takes some ten times as much memory."""
 
 
 @dataclass(frozen=True)
@@ -55,21 +61,38 @@ class _Layout:
     first: int
 
 
+@dataclass(frozen=True)
+class _Text:
+    """Lines of a file, decoded in blocks of whole lines: a long record is never in memory as text."""
+
+    data: bytes
+    code: str
+    blocks: list[tuple[int, int, int]]
+    """Begin and end of every block [bytes], and the number of lines before it."""
+    head: list[tuple[int, str]]
+    """First rows with their lines, counted from 0: neither empty lines nor remarks."""
+    last: tuple[int, str]
+    """The last row."""
+    remarks: list[tuple[int, str]]
+
+    def rows(self, first: int) -> Iterator[tuple[list[int], list[str]]]:
+        """Rows from a line on, by blocks, with their lines."""
+        for begin, end, before in self.blocks:
+            lines = self.data[begin:end].decode(self.code).splitlines()
+            found = [k for k, line in enumerate(lines) if before + k >= first and _is_row(line)]
+            if found:
+                yield [before + k for k in found], [lines[k] for k in found]
+
+
 def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
     """Read a text file with columns of numbers."""
     text, notes = _decoded(path, data)
-    lines = text.splitlines()
-    rows = [k for k, line in enumerate(lines) if line.strip() and not line.lstrip().startswith(_REMARK)]
-    if not rows:
-        raise refused(
-            path, "", "no line", "holds numbers", "2 or more rows", "name the file that holds the record"
-        )
-    layout = _layout(path, lines, rows)
-    rows = [k for k in rows if k >= layout.first]
-    if not rows:
+    layout = _layout(path, text)
+    head = [(k, line) for k, line in text.head if k >= layout.first]
+    if not head:
         raise refused(path, "", "", "has a header and no rows of numbers", "2 or more rows", "record again")
-    cells = {k: _cut(lines[k], layout) for k in (*rows[:_PROBE], rows[-1])}
-    names = _names(path, layout, cells[rows[0]], rows[0])
+    cells = {k: _cut(line, layout) for k, line in (*head[:_PROBE], text.last)}
+    names = _names(path, layout, cells[head[0][0]], head[0][0])
     _same_width(path, cells, len(names))
     numeric = [
         j for j in range(len(names)) if any(_is_number(row[j], layout.comma) for row in cells.values())
@@ -88,51 +111,81 @@ def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
         )
     if texts:
         notes.append(f"omitted because they hold text: {', '.join(texts)}")
-    table = _numbers(path, lines, rows, chosen, layout, names)
-    columns = {j: Column(names[j], table[:, k], layout.units[j]) for k, j in enumerate(chosen)}
-    rate = _stated_rate(
-        path, [(k, line) for k, line in enumerate(lines) if line.lstrip().startswith(_REMARK)]
-    )
+    table = _numbers(path, text, chosen, layout, names)
+    columns = {j: Column(names[j], table[k], layout.units[j]) for k, j in enumerate(chosen)}
     decimals = (
         0.0
         if place is None
-        else _resolution([_cut(lines[k], layout)[place] for k in (*rows[:200], rows[-1])])
+        else _resolution([_cut(line, layout)[place] for _, line in (*head[:_CLOCK], text.last)])
     )
     return Record(
         form="TSV" if layout.separator == "\t" else "CSV",
         columns=tuple(c for j, c in columns.items() if j != place),
         time=None if place is None else columns[place],
         resolution=decimals,
-        rate=rate,
+        rate=_stated_rate(path, text.remarks),
         notes=tuple(notes),
     )
 
 
-def _decoded(path: Path, data: bytes) -> tuple[str, list[str]]:
+def _is_row(line: str) -> bool:
+    """Whether a line is neither empty nor a remark."""
+    plain = line.lstrip()
+    return bool(plain) and not plain.startswith(_REMARK)
+
+
+def _decoded(path: Path, data: bytes) -> tuple[_Text, list[str]]:
     """Text of a file in UTF-8, UTF-16 with its mark, or Windows-1252."""
-    codes = ("utf-16",) if data[:2] in (b"\xff\xfe", b"\xfe\xff") else ("utf-8-sig", "cp1252")
-    for code in codes:
+    wide = data[:2] in (b"\xff\xfe", b"\xfe\xff")
+    for code in ("utf-16",) if wide else ("utf-8-sig", "cp1252"):
         try:
-            text = data.decode(code)
+            text = _text(path, data, code)
         except UnicodeDecodeError:
             continue
-        if not _CONTROL.search(text):
+        if text is not None:
             return text, ["letters were read as Windows-1252"] if code == "cp1252" else []
         break
     what, limit = "holds neither text nor a known measured format", "CSV, TSV, MAT, HDF5, WAV or UFF"
     raise refused(path, "", "", what, limit, "export it as one of these, texts as UTF-8")
 
 
-def _layout(path: Path, lines: Sequence[str], rows: Sequence[int]) -> _Layout:
+def _text(path: Path, data: bytes, code: str) -> _Text | None:
+    """Look through a file in blocks; None if it holds characters that are not text."""
+    blocks, head, remarks = [], [], []
+    last: tuple[int, str] | None = None
+    begin = before = 0
+    while begin < len(data):
+        end = len(data) if code == "utf-16" else data.find(b"\n", begin + _BLOCK) + 1 or len(data)
+        block = data[begin:end].decode(code)
+        if _CONTROL.search(block):
+            return None
+        lines = block.splitlines()
+        blocks.append((begin, end, before))
+        if len(remarks) < _MOST_REMARKS and any(mark in block for mark in _REMARK):
+            remarks += [(before + k, x) for k, x in enumerate(lines) if x.lstrip().startswith(_REMARK)]
+        found = ((before + k, line) for k, line in enumerate(lines) if _is_row(line))
+        head += itertools.islice(found, _PROBE + _CLOCK - len(head))
+        at = next((k for k in range(len(lines) - 1, -1, -1) if _is_row(lines[k])), None)
+        last = last if at is None else (before + at, lines[at])
+        begin, before = end, before + len(lines)
+    if last is None:
+        raise refused(
+            path, "", "no line", "holds numbers", "2 or more rows", "name the file that holds the record"
+        )
+    return _Text(data, code, blocks, head, last, remarks[:_MOST_REMARKS])
+
+
+def _layout(path: Path, text: _Text) -> _Layout:
     """Separator, decimal sign and header of a file."""
-    head = lines[rows[0]]
-    body = [lines[k] for k in (*rows[1 : _PROBE + 1], rows[-1])] or [head]
+    rows = text.head
+    first_line, head = rows[0]
+    body = [line for _, line in (*rows[1 : _PROBE + 1], text.last)]
     if "\t" in head.strip():
         separator = "\t"
     elif ";" in head:
         separator = ";"
     elif "," in head or all("," in line for line in body):
-        separator = _comma_or_decimal(path, head, body, rows[0])
+        separator = _comma_or_decimal(path, head, body, first_line)
     elif len(head.split()) > 1 and all(len(line.split()) > 1 for line in body):
         separator = " "
     else:
@@ -141,7 +194,7 @@ def _layout(path: Path, lines: Sequence[str], rows: Sequence[int]) -> _Layout:
     header = _cut(head, probe)
     comma = separator != "," and any("," in cell for line in body for cell in _cut(line, probe))
     if all(_is_number(cell, separator != ",") or not cell for cell in header):
-        return _Layout(separator, comma or any("," in c for c in header), [], [""] * len(header), rows[0])
+        return _Layout(separator, comma or any("," in c for c in header), [], [""] * len(header), first_line)
     if separator == " ":
         header = _WORDS.findall(head)
     while len(header) > 1 and not header[-1]:  # the header ends with a separator
@@ -150,12 +203,12 @@ def _layout(path: Path, lines: Sequence[str], rows: Sequence[int]) -> _Layout:
     names, units = [name for name, _ in pairs], [unit for _, unit in pairs]
     first = 1
     if len(rows) > 1:
-        second = [cell.strip("[]() ") for cell in _cut(lines[rows[1]], probe)][: len(names)]
+        second = [cell.strip("[]() ") for cell in _cut(rows[1][1], probe)][: len(names)]
         words = any(cell and not _is_number(cell, separator != ",") for cell in second)
         if not any(units) and words and all(not cell or is_unit(cell) for cell in second):
             units, first = second, 2
     units += [""] * (len(names) - len(units))
-    return _Layout(separator, comma, names, units, rows[first] if len(rows) > first else len(lines))
+    return _Layout(separator, comma, names, units, rows[first][0] if len(rows) > first else text.last[0] + 1)
 
 
 def _comma_or_decimal(path: Path, head: str, body: Sequence[str], line: int) -> str:
@@ -239,42 +292,51 @@ def _is_number(cell: str, comma: bool) -> bool:
 
 
 def _numbers(
-    path: Path,
-    lines: Sequence[str],
-    rows: Sequence[int],
-    chosen: Sequence[int],
-    layout: _Layout,
-    names: Sequence[str],
+    path: Path, text: _Text, chosen: Sequence[int], layout: _Layout, names: Sequence[str]
 ) -> NDArray[np.float64]:
-    """Columns of numbers, shape (n_row, n_chosen); the quick way first, the careful one if it fails."""
+    """Columns of numbers, shape (n_chosen, n_row); the fast way first, the careful one if it fails."""
+    parts = []
+    for lines, rows in text.rows(layout.first):
+        table = _fast(rows, chosen, layout)
+        parts.append(_careful(path, lines, rows, chosen, layout, names) if table is None else table.T)
+    whole = np.empty((len(chosen), sum(part.shape[1] for part in parts)))
+    at = whole.shape[1]
+    while parts:  # the last one first, so that each is released
+        part = parts.pop()
+        whole[:, at - part.shape[1] : at] = part
+        at -= part.shape[1]
+    return whole
+
+
+def _fast(rows: Sequence[str], chosen: Sequence[int], layout: _Layout) -> NDArray[np.float64] | None:
+    """Columns of plain numbers, shape (n_row, n_chosen); None where the careful way is needed."""
     if not chosen:
         return np.empty((len(rows), 0))
-    text = "\n".join([lines[k] for k in rows])
-    pointless = layout.comma and "." in text
-    if '"' not in text and not pointless and not re.search(r"[dD_]", text):
-        text = text.replace(",", ".") if layout.comma else text
-        separator = layout.separator if layout.separator in "\t;," else None
-        try:
-            return np.loadtxt(
-                io.StringIO(text), delimiter=separator, usecols=list(chosen), ndmin=2, comments=None
-            )
-        except ValueError:
-            pass  # the careful way finds the line
-    return _careful(path, lines, rows, chosen, layout, names)
+    text = "\n".join(rows)
+    if '"' in text or (layout.comma and "." in text) or re.search(r"[dD_]", text):
+        return None
+    text = text.replace(",", ".") if layout.comma else text
+    separator = layout.separator if layout.separator in "\t;," else None
+    try:
+        return np.loadtxt(
+            io.StringIO(text), delimiter=separator, usecols=list(chosen), ndmin=2, comments=None
+        )
+    except ValueError:
+        return None  # the careful way finds the line
 
 
 def _careful(
     path: Path,
-    lines: Sequence[str],
-    rows: Sequence[int],
+    lines: Sequence[int],
+    rows: Sequence[str],
     chosen: Sequence[int],
     layout: _Layout,
     names: Sequence[str],
 ) -> NDArray[np.float64]:
-    """Columns of numbers, cell by cell; empty cells are NaN."""
-    found = np.empty((len(rows), len(chosen)))
-    for i, k in enumerate(rows):
-        cells = _cut(lines[k], layout)
+    """Columns of numbers, cell by cell, shape (n_chosen, n_row); empty cells are NaN."""
+    found = np.empty((len(chosen), len(rows)))
+    for i, (k, row) in enumerate(zip(lines, rows, strict=True)):
+        cells = _cut(row, layout)
         _same_width(path, {k: cells}, len(names))
         for column, j in enumerate(chosen):
             cell = cells[j]
@@ -285,7 +347,7 @@ def _careful(
                 message = "has a decimal point in a file with decimal commas"
                 raise refused(path, names[j], repr(cell[:40]), message, None, remedy, line=k + 1)
             plain = cell.replace(",", ".").translate(str.maketrans("dD", "ee"))
-            found[i, column] = float(plain) if cell else np.nan
+            found[column, i] = float(plain) if cell else np.nan
     return found
 
 
@@ -314,7 +376,7 @@ def _resolution(cells: Sequence[str]) -> float:
 
 def _stated_rate(path: Path, remarks: Sequence[tuple[int, str]]) -> float | None:
     """Sample rate that a remark states [Hz]; numbers without unit are in Hz, steps in s."""
-    for k, line in remarks[:1000]:
+    for k, line in remarks:
         found = _KEY_VALUE.fullmatch(line.lstrip("#%/ \t").strip())
         name = key_of(split_name(found[1])[0]) if found else ""
         if not found or name not in (*RATE_NAMES, *STEP_NAMES):
