@@ -26,6 +26,11 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.orders import highest_resolved_order, one_way
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length, whole
 
+AT_ONCE = 1 << 20
+"""Points of the grid for which one spline is made: that of a long record would take most of the memory."""
+AROUND = 40
+"""Samples around them that it needs: the influence of a sample falls by 2 - sqrt(3) with each, to 1e-23."""
+
 
 @dataclass(frozen=True)
 class SynchronousAverage:
@@ -168,11 +173,17 @@ def synchronous_average(
             f"angle: the shaft turns {(phi[-1] - phi[0]) / (2.0 * np.pi):.3g} revolutions "
             "(limit 1 whole turn); use a longer record"
         )
-    curve = CubicSpline(phi, x)
     total, squares = np.zeros(fine), 0.0
+    together = max(AT_ONCE // fine, 1)
     for turn in range(turns):
         grid = np.arange(first + turn * fine, first + (turn + 1) * fine) * (2.0 * np.pi / fine)
-        one = curve(np.clip(grid, phi[0], phi[-1]))
+        grid = np.clip(grid, phi[0], phi[-1])
+        if turn % together == 0:  # a spline through the samples of the next turns and some around them
+            end = grid[0] + 2.0 * np.pi * min(together, turns - turn)
+            begin, stop = np.searchsorted(phi, [grid[0], end])
+            near = slice(max(begin - AROUND, 0), stop + AROUND)
+            curve = CubicSpline(phi[near], x[near])
+        one = curve(grid)
         total += one
         squares += float(one @ one)
     # sample 0 belongs to the angle zero, wherever the record begins

@@ -77,7 +77,7 @@ def diagnose_file(request: Request) -> Study:
     signals, remarks = usable(chosen, None if request.channels else record.time)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
-    part = record.time >= record.time[0] + record.settle_time
+    part = slice(int(np.searchsorted(record.time, record.time[0] + record.settle_time)), None)
     record = replace(record, time=record.time[part], channels=_Part(record.channels, part))
     signals = {name: values[part] for name, values in signals.items()}
     signals, noise = _noisy(request, record, signals)
@@ -109,7 +109,7 @@ def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> 
 class _Part(Mapping[str, Array]):
     """The part of all channels that counts."""
 
-    def __init__(self, channels: Mapping[str, Array], part: NDArray[np.bool_]) -> None:
+    def __init__(self, channels: Mapping[str, Array], part: slice) -> None:
         self._channels, self._part = channels, part
 
     def __getitem__(self, name: str) -> Array:

@@ -98,7 +98,8 @@ def test_wrong_magic(tmp_path, ending):
     path.write_text("time,x\n0,1\n1,2\n", encoding="utf-8")
     text = refusal(path)
     assert (
-        "first bytes: 'time,x\\n0' are no known mark" in text and f"the ending is that of {ending.upper()}" in text
+        "first bytes: 'time,x\\n0' are no known mark" in text
+        and f"the ending is that of {ending.upper()}" in text
     )
     files.write_wav(path)
     if ending != "wav":

@@ -347,7 +347,7 @@ def test_errors_name_file_and_remedy(tmp_path: Path) -> None:
     with pytest.raises(ResultError, match="no such result file"):
         open_result(tmp_path / "none.h5")
     (tmp_path / "text.h5").write_text("no")
-    with pytest.raises(PitchpointError, match="no readable HDF5"):
+    with pytest.raises(PitchpointError, match="not a readable HDF5"):
         read_header(tmp_path / "text.h5")
     with h5py.File(tmp_path / "other.h5", "w"):
         pass
@@ -388,7 +388,7 @@ def test_a_reader_waits_for_a_writer_that_has_only_just_begun(tmp_path, monkeypa
     target = tmp_path / "new.h5"
     target.touch()
     begun = time.monotonic()
-    with pytest.raises(ResultError, match="no readable HDF5 file"):
+    with pytest.raises(ResultError, match="not a readable HDF5 file"):
         read_header(target)
     assert time.monotonic() - begun >= 0.1
 

@@ -134,7 +134,11 @@ GOOD = [HEAD, *tooth_lines()]
 BAD: dict[str, tuple[list[str], str, list[str]]] = {
     "no heading": (tooth_lines(), "tooth: real.csv", ["without a heading", "line 1", "x [mm],y [mm]"]),
     "heading without units": (["x,y", *tooth_lines()], "tooth: real.csv", ["without a heading"]),
-    "unit of angle": (["x [deg],y [mm]", *tooth_lines()], "tooth: real.csv", ["'deg'", "not a unit of length"]),
+    "unit of angle": (
+        ["x [deg],y [mm]", *tooth_lines()],
+        "tooth: real.csv",
+        ["'deg'", "not a unit of length"],
+    ),
     "two columns x": (["x [mm],x [mm]", *tooth_lines()], "tooth: real.csv", ["two columns x"]),
     "NaN": (changed(9, "nan,1"), "tooth: real.csv", ["line 9", "'nan,1'", "finite numbers"]),
     "words": (changed(9, "12 mm,1"), "tooth: real.csv", ["line 9", "'12 mm,1'"]),
