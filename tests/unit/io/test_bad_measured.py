@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import os
 import struct
+import tracemalloc
+import zlib
 
 import h5py
 import numpy as np
@@ -175,3 +177,38 @@ def test_damaged_universal_files(tmp_path):
     assert "is not a readable universal file" in refusal(path)
     path.write_text("    -1\n   151\nmodel\n    -1\n")
     assert "no data set 58 hold no time response" in refusal(path)
+
+
+def packed_zeros(path, count: int, kind: int = 2) -> None:
+    """A MAT file with `count` packed bytes of zeros as `x`, as a program that packs its arrays writes it."""
+    size = count + (-count % 8)
+    head = struct.pack("<IIII", 6, 8, 9, 0) + struct.pack("<IIii", 5, 8, count, 1)
+    head += struct.pack("<HH4s", 1, 1, b"x") + struct.pack("<II", kind, count)
+    machine = zlib.compressobj(9)
+    parts = [machine.compress(struct.pack("<II", 14, len(head) + size) + head)]
+    zeros = bytes(1 << 20)
+    parts += [machine.compress(zeros[: min(len(zeros), size - k)]) for k in range(0, size, len(zeros))]
+    body = b"".join([*parts, machine.flush()])
+    mark = b"MATLAB 5.0 MAT-file".ljust(124) + struct.pack("<H2s", 0x0100, b"IM")
+    path.write_bytes(mark + struct.pack("<II", 15, len(body)) + body)
+
+
+def test_packed_arrays_are_bounded_by_their_declared_size(tmp_path, monkeypatch):
+    """As many bytes are unpacked as the limit allows, and none of an array that declares more."""
+    path = tmp_path / "zeros.mat"
+    packed_zeros(path, 1_000_000)
+    assert read_measured(path, sample_rate=1.0)["x"].size == 1_000_000
+    monkeypatch.setattr("pitchpoint.io.measured.mat.MOST_BYTES", 3_000_000)
+    assert "1 million samples are chosen at once (limit 0 million)" in refusal(path, sample_rate=1.0)
+    packed_zeros(path, 40_000_000)
+    assert path.stat().st_size < 50_000
+    tracemalloc.start()
+    try:
+        assert "40 MB are what its arrays take unpacked (limit 3 MB)" in refusal(path, sample_rate=1.0)
+        assert tracemalloc.get_traced_memory()[1] < 1_000_000
+    finally:
+        tracemalloc.stop()
+    data = path.read_bytes()
+    lying = zlib.compress(struct.pack("<II", 14, 64) + bytes(5_000_000))
+    path.write_bytes(data[:128] + struct.pack("<II", 15, len(lying)) + lying)
+    assert "a packed array does not end" in refusal(path, sample_rate=1.0)

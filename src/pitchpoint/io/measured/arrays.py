@@ -8,6 +8,7 @@ either. Other single numbers and texts become attributes.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -80,10 +81,12 @@ class Arrays:
         File, for messages.
     form
         Format in words.
+    most
+        Maximum number of samples of all chosen channels, None for no limit.
     """
 
-    def __init__(self, path: Path, form: str) -> None:
-        self._path, self._form = path, form
+    def __init__(self, path: Path, form: str, most: int | None = None) -> None:
+        self._path, self._form, self._most = path, form, most
         self._found: list[Found] = []
         self._rate: float | None = None
         self._notes: list[str] = []
@@ -127,6 +130,13 @@ class Arrays:
                 names = tuple(n for n, _ in _split(f, None))
                 wanted = Wanted((*wanted.channels, *names))
         chosen = [f for f in others if any(wanted.takes(name) for name, _ in _split(f, None))]
+        count = sum(math.prod(f.extent) for f in chosen)
+        if self._most is not None and count > self._most:
+            remedy = "choose fewer channels with channels="
+            limit = f"{self._most / 1e6:.0f} million"
+            raise refused(
+                self._path, "", f"{count / 1e6:.0f} million samples", "are chosen at once", limit, remedy
+            )
         axis = self._one_time(times, chosen)
         length = axis.extent[0] if axis else None
         columns = []

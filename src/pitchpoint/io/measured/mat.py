@@ -25,7 +25,9 @@ _MATRIX, _COMPRESSED = 14, 15
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
 _CELL, _STRUCT, _OBJECT, _CHAR, _SPARSE = 1, 2, 3, 4, 5
 _NUMERIC = range(6, 16)
-_MOST_UNPACKED = 4_000_000_000
+MOST_BYTES = 1_000_000_000
+"""Size of the unpacked arrays of one file, and of the chosen ones in double precision [bytes]: 18 MB of
+packed zeros may become a thousand times as much."""
 _MOST_PARTS = 10_000
 
 
@@ -36,23 +38,30 @@ def read_mat5(path: Path, data: bytes, wanted: Wanted) -> Record:
         raise refused(
             path, "byte 126", repr(mark), "is not a mark of byte order", "IM or MI", "save the file again"
         )
-    found = Arrays(path, "MAT")
+    found = Arrays(path, "MAT", MOST_BYTES // 8)
     order = "<" if mark == b"IM" else ">"
-    for kind, body in _elements(path, data[128:], order):
+    unpacked = 0
+    for kind, body in _elements(path, memoryview(data)[128:], order):
         if kind == _COMPRESSED:
-            for inner, content in _elements(path, _unpacked(path, body), order):
+            content = _unpacked(path, body, order, MOST_BYTES - unpacked)
+            unpacked += len(content)
+            for inner, part in _elements(path, memoryview(content), order):
                 if inner == _MATRIX:
-                    _matrix(path, content, order, "", found, 0)
+                    _matrix(path, part, order, "", found, 0)
         elif kind == _MATRIX:
             _matrix(path, body, order, "", found, 0)
     return found.record(wanted)
 
 
-def _unpacked(path: Path, packed: bytes) -> bytes:
-    """Contents of a compressed element."""
+def _unpacked(path: Path, packed: memoryview, order: str, room: int) -> bytes:
+    """Contents of a compressed element, of the size that its own tag declares."""
     machine = zlib.decompressobj()
     try:
-        plain = machine.decompress(packed, _MOST_UNPACKED)
+        tag = machine.decompress(packed, 8)
+        size = int(np.frombuffer(tag, f"{order}u4", 1, 4)[0]) if len(tag) == 8 else 0
+        if size > room:
+            raise _too_large(path, size + MOST_BYTES - room)
+        plain = tag + machine.decompress(machine.unconsumed_tail, size + 8)
     except zlib.error as error:
         raise _damaged(path, f"a packed array cannot be unpacked ({error})") from error
     if machine.unconsumed_tail or not machine.eof:
@@ -60,11 +69,17 @@ def _unpacked(path: Path, packed: bytes) -> bytes:
     return plain
 
 
+def _too_large(path: Path, size: int) -> MeasuredError:
+    remedy = "export fewer or shorter channels"
+    limit = f"{MOST_BYTES / 1e6:.0f} MB"
+    return refused(path, "", f"{size / 1e6:.0f} MB", "are what its arrays take unpacked", limit, remedy)
+
+
 def _damaged(path: Path, what: str) -> MeasuredError:
     return refused(path, "", "", f"is damaged: {what}", None, "save it again, or export it as CSV")
 
 
-def _elements(path: Path, data: bytes, order: str) -> Iterator[tuple[int, bytes]]:
+def _elements(path: Path, data: memoryview, order: str) -> Iterator[tuple[int, memoryview]]:
     """Data elements one after the other: type and contents; small ones hold up to 4 bytes in their tag."""
     at = 0
     while at + 8 <= len(data):
@@ -80,11 +95,11 @@ def _elements(path: Path, data: bytes, order: str) -> Iterator[tuple[int, bytes]
             raise truncated(path, at + 8 + size, len(data), "bytes of a variable or of the file")
         yield kind, data[at + 8 : at + 8 + size]
         at += 8 + size + (-size % 8 if kind != _COMPRESSED else 0)
-    if data[at:].strip(b"\0"):
+    if bytes(data[at:]).strip(b"\0"):
         raise truncated(path, at + 8, len(data), "bytes of a variable or of the file")
 
 
-def _matrix(path: Path, data: bytes, order: str, owner: str, found: Arrays, depth: int) -> None:
+def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays, depth: int) -> None:
     """One array with its name; parts of structures and cells are named after their owner."""
     parts = list(_limited(path, _elements(path, data, order)))
     if len(parts) < 3 or len(parts[0][1]) < 8 or parts[1][0] != 5:
@@ -92,7 +107,7 @@ def _matrix(path: Path, data: bytes, order: str, owner: str, found: Arrays, dept
     flags = int(np.frombuffer(parts[0][1], f"{order}u4", 1)[0])
     kind, is_complex = flags & 0xFF, bool(flags & 0x0800)
     shape = tuple(np.frombuffer(parts[1][1][: len(parts[1][1]) // 4 * 4], f"{order}i4").tolist())
-    own = parts[2][1].decode("latin-1")
+    own = bytes(parts[2][1]).decode("latin-1")
     name = f"{owner}{own}" if own or owner else "variable"
     if kind in _NUMERIC and len(parts) > 3:
         values = _numbers(path, parts[3], order, name)
@@ -107,8 +122,8 @@ def _matrix(path: Path, data: bytes, order: str, owner: str, found: Arrays, dept
     elif kind == _CHAR and len(parts) > 3:
         found.text(name, _letters(parts[3], order))
     elif kind == _STRUCT and len(parts) > 4 and depth < 8:
-        length = int.from_bytes(parts[3][1][:4].ljust(4, b"\0"), "little" if order == "<" else "big")
-        letters = parts[4][1]
+        length = int.from_bytes(bytes(parts[3][1][:4]).ljust(4, b"\0"), "little" if order == "<" else "big")
+        letters = bytes(parts[4][1])
         fields = [letters[k : k + length] for k in range(0, len(letters), length)] if length > 0 else []
         names = [field.partition(b"\0")[0].decode("latin-1") for field in fields]
         elements = parts[5:]
@@ -127,7 +142,7 @@ def _matrix(path: Path, data: bytes, order: str, owner: str, found: Arrays, dept
         found.skip(name, "an object" if kind != _SPARSE else "a sparse matrix")
 
 
-def _limited(path: Path, elements: Iterator[tuple[int, bytes]]) -> Iterator[tuple[int, bytes]]:
+def _limited(path: Path, elements: Iterator[tuple[int, memoryview]]) -> Iterator[tuple[int, memoryview]]:
     for count, element in enumerate(elements):
         if count > _MOST_PARTS:
             raise refused(
@@ -136,16 +151,16 @@ def _limited(path: Path, elements: Iterator[tuple[int, bytes]]) -> Iterator[tupl
         yield element
 
 
-def _numbers(path: Path, part: tuple[int, bytes], order: str, name: str) -> np.ndarray:
+def _numbers(path: Path, part: tuple[int, memoryview], order: str, name: str) -> np.ndarray:
     kind, data = part
     if kind not in _TYPES or len(data) % np.dtype(_TYPES[kind]).itemsize:
         raise _damaged(path, f"array {name} has {len(data)} bytes of the type {kind}")
     return np.frombuffer(data, order + _TYPES[kind])
 
 
-def _letters(part: tuple[int, bytes], order: str) -> str:
+def _letters(part: tuple[int, memoryview], order: str) -> str:
     """Text of a character array, in any of the encodings of the format."""
     kind, data = part
     wide = {4: "utf-16", 17: "utf-16", 18: "utf-32"}.get(kind)
     code = f"{wide}-{'le' if order == '<' else 'be'}" if wide else "utf-8"
-    return data.decode(code, "replace")
+    return bytes(data).decode(code, "replace")
