@@ -7,7 +7,7 @@ import ast
 import importlib
 import pkgutil
 from collections.abc import Iterator
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 
@@ -29,7 +29,7 @@ def name_of(path: Path) -> str:
     return path.relative_to(ROOT).as_posix()
 
 
-@lru_cache(maxsize=1024)
+@cache
 def tree(path: Path) -> ast.Module:
     """Syntax tree of a file."""
     return ast.parse(path.read_text(encoding="utf-8"))
@@ -69,17 +69,20 @@ def modules(*layers: str) -> Iterator[ModuleType]:
             yield importlib.import_module(info.name)
 
 
-def imports_that_run(path: Path) -> Iterator[ast.Import | ast.ImportFrom]:
+@cache
+def imports_that_run(path: Path) -> tuple[ast.Import | ast.ImportFrom, ...]:
     """Import statements of a file at any depth, those inside functions too; not those for type checkers."""
     stack: list[ast.AST] = [tree(path)]
+    found: list[ast.Import | ast.ImportFrom] = []
     while stack:
         node = stack.pop()
         if isinstance(node, ast.Import | ast.ImportFrom):
-            yield node
+            found.append(node)
         elif isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
             stack += node.orelse
-        else:
+        elif not isinstance(node, ast.expr):
             stack += ast.iter_child_nodes(node)
+    return tuple(found)
 
 
 def import_graph() -> dict[str, set[str]]:

@@ -83,10 +83,9 @@ class CaseWriter(FilledTable):
                     self._table.put(name, (k, d, i), point[name])
                 for name, _, _ in QUANTITIES:
                     self._table.put(name, (k, d, i), [point[name][s] for s in STATISTICS])
-        self._table.put("case_status", k, result.status)
         self._table.put("case_sentence", k, _letters(result.sentence))
         self._table.put("wall_s", k, result.wall_s)
-        self._table.flush()
+        self._table.complete("case_status", k, result.status)
 
 
 def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:

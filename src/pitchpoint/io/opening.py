@@ -311,7 +311,7 @@ def _look_at(item: h5py.Dataset, size: int) -> None:
         most = 1
         for length, step in zip(item.shape, item.chunks, strict=True):
             most *= -(-length // step)
-        if count > most:
+        if count > most + 1:  # a killed writer may have stored a block before the length of the array
             raise ValueError(f"{item.name} has {count} blocks where {most} have room")
     dimensions_of(item)
 

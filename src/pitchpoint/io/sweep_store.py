@@ -91,8 +91,7 @@ class SweepWriter(FilledTable):
         for name, _ in SHARES:
             if name in values:
                 self._table.put(f"{name}[{self.mesh}]", at, values[name])
-        self._table.put("point_status", at, status)
-        self._table.flush()
+        self._table.complete("point_status", at, status)
 
     def put_jumps(self, jumps: Sequence[Mapping[str, Any]]) -> None:
         """Write the jumps: `direction` and `mesh_frequency` [Hz] of each."""

@@ -172,8 +172,14 @@ class TableWriter:
             self._index[self._length - 1] = self._length - 1
 
     def flush(self) -> None:
-        """Bring everything to the disk; call once per point."""
+        """Bring everything to the disk."""
         self._container.flush()
+
+    def complete(self, name: str, index: Any, status: int) -> None:
+        """Set the status of a point or case after its values: one flush writes in any order."""
+        self.flush()
+        self.put(name, index, status)
+        self.flush()
 
     def finish(
         self,

@@ -217,12 +217,12 @@ def test_people_get_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--speed", "motor"], "no BODY=QUANTITY"),
+        (["--speed", "motor"], "not BODY=QUANTITY"),
         (["--speed", "motor=3 kg"], "motor:"),
         (["--speed", "moter=3 rpm"], "did you mean motor?"),
         (["--speed", "motor=3 rpm", "--speed", "output=3 rpm"], "does not fit the ratio"),
         (["--speed", "motor=0 rpm"], "nothing turns"),
-        (["--speed", "motor=3 rpm", "-s", "rated"], "in place of a scenario"),
+        (["--speed", "motor=3 rpm", "-s", "rated"], "replaces a scenario"),
         (["-s", "ratd"], "did you mean rated?"),
     ],
 )

@@ -247,7 +247,7 @@ def test_the_hash_of_a_model_covers_its_files(tmp_path):
     [
         ("modes_of_nothing: 1", "elastic_bodies.rod: has no matrices"),
         ("file: rod.npz\n    mass_file: m.mtx", "elastic_bodies.rod.mass_file: cannot be combined with file"),
-        ("stiffness_file: k.mtx", "lacks mass_file and place_file beside stiffness_file"),
+        ("stiffness_file: k.mtx", "lacks mass_file and place_file in addition to stiffness_file"),
         ("stiffness_file: kk.mtx", "'kk.mtx' names a file that is not there"),
     ],
 )
