@@ -14,8 +14,6 @@ from tests.contracts.source import ROOT, name_of, python_files
 GLOSSARY = ROOT / "docs" / "glossary.md"
 EXEMPT = {GLOSSARY, ROOT / "docs" / "validation.md"}
 """The page that lists the phrases, and the results page that quotes titles of tests."""
-LATER = ()
-"""Packages whose texts have not been revised yet."""
 _ROW = re.compile(r"^\|(?P<phrases>(?: ?`[^`]+` ?·?)+)\|", re.MULTILINE)
 _QUOTED = re.compile(r"```.*?```|`[^`\n]*`|\]\([^)]*\)", re.DOTALL)
 """Code in Markdown, and the targets of links."""
@@ -80,10 +78,7 @@ def files() -> list[Path]:
     models = [*(ROOT / "examples").rglob("*.yaml"), ROOT / "docs" / "gallery.yaml"]
     table = ROOT / "src" / "pitchpoint" / "core" / "nomenclature.csv"
     found = [*python_files("src", "examples", "benchmarks", "docs"), *pages, *scripts, *models, table]
-    later = {
-        p for p in found if "pitchpoint" in p.parts and set(p.relative_to(ROOT).parts[2:-1]) & set(LATER)
-    }
-    return sorted(set(found) - EXEMPT - later)
+    return sorted(set(found) - EXEMPT)
 
 
 def test_phrases_are_found_across_lines():

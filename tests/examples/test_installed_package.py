@@ -11,7 +11,7 @@ import pytest
 from tests.support.fresh_environment import borrow, build_wheel, first_five_minutes
 
 
-@pytest.mark.slow
+@pytest.mark.study
 def test_the_first_five_minutes_of_an_installed_wheel(tmp_path: Path) -> None:
     """Other packages are those of this environment; ``make newest-numba`` installs them, too."""
     wheel = build_wheel(tmp_path)

@@ -144,6 +144,7 @@ def check(advance, run, reference, most):
         assert abs(energy(system, state) - begun) < 40.0 * most
 
 
+@pytest.mark.study
 def test_an_explicit_method(reference):
     """Every step leaves a part of 1e-11; angles turn at up to 8 rad/s."""
     system = mechanism()

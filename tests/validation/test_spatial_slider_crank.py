@@ -142,6 +142,7 @@ def expected(reduced):
     return np.array([angle, rate, *slider, sum(reduced.energy(angle, rate))])
 
 
+@pytest.mark.study
 def test_the_reduction_keeps_energy(reduced):
     (angles, rates) = reduced.motion(0.0, SPEED, np.linspace(0.1, DURATION, 20))
     energies = [sum(reduced.energy(u, w)) for u, w in zip(angles, rates, strict=True)]
@@ -158,6 +159,7 @@ def test_accelerations_at_the_start(reduced):
     assert system.workspace.a[d] == pytest.approx(reduced.acceleration(0.0, SPEED), abs=1e-8)
 
 
+@pytest.mark.study
 def test_an_explicit_method(expected):
     """The tolerance of the steps is a hundred times finer."""
     system, state = mechanism()

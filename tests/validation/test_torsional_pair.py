@@ -115,7 +115,8 @@ def test_steady(model):
     ("direction", "way"),
     [
         ("up", (2000.0,)),  # lower branch, always in contact
-        ("down", (2600.0, 2500.0, 2400.0, 2300.0, 2200.0, 2100.0, 2000.0)),  # upper branch of the same speed
+        # upper branch of the same speed
+        pytest.param("down", tuple(np.arange(2600.0, 1999.0, -100.0)), marks=pytest.mark.study),
         ("up", (1400.0,)),  # half the natural frequency: the second harmonic parts the flanks
     ],
 )

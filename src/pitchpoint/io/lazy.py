@@ -46,7 +46,8 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
     over = {key: _dimensions(item) for key, item in arrays.items()}
     lengths = _lengths(arrays, over)
     variables = {}
-    for key, item in arrays.items():
+    # a status before its values: one who loads all of a file that grows must not see it before them
+    for key, item in sorted(arrays.items(), key=lambda pair: not pair[0].endswith("_status")):
         if item.attrs.get("NAME", b"").startswith(_BARE):
             continue
         dims = over[key]

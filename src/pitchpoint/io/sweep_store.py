@@ -120,9 +120,9 @@ def _plain(file: Mapping[str, Any]) -> dict[str, Any]:
     mesh = next(name for name in file if name.startswith(first))[len(first) : -1]
     directions = [d.decode() if isinstance(d, bytes) else d for d in file["direction"][...]]
     frequencies, speeds = file["mesh_frequency"][...], file["speed"][...]
+    status = file["point_status"][...]  # before the values: a sweep that runs stores them in the other order
     tables = {name: file[f"{name}[{mesh}]"][...] for name, _, _ in QUANTITIES}
     shares = {name: file[f"{name}[{mesh}]"][...] for name, _ in SHARES}
-    status = file["point_status"][...]
     n = file["jump"].shape[0]
     where, jump_at = file["jump_direction"][:n], file["jump_mesh_frequency"][:n]
     points = []

@@ -391,6 +391,7 @@ def line_force(gears, distance, at, x, k):
     return force
 
 
+@pytest.mark.study
 def test_gears_of_triangles_press_along_the_line_of_action():
     """Against the analytic line of action: directions, torques, and the force of a pressed layer of springs.
 

@@ -210,7 +210,7 @@ CHILD = """
         k += 250
         if k >= 2000:
             print(k, flush=True)
-            time.sleep(0.002 if k < 20000 or sys.argv[2] == "busy" else 60)
+            time.sleep(0.01 if k < 20000 or sys.argv[2] == "busy" else 60)
 """
 
 

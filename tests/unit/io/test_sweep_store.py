@@ -58,3 +58,22 @@ def test_other_files_are_refused(tmp_path: Path) -> None:
         pass
     with pytest.raises(ResultError, match="holds time results"):
         read_sweep(path)
+
+
+def test_the_status_of_a_point_is_stored_after_its_values_and_read_before(
+    tmp_path: Path, monkeypatch
+) -> None:
+    """A flush writes what it covers in any order: a kill within it must not leave a status without values."""
+    path = tmp_path / "sweep.h5"
+    seen = []
+    with SweepWriter(path, Header("sweep"), "stage", ["up"], [20.0, 40.0], [1000.0, 2000.0]) as sweep:
+        flush = sweep._table.flush
+        monkeypatch.setattr(
+            sweep._table,
+            "flush",
+            lambda: (flush(), seen.append(open_result(path)["point_status"].values[0, 0])),
+        )
+        sweep.put("up", 0, {})
+    assert seen == [-1, 1]
+    with open_result(path) as data:
+        assert next(iter(data.data_vars)) == "point_status"

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+"""100 000 model files with wrong edits: no raw exception, no hang, no number without a status.
+
+Models of `examples` and of the pages in `docs`, each with one to five edits at once: values deleted, doubled,
+swapped, moved, renamed, extreme or of another type, lists of another length (`tests/support/mutation.py`).
+All are loaded; every fiftieth is compiled, its modes are found and its scenarios run for a few steps. Counts
+are exact: what is allowed is a refusal with a sentence, or finite numbers, or a status.
+"""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from multiprocessing import get_context
+
+import pytest
+
+from tests.support.mutation import counted
+
+CASES, PARTS, EVERY = 100_000, 40, 50
+
+
+@pytest.mark.study
+def test_edited_models():
+    words: Counter[str] = Counter()
+    first = {}
+    count = partial(counted, cases=CASES // PARTS, every=EVERY)
+    with ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("spawn")) as pool:
+        for found, faults in pool.map(count, range(1000, 1000 + PARTS)):
+            words += found
+            first |= faults
+    faults = {word: n for word, n in words.items() if word not in ("refused", "loaded", "computed")}
+    assert not faults, first
+    cases = words.total()
+    assert cases == pytest.approx(CASES)
+    raw_exceptions = sum(n for word, n in words.items() if word.startswith("raw"))
+    assert raw_exceptions == pytest.approx(0)
+    hangs = words["hang"]
+    assert hangs == pytest.approx(0)
+    numbers_without_a_status = sum(n for word, n in words.items() if word.startswith("number"))
+    assert numbers_without_a_status == pytest.approx(0)
+    assert words["refused"] > 0.5 * CASES and words["computed"] > 0.002 * CASES
