@@ -151,7 +151,9 @@ def _decoded(path: Path, data: bytes) -> tuple[_Text, list[str]]:
 
 def _text(path: Path, data: bytes, code: str) -> _Text | None:
     """Look through a file in blocks; None if it holds characters that are not text."""
-    blocks, head, remarks = [], [], []
+    blocks: list[tuple[int, int, int]] = []
+    head: list[tuple[int, str]] = []
+    remarks: list[tuple[int, str]] = []
     last: tuple[int, str] | None = None
     begin = before = 0
     while begin < len(data):
