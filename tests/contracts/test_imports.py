@@ -33,7 +33,7 @@ CIRCLES_LEFT = (
     {"geometry.solid_file", "geometry.step_file"},
     {"io.container", "io.disk_fault", "io.opening", "io.target"},
     {"solvers.cycle_means", "solvers.equilibrium", "solvers.unconstrained"},
-    {"core.companion", "core.compiler", "core.compiler_private", "core.kernel"},
+    {"core.second_compiler", "core.compiler", "core.compiler_private", "core.kernel"},
     {"report.bevel_numbers", "report.numbers"},
 )
 """Groups of modules that import each other through imports inside functions; only to be shortened."""

@@ -27,13 +27,16 @@ CHECKED = {
     "din3990": {
         "model/components/gear.py",  # factor of the gear blank
         "model/components/mesh.py",  # law if none is given
-        "model/idle_keys.py",  # keys without effect
+        "model/keys_without_effect.py",  # keys without effect
         "system/rules/bevel_mesh.py",  # of bevel meshes
         "system/rules/stiffness.py",  # single stiffness of every mesh
     },
-    "energy": {"model/idle_keys.py"},  # keys without effect
+    "energy": {"model/keys_without_effect.py"},  # keys without effect
     "fourier": {"model/mesh_check.py"},  # range that depends on several keys
-    "hertz": {"model/idle_keys.py", "model/mesh_check.py"},  # keys without effect, keys that go together
+    "hertz": {
+        "model/keys_without_effect.py",
+        "model/mesh_check.py",
+    },  # keys without effect, keys that go together
     "rectangular": {"model/mesh_check.py"},  # range that depends on several keys
     "table": {"contact/stiffness/user.py"},  # becomes one
     "user": {  # runs code

@@ -68,7 +68,7 @@ def mesh(
     bare = (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor)
     if file is None:
         if eps_alpha is None:
-            raise click.UsageError("give a model FILE, or --eps-alpha with its companions")
+            raise click.UsageError("give a model FILE, or --eps-alpha with its second processes")
         from pitchpoint.contact.mesh_cycle import mesh_cycle
 
         S_R = 0.8 if stiffness_ratio is None else stiffness_ratio
@@ -77,7 +77,7 @@ def mesh(
     else:
         if any(option is not None for option in bare):
             raise click.UsageError(
-                "contact ratios come from the FILE; leave --eps-alpha and its companions out"
+                "contact ratios come from the FILE; leave --eps-alpha and its second processes out"
             )
         from pitchpoint.cli.reading import read_model
 

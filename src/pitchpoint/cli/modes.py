@@ -133,16 +133,16 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
     """Show frequencies and damping of the lowest modes, and note what was omitted."""
     least = ROUNDING * max((abs(row["frequency"]) for row in summary["modes"]), default=0.0)
 
-    def told(frequency: float) -> float:
+    def above_rounding(frequency: float) -> float:
         """Frequency as it is printed: what is only rounding of a rigid mode is zero [Hz]."""
         return 0.0 if abs(frequency) <= least else frequency
 
     cells = [
         [
             row["name"],
-            shown(told(row["frequency"]), "frequency", 6),
-            shown(told(row["damped_frequency"]), "frequency", 6),
-            damping_text(row["damping_ratio"], told(row["frequency"])),
+            shown(above_rounding(row["frequency"]), "frequency", 6),
+            shown(above_rounding(row["damped_frequency"]), "frequency", 6),
+            damping_text(row["damping_ratio"], above_rounding(row["frequency"])),
         ]
         for row in summary["modes"][:count]
     ]

@@ -116,10 +116,10 @@ def run(
     if as_json:
         emit_json(summary)
     elif not quiet and (summary["steps"] or error is None):
-        told = {name: row for name, row in summary["channels"].items() if name not in inner}
+        shown_rows = {name: row for name, row in summary["channels"].items() if name not in inner}
         title = f"{model.title or file}: {name}"
-        if not told or any(math.isfinite(row["mean"]) for row in told.values()):
-            statistics_table(title, told)
+        if not shown_rows or any(math.isfinite(row["mean"]) for row in shown_rows.values()):
+            statistics_table(title, shown_rows)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""

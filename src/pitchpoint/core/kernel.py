@@ -23,9 +23,9 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.core import machine_code
-from pitchpoint.core.companion import announce, await_entry, delegate, withdraw
 from pitchpoint.core.compiling import unhindered
 from pitchpoint.core.machine_code import cache_folder
+from pitchpoint.core.second_compiler import announce, await_entry, delegate, withdraw
 
 __all__ = [
     "COMPILING",
@@ -186,7 +186,7 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
 
 
 def _compile(here: Sequence[Any], there: list[Any]) -> None:
-    """Compile what is for this process, then what the companion has not begun."""
+    """Compile what is for this process, then what the second process has not begun."""
     for entry in here:
         address(entry)
     # whoever is done first takes from the end of the list; the first one left is being compiled there

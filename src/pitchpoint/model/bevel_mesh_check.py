@@ -89,7 +89,7 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
     if apart > PLACE_TOLERANCE * pair.R_m:
         report.problem(
             (*at, "gears"),
-            f"have their apexes {1e3 * apart:.6g} mm apart, at {_told(apex1)} and {_told(apex2)}",
+            f"have their apexes {1e3 * apart:.6g} mm apart, at {_point(apex1)} and {_point(apex2)}",
             value=" and ".join(mesh.gears),
             limit="one apex",
             remedy=f"correct the positions of {one} and {two}, or the places of the gears on them",
@@ -127,7 +127,7 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
     return len(report.problems) == before
 
 
-def _told(place: np.ndarray) -> str:
+def _point(place: np.ndarray) -> str:
     return "(" + ", ".join(f"{1e3 * x:.6g}" for x in place) + ") mm"
 
 

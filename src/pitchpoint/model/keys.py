@@ -46,7 +46,7 @@ class Key:
     length: tuple[int, int] = (0, 10**7)
     variables: tuple[str, ...] = ()  # of a law: what its formulas may use, if not t, angle, speed
     dotted: bool = False  # names of components may be two words with a dot, as JOINT.COORDINATE
-    apart: bool = False  # what is wrong in it leaves the component that holds it as good as it is
+    isolated: bool = False  # a problem in it does not affect the component that holds it
     of: Any = None  # dataclass of nested components, or table of variants
     display: str = ""  # default in the words of a user, where it is a formula
     sample: str = ""  # a usual value, where the example of the dimension would be none

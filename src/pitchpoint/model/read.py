@@ -108,7 +108,7 @@ class Reader:
             if value is None and name in defaults and defaults[name] is None:
                 continue
             self.within = data
-            before = self.tainted.copy() if description.apart else None
+            before = self.tainted.copy() if description.isolated else None
             result = self.value(description, value, (*path, name))
             if before is not None:
                 self.tainted = before | {p for p in self.tainted if len(p) > len(path)}

@@ -16,7 +16,7 @@ from pitchpoint.model.beam_remarks import ends_left_behind
 from pitchpoint.model.bearing_fault_check import track_radius
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
-from pitchpoint.model.idle_keys import idle_keys
+from pitchpoint.model.keys_without_effect import keys_without_effect
 from pitchpoint.model.pair_check import at_tip_diameter
 from pitchpoint.model.place_remarks import places_left_open
 
@@ -60,7 +60,7 @@ def ignored_flanks(model: Model) -> tuple[Message, ...]:
     return tuple(found)
 
 
-def bushings_apart(model: Model) -> tuple[Message, ...]:
+def bushings_at_a_distance(model: Model) -> tuple[Message, ...]:
     """A remark for every bushing whose ends have different places as drawn, and which is loaded by that."""
     found = []
     for name, bushing in model.bushings.items():
@@ -199,11 +199,11 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
         negative_backlash,
         jumping_ramps,
         gaps_in_contact,
-        bushings_apart,
+        bushings_at_a_distance,
         flat_grooves,
         places_left_open,
         ends_left_behind,
-        idle_keys,
+        keys_without_effect,
     )
     found = [each for find in finders for each in find(model)]
     return tuple(e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)

@@ -62,7 +62,7 @@ def _actuator(part: Any) -> str:
     return f"strut between {' and '.join(part.ends)}"
 
 
-def idle_signals(model: Model) -> list[Message]:
+def signals_without_effect(model: Model) -> list[Message]:
     """A remark for every controller whose signals nothing reads, and for keys without effect."""
     used = {signal for signal, _ in read(model)}
     found = [

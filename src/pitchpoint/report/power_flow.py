@@ -84,7 +84,7 @@ class Machine:
         self.inside = inside if inside.sum() > 1 else np.ones(time.size, bool)
         self.time = time[self.inside]
         # a record of all steps needs no other mean: that of steps has no half weights at the ends
-        self.thinned = int(result.attrs.get("steps", time.size)) >= time.size
+        self.decimated = int(result.attrs.get("steps", time.size)) >= time.size
         self.booked = False
         if self.time.size < 2:
             raise NoPowerFlowError("the run has fewer than two samples")
@@ -130,7 +130,7 @@ class Machine:
     def mean_of(self, name: str) -> float:
         """Mean of a channel: that of all steps, if the run has left it; samples may keep step with teeth."""
         sampled = self.mean(self.channel(name))
-        numbers = self.result[name].attrs.get("statistics") if self.thinned else None
+        numbers = self.result[name].attrs.get("statistics") if self.decimated else None
         return sampled if numbers is None or not np.isfinite(numbers[0]) else float(numbers[0])
 
     def power(self, name: str, speed: Array | float) -> float:

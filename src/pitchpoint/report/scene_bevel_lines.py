@@ -76,7 +76,7 @@ class BevelLines:
         self.deflection = np.zeros(n)
         self.line = np.zeros((n, 6))
         self.axes = np.zeros((n, 3, 3))
-        self.apart = np.zeros((n, 3))
+        self.displacement = np.zeros((n, 3))
         self.aside = np.zeros((n, 2))
         self.first: Any = None
 
@@ -109,7 +109,7 @@ class BevelLines:
         path = (now["xi_A"], now["xi_A"] + now["eps"] * p_bt)
         self.line[frame] = (*path, *face, math.atan2(now["sin_a"], now["cos_a"]), now["gap"])
         self.axes[frame] = np.column_stack([now["e"], now["t"], now["m"]])
-        self.apart[frame] = self.axes[frame].T @ now["d"]
+        self.displacement[frame] = self.axes[frame].T @ now["d"]
         self.aside[frame] = now["aside"]
 
     def close(self) -> None:
@@ -180,7 +180,7 @@ class BevelLines:
         b = self.first
         tan, sigma = side * float(b["tan_b"]), x / float(b["R_m"])
         alpha = self.line[:, 4]
-        towards, along, ray = self.apart.T
+        towards, along, ray = self.displacement.T
         across = side * np.cos(alpha) * along + np.sin(alpha) * towards
         c, s = np.cos(sigma), np.sin(sigma)
         deep = c * (across - tan * ray)[:, None] - s * (ray + tan * across)[:, None]

@@ -139,7 +139,7 @@ class _Axis(NamedTuple):
     direction: Array
     near: float
     far: float
-    apart: Array | None
+    other_origin: Array | None
     """Place of the second body where it has another axis [m]; none where both have one."""
 
 
@@ -193,7 +193,7 @@ def _halves(
     The second of a brake is a pair of pads on ground; on two axes there is a bar between the two.
     """
     model, line = at.model, _axis(at, bodies)
-    if line.apart is not None:
+    if line.other_origin is not None:
         return _across(at, name, "body", bodies, line)
     middle = 0.5 * (line.near + line.far)
     if height is not None:
@@ -236,7 +236,7 @@ def _coil(at: Places, name: str, part: Any) -> list[SceneSolid]:
     """A coil between two bodies on one axis, a flat spiral where they lie over each other, else a bar."""
     bodies = part.bodies
     line = _axis(at, bodies)
-    if line.apart is not None:
+    if line.other_origin is not None:
         return _across(at, name, "spring", bodies, line)
     ends = [line.origin + h * line.direction for h in (line.near, line.far)]
     radius = SMALLEST * at.size
@@ -259,11 +259,13 @@ def _spiral(radius: float) -> Iterator[tuple[float, float, float]]:
 
 def _across(at: Places, name: str, kind: str, bodies: tuple[str, ...], line: _Axis) -> list[SceneSolid]:
     """A bar, or coil, between the axes of two bodies."""
-    assert line.apart is not None
+    assert line.other_origin is not None
     thin = 0.4 * BAR * at.size
     bar = shapes.turned_profile([(0.0, 0.0), (thin, 0.0), (thin, 1.0), (0.0, 1.0)], 12)
     surface = bar if kind == "body" else shapes.coil(2.5 * thin, 0.5 * thin)
-    ends = [at.at_world(b, p, np.eye(3)) for b, p in zip(bodies, (line.origin, line.apart), strict=True)]
+    ends = [
+        at.at_world(b, p, np.eye(3)) for b, p in zip(bodies, (line.origin, line.other_origin), strict=True)
+    ]
     return [_between(name, kind, ends, surface)]
 
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements import gear_mesh_record as mesh
 from pitchpoint.elements.mesh_pairs import MOST_SPLIT
-from pitchpoint.solvers.element_batches import Block, apart, blocks_of, machines_of
+from pitchpoint.solvers.element_batches import Block, blocks_of, independent_batches, machines_of
 from pitchpoint.solvers.element_tangents import tangents
 from pitchpoint.solvers.equilibrium import find_equilibrium
 from pitchpoint.solvers.flanks import pressed_flanks
@@ -168,8 +168,8 @@ def cycle_means(
     free = [m for m in range(len(names)) if names[m] in loose]
     loaded = [m for m in range(len(names)) if names[m] not in loose]
     machine = machines_of(system)
-    batches = apart(free, [blocks_of(system, *places[m]).nodes for m in free])
-    batches += apart(
+    batches = independent_batches(free, [blocks_of(system, *places[m]).nodes for m in free])
+    batches += independent_batches(
         loaded, [{int(machine[int(mesh_record(system, m)[e])]) for e in "ij"} - {0} for m in loaded]
     )
     found: dict[int, tuple[Array, Array]] = {}

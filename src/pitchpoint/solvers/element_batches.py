@@ -50,12 +50,12 @@ def blocks_of(system: System, kind: str, k: int) -> Block:
     return Block(nodes, pairs, np.array([layout.blocks[pair] for pair in pairs], np.int64))
 
 
-def apart(elements: Sequence[int], touched: Sequence[Collection[int]]) -> list[list[int]]:
+def independent_batches(elements: Sequence[int], touched: Sequence[Collection[int]]) -> list[list[int]]:
     """Elements in as few batches as come out when each goes into the first that touches nothing of it.
 
     Examples
     --------
-    >>> apart([5, 6, 7], [{1, 2}, {2, 3}, {3, 4}])
+    >>> independent_batches([5, 6, 7], [{1, 2}, {2, 3}, {3, 4}])
     [[5, 7], [6]]
     """
     batches: list[list[int]] = []
@@ -102,7 +102,7 @@ def stiffness_by_element(
     """
     blocks = [blocks_of(system, kind, k) for kind, k in elements]
     found: dict[int, tuple[Array, Array]] = {}
-    for batch in apart(range(len(elements)), [b.nodes for b in blocks]):
+    for batch in independent_batches(range(len(elements)), [b.nodes for b in blocks]):
         rows: dict[str, list[int]] = {}
         for e in batch:
             rows.setdefault(elements[e][0], []).append(elements[e][1])

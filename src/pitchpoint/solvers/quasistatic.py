@@ -164,7 +164,7 @@ def roll_through(
     n = points * periods + 1
     rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
     names = mesh_names(own)
-    told = range(len(names)) if others else (k,)
+    observed = range(len(names)) if others else (k,)
     unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
     state = find_equilibrium(own, state, held).state
     clear = without_deflections(own, state, held)
@@ -175,7 +175,7 @@ def roll_through(
             state = found.state
             rows[s] = found.observe(own)
             reaction[s] = found.reaction
-            for m in told:
+            for m in observed:
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
                 tangent[m, s] = tangent_stiffness(own, state, m)
                 unloaded[m, s] = unloaded_error(own, clear, m, contact)
@@ -187,7 +187,7 @@ def roll_through(
     except SolverError as error:
         status, text = error.status, f"{error} (after {done} of {n} points)"
     rows = rows[:done]
-    curves = {m: (unloaded[m, :done], tangent[m, :done]) for m in told}
+    curves = {m: (unloaded[m, :done], tangent[m, :done]) for m in observed}
     meshes = _mesh_rolls(own, rows, curves, rates, (spin, k))
     position = np.arange(done) / points
     spans = {

@@ -135,14 +135,14 @@ def _at_rest(
     instants = cycle_instants(system, state) if balancing else NOW
     mean, balanced, held = balance_torques(mean, state, held, driven, instants)
     known = {*driven, *balanced}
-    found, told = rest_of_controls(mean, state, held, known)
+    found, signal_notes = rest_of_controls(mean, state, held, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)
     if pulsates:
         records = system.records[LOAD].copy()
         records["value"][balancing] = mean.records[LOAD]["value"][balancing]
         mean = system.with_params({LOAD: records})
-        found, told = rest_of_controls(mean, found.state, held, known)
-    return mean, found, (*told, *_notes(mean, found, known), *remarks)
+        found, signal_notes = rest_of_controls(mean, found.state, held, known)
+    return mean, found, (*signal_notes, *_notes(mean, found, known), *remarks)
 
 
 def _turn_to(system: System, state: State, body: str, angle: float) -> None:

@@ -55,7 +55,7 @@ def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[
         Where the run begins.
     driven
         Coordinates whose motion is prescribed; what they cannot begin with is known without a run
-        (`model.idle_keys`).
+        (`model.keys_without_effect`).
     """
     model = system.model
     if model is None:

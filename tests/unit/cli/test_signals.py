@@ -13,7 +13,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.model.idle_keys import idle_keys
+from pitchpoint.model.keys_without_effect import keys_without_effect
 from tests.support.cli_files import json_of
 
 ROTOR = """\
@@ -134,7 +134,7 @@ def test_idle_keys_are_told(file: Path) -> None:
         "  seen:", "  p: {type: pid, input: error, proportional: 1, filter_time: 1 ms}\n  seen:"
     )
     file.write_text(text, encoding="utf-8")
-    said = idle_keys(load_model(file, allow_code=True))
+    said = keys_without_effect(load_model(file, allow_code=True))
     assert "controllers.loop.output: nothing reads u: it acts on nothing and is only recorded" in said
     assert "blocks.p.filter_time: has no effect without derivative" in said
 

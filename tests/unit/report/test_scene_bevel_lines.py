@@ -142,7 +142,7 @@ def test_loads_of_gears_that_bearings_let_aside_are_those_of_the_kernel(kind):
     motion(system, count, read, result["time"].values, lines.look)
     bevel = lines.bevels["stage"]
     bevel.close()
-    assert np.abs(bevel.apart).max() > 5e-6
+    assert np.abs(bevel.displacement).max() > 5e-6
     kept = np.stack([result[f"pair_force[stage.{k}]"].values for k in range(bevel.pairs)], axis=1)
     largest = kept.max()
     loaded = kept > 0.2 * largest

@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import load_model, loads_model
-from pitchpoint.model.idle_keys import idle_keys
+from pitchpoint.model.keys_without_effect import keys_without_effect
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system.compile import compile_model
 from tests.support.mechanism_files import SLIDER_CRANK
@@ -105,7 +105,7 @@ def test_a_drive_that_gives_the_angle_decides(tmp_path: Path, capsys: pytest.Cap
             told = f"joints.main.{key} (line {LINE}): spin has no effect in s, whose drive of crank decides"
             assert said.count(told) == 1
             assert said.count(f"joints.main.{key}") == 1
-    assert len(idle_keys(load_model(file))) == 2
+    assert len(keys_without_effect(load_model(file))) == 2
 
 
 def test_a_hanging_body_without_a_loop() -> None:

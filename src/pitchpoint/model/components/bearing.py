@@ -30,5 +30,5 @@ class Bearing:
     )
     damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")
     faults: Mapping[str, LooseBearing] = key(
-        "components", "its faults by name", {}, apart=True, of=SEAT_FAULTS
+        "components", "its faults by name", {}, isolated=True, of=SEAT_FAULTS
     )

@@ -103,7 +103,7 @@ class BevelGear:
         display="assembled in mesh",
     )
     faults: Mapping[str, BevelFault] = key(
-        "components", "faults of its teeth, by label", {}, apart=True, of=BEVEL_FAULTS
+        "components", "faults of its teeth, by label", {}, isolated=True, of=BEVEL_FAULTS
     )
     rim_thickness: float | None = positive(
         "length",

@@ -132,7 +132,7 @@ class Gear:
         "components",
         "faults of its teeth and of how it sits, by label",
         {},
-        apart=True,
+        isolated=True,
         of={**FAULTS, **SEAT_FAULTS},
     )
     tooth_profile: ToothProfile | None = key(

@@ -52,7 +52,7 @@ class RollingBearing:
         "dimensionless", "share of the force per speed of approach [s/m]", 0.0, minimum=0.0
     )
     faults: Mapping[str, BearingFault] = key(
-        "components", "its faults by name", {}, apart=True, of=BEARING_FAULTS
+        "components", "its faults by name", {}, isolated=True, of=BEARING_FAULTS
     )
 
 

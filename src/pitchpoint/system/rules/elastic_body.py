@@ -236,10 +236,10 @@ def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]
         stamps = tuple(Path(f).stat().st_mtime_ns for f in part.files)
         return _read(part.files, stamps, places, part.modes, part.below, part.static_shapes)
     except (PitchpointError, OSError, MemoryError, np.linalg.LinAlgError, RuntimeError) as fault:
-        raise ModelError([_told(name, part, fault)], model.file) from None
+        raise ModelError([_message(name, part, fault)], model.file) from None
 
 
-def _told(name: str, part: ElasticBody, fault: Exception) -> Message:
+def _message(name: str, part: ElasticBody, fault: Exception) -> Message:
     """What is wrong with the files of an elastic body, as a problem of the model that names them."""
     at = f"elastic_bodies.{name}"
     if isinstance(fault, ModelError):

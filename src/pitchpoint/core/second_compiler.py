@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A second process that compiles entries while this one compiles others: half the wait on an empty cache.
 
-Both write the same cache on disk. The companion reports every entry that it has finished; who needs one waits
-for that report and loads it. A companion that fails only costs time: what it did not report is compiled here.
+Both write the same cache on disk. The second process reports every entry that it has finished; a caller that
+needs one waits for that report and loads it. A second process that fails only costs time: what it did not
+report is compiled here.
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ def delegate(entries: Sequence[str]) -> None:
 
 
 def await_entry(entry: str) -> None:
-    """Wait until the companion has finished an entry, or has ended; at once if it was not requested."""
+    """Wait until the second process has finished an entry, or has ended; at once if it was not requested."""
     while entry in _pending:
         process = _pending[entry]
         assert process.stdout is not None
@@ -74,12 +75,12 @@ def await_entry(entry: str) -> None:
 
 
 def withdraw(entry: str) -> None:
-    """Stop waiting for an entry: it is compiled here; the companion finds it in the cache, or does it too."""
+    """Stop waiting for an entry: it is compiled here, and perhaps by the second process too."""
     _pending.pop(entry, None)
 
 
 def main(entries: Sequence[str]) -> None:
-    """Compile entries and report each on stdout; the work of the companion."""
+    """Compile entries and report each on stdout; the work of the second_compiler."""
     from pitchpoint.core.kernel import address
 
     for entry in entries:

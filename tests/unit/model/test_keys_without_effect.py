@@ -11,7 +11,7 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.idle_keys import idle_keys
+from pitchpoint.model.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks import jumping_ramps, warn_of_remarks
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
@@ -44,7 +44,7 @@ def model_of(**parts: str):
 
 
 def sentences(**parts: str) -> tuple[str, ...]:
-    return idle_keys(model_of(**parts))
+    return keys_without_effect(model_of(**parts))
 
 
 def forces(**parts: str) -> np.ndarray:

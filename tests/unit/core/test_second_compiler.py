@@ -8,26 +8,26 @@ import subprocess
 import sys
 import textwrap
 
-from pitchpoint.core import companion, machine_code, notices
+from pitchpoint.core import machine_code, notices, second_compiler
 
 
 def test_an_entry_that_nobody_was_asked_for_is_not_waited_for():
-    companion.await_entry("somewhere:entry")
+    second_compiler.await_entry("somewhere:entry")
 
 
-def test_a_failing_companion_does_no_harm(monkeypatch):
-    monkeypatch.setattr(companion, "cores", lambda: 2)
-    companion.delegate(["pitchpoint.no_such_module:entry", "pitchpoint.neither:entry"])
-    companion.await_entry("pitchpoint.neither:entry")
-    assert not companion._pending
+def test_a_failing_second_process_does_no_harm(monkeypatch):
+    monkeypatch.setattr(second_compiler, "cores", lambda: 2)
+    second_compiler.delegate(["pitchpoint.no_such_module:entry", "pitchpoint.neither:entry"])
+    second_compiler.await_entry("pitchpoint.neither:entry")
+    assert not second_compiler._pending
 
 
 def test_the_first_start_is_explained_once(monkeypatch):
     heard = []
     monkeypatch.setattr(notices, "_listeners", [])
     notices.listen(heard.append)
-    companion.announce()
-    companion.announce()
+    second_compiler.announce()
+    second_compiler.announce()
     assert len(heard) == 1
     assert "once" in heard[0]
 
@@ -38,12 +38,12 @@ def entry(a: int) -> int:
 
 
 def test_killed_processes_leave_no_drafts(tmp_path, monkeypatch):
-    """Of the companion at once, of others an hour later."""
+    """Of the second process at once, of others an hour later."""
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     code = """
         import os, pathlib, signal
         from pitchpoint.core import machine_code
-        from tests.unit.core.test_companion import entry
+        from tests.unit.core.test_second_compiler import entry
         pathlib.Path.write_bytes = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
         machine_code.save(entry, b"code", [])
     """
@@ -62,13 +62,13 @@ def test_killed_processes_leave_no_drafts(tmp_path, monkeypatch):
     assert not draft.exists()
 
 
-def test_a_killed_companion_leaves_no_drafts(tmp_path, monkeypatch):
-    monkeypatch.setattr(companion, "cores", lambda: 2)
+def test_a_killed_second_process_leaves_no_drafts(tmp_path, monkeypatch):
+    monkeypatch.setattr(second_compiler, "cores", lambda: 2)
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    companion.delegate(["pitchpoint.no_such_module:entry"])
-    (process,) = companion._pending.values()
+    second_compiler.delegate(["pitchpoint.no_such_module:entry"])
+    (process,) = second_compiler._pending.values()
     draft = machine_code._folder() / f"draft-{process.pid}-x"
     draft.mkdir(parents=True)
     (draft / "half.code").touch()
-    companion.await_entry("pitchpoint.no_such_module:entry")
+    second_compiler.await_entry("pitchpoint.no_such_module:entry")
     assert not draft.exists()

@@ -20,7 +20,7 @@ from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.references import ends_of
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
-from pitchpoint.model.signal_words import idle_signals
+from pitchpoint.model.signal_words import signals_without_effect
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bearing import Bearing
@@ -64,7 +64,7 @@ TIME_KEYS = (
 )
 
 
-def idle_keys(model: Model) -> tuple[Message, ...]:
+def keys_without_effect(model: Model) -> tuple[Message, ...]:
     """A remark for every key without effect."""
     return (
         *_frictions(model),
@@ -78,7 +78,7 @@ def idle_keys(model: Model) -> tuple[Message, ...]:
         *_loads(model),
         *_scenarios(model),
         *_driven_starts(model),
-        *idle_signals(model),
+        *signals_without_effect(model),
     )
 
 
