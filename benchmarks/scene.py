@@ -70,10 +70,10 @@ def many_gears() -> str:
 def pages(folder: Path) -> dict[str, Path]:
     """Pages of the shovel gearbox on elastic shafts and of twenty gears, each with a short record."""
     from pitchpoint.io.yaml_model import load_model, loads_model
-    from pitchpoint.report.scene import scene_of
+    from pitchpoint.report.scene.build import scene_of
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.system.compile import compile_model
-    from pitchpoint.viz.scene_page import scene_page
+    from pitchpoint.viz.scene.page import scene_page
 
     brief = {"scenarios.rated.duration": 0.4, "scenarios.rated.settle_time": 0.0}
     models = {

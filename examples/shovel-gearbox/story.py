@@ -24,7 +24,7 @@ from study import Run, healthy_and_faulty, simulate, without_friction
 from pitchpoint import __version__
 from pitchpoint.analysis.detection import DetectionCurves
 from pitchpoint.viz.quantities import number
-from pitchpoint.viz.report_page import Section, page
+from pitchpoint.viz.report.page import Section, page
 from pitchpoint.viz.tables import plain_table
 
 TITLE = "From teeth to a broken tooth: the crawler gearbox of a mining shovel"

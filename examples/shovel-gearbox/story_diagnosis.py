@@ -15,7 +15,7 @@ from pitchpoint.viz.compared_table import Compared, compared_table, sourced_tabl
 from pitchpoint.viz.detection_plot import plot_detection
 from pitchpoint.viz.level_plot import plot_signal_and_levels
 from pitchpoint.viz.quantities import Channel, number
-from pitchpoint.viz.report_page import Section
+from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.signals_plot import plot_signals
 
 

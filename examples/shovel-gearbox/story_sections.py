@@ -41,8 +41,8 @@ from pitchpoint.viz.flank_plot import plot_missing
 from pitchpoint.viz.frequency_marks import mark_frequencies
 from pitchpoint.viz.gear_drawing import pair_svg
 from pitchpoint.viz.quantities import Channel, number
-from pitchpoint.viz.report_page import Section
-from pitchpoint.viz.report_sections import gear_section
+from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.report.sections import gear_section
 from pitchpoint.viz.signals_plot import plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from pitchpoint.viz.report import report_html
+from pitchpoint.viz.report.build import report_html
 from tests.support.browser import Browsers, OpenPage, needs_browser, opening
 from tests.support.report_browser import drawn, found
 from tests.support.report_data import report_model, report_results

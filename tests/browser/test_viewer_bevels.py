@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.report.scene import scene_of
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.bevel_teeth import PAIR, RUN
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.scene_browser import STATES, asked

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from pitchpoint import load_model
-from pitchpoint.report.scene import scene_of
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.scene_browser import PAINTED, about_z, asked, matrix, scene
 from tests.support.scene_data import LENGTH, SPEED, TEETH, TIMES, Block, box, gears, texts_of, with_edges

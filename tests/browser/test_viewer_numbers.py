@@ -6,15 +6,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.viz.scene import (
+from pitchpoint.viz.scene.content import (
     Scene,
     SceneArrow,
     SceneBody,
     SceneChannel,
     SceneSolid,
 )
-from pitchpoint.viz.scene_file import scene_parts, scene_texts
-from pitchpoint.viz.scene_spectrum import SceneSpectrum
+from pitchpoint.viz.scene.file import scene_parts, scene_texts
+from pitchpoint.viz.scene.spectrum import SceneSpectrum
 from tests.support.browser import OpenPage, needs_browser
 from tests.support.scene_browser import STATES, asked, matrix
 from tests.support.scene_browser import scene as opened

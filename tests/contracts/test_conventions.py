@@ -41,7 +41,7 @@ from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FREE as SHAFT
 from pitchpoint.report.numbers import geometry_of_model
-from pitchpoint.report.scene_bevel_gears import bevel_axes
+from pitchpoint.report.scene.bevel_gears import bevel_axes
 from pitchpoint.solvers.equilibrium import solve_equilibrium
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start

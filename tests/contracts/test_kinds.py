@@ -14,7 +14,7 @@ from pitchpoint.elements import kind as traits
 from pitchpoint.elements.kind import Kind
 from pitchpoint.elements.registry import find, names
 from pitchpoint.model.sections import GROUPS, SECTIONS
-from pitchpoint.report.scene_joining import SCHEMATICS
+from pitchpoint.report.scene.connections import SCHEMATICS
 from tests.contracts.source import PACKAGE
 
 OWN = tuple(name for name in names() if find(name).module.startswith("pitchpoint."))
@@ -24,11 +24,11 @@ TABLES = {"records", "names", "pools", "laws"}
 
 #: Words that are names of kinds and mean something else in these files, with what they mean.
 OTHERWISE = {
-    "report/diagnosis_origin.py": {"bearing": "option"},
-    "report/diagnosis_pictures.py": {"bearing": "class of evidence"},
-    "report/diagnosis_study.py": {"bearing": "class of evidence"},
-    "report/diagnosis_tables.py": {"bearing": "class of evidence", "ratio": "head of a column"},
-    "report/diagnosis_words.py": {"bearing": "class of evidence"},
+    "report/diagnosis/origin.py": {"bearing": "option"},
+    "report/diagnosis/pictures.py": {"bearing": "class of evidence"},
+    "report/diagnosis/study.py": {"bearing": "class of evidence"},
+    "report/diagnosis/tables.py": {"bearing": "class of evidence", "ratio": "head of a column"},
+    "report/diagnosis/words.py": {"bearing": "class of evidence"},
     "report/notebook.py": {"torque": "quantity"},
     "report/power_flow.py": {
         "damping": "name of a loss",
@@ -36,13 +36,16 @@ OTHERWISE = {
         "ratio": "class of a link in the drawing",
     },
     "report/rolls.py": {"force": "dimension"},
-    "report/scene.py": {"torque": "quantity"},
-    "report/scene_forces.py": {"bearing": "class of an arrow in the scene"},
-    "report/scene_joining.py": {"bearing": "class of a solid in the scene", "bushing": "name of a schematic"},
-    "report/scene_schematics.py": {"bearing": "class of a solid in the scene"},
-    "report/scene_solids.py": {"bearing": "class of a solid in the scene"},
-    "report/scene_spectra.py": {"torque": "quantity"},
-    "report/scene_supports.py": {"bearing": "class of a solid in the scene"},
+    "report/scene/build.py": {"torque": "quantity"},
+    "report/scene/forces.py": {"bearing": "class of an arrow in the scene"},
+    "report/scene/connections.py": {
+        "bearing": "class of a solid in the scene",
+        "bushing": "name of a schematic",
+    },
+    "report/scene/schematics.py": {"bearing": "class of a solid in the scene"},
+    "report/scene/solids.py": {"bearing": "class of a solid in the scene"},
+    "report/scene/spectra.py": {"torque": "quantity"},
+    "report/scene/supports.py": {"bearing": "class of a solid in the scene"},
     "system/source.py": {"drive": "key of a scenario"},
 }
 

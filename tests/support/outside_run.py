@@ -15,7 +15,7 @@ from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.schema import json_schema
 from pitchpoint.model.write import model_text
 from pitchpoint.report.power_flow import power_flow
-from pitchpoint.report.scene import scene_of
+from pitchpoint.report.scene.build import scene_of
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.reduction import reduce_system
 from pitchpoint.solvers.start import prepare_start

@@ -17,7 +17,7 @@ from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import Channel
-from pitchpoint.viz.report import (
+from pitchpoint.viz.report.build import (
     CampbellData,
     CaseTable,
     MeshCycleData,
@@ -28,7 +28,7 @@ from pitchpoint.viz.report import (
     SourceData,
     TimeRun,
 )
-from pitchpoint.viz.scene import Scene, SceneBody, SceneSolid
+from pitchpoint.viz.scene.content import Scene, SceneBody, SceneSolid
 from pitchpoint.viz.tables import GEAR_ROWS, MESH_ROWS
 
 TEETH, MASS, STIFFNESS, GAP, FORCE = 50, 1.158, 4.0e8, 25e-6, 2128.0

@@ -6,10 +6,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.scene import scene_of
+from pitchpoint.report.scene.build import scene_of
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_reader import Seen
 
 if TYPE_CHECKING:

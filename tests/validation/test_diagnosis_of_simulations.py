@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.report.diagnosis_machine import Request, diagnose_file
+from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 PLAN = """

@@ -13,7 +13,7 @@ from pitchpoint.cli.output import emit_json, show, table
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from pitchpoint.report.diagnosis_study import Study
+    from pitchpoint.report.diagnosis.study import Study
 
 PAGE_ENDINGS = (".html", ".htm")
 
@@ -73,7 +73,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     What turns comes from the model that a result keeps, from --model, or from --train; the speed from
     an angle or a tacho in the file, or from --speed. Nothing else is assumed.
     """
-    from pitchpoint.report.diagnosis_machine import Request, diagnose_file
+    from pitchpoint.report.diagnosis.request import Request, diagnose_file
 
     target = _page_target(options.pop("output"), [file, options["model"]])
     if options["pulses"] is not None and options["tacho"] is None:
@@ -104,7 +104,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     found = diagnose_file(request)
     if target is not None:
         from pitchpoint.io.target import write_file
-        from pitchpoint.report.diagnosis_page import diagnosis_page
+        from pitchpoint.report.diagnosis.page import diagnosis_page
 
         write_file(target, diagnosis_page(found))
     if as_json:
@@ -133,7 +133,7 @@ def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
 
 def _print(found: Study, quiet: bool) -> None:
     """Show findings and tests to people."""
-    from pitchpoint.report.diagnosis_words import NEVER, outcome, percent, unit_of, what_is_tested
+    from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
 
     for number, text in enumerate(found.sentences):
         show(text)

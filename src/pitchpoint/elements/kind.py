@@ -177,7 +177,7 @@ class Kind:
         Whether its forces change by themselves, so that time steps follow the modes that it moves.
     sections
         Sections of the model file whose components become records, with the name of the schematic that
-        represents them in a scene (`report.scene_joining.SCHEMATICS`); "" if there is none.
+        represents them in a scene (`report.scene.connections.SCHEMATICS`); "" if there is none.
     label
         Word for it next to the name of an element; a word, or a function of the record.
     title, plural

@@ -14,7 +14,7 @@ import numpy as np
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
-from pitchpoint.viz.report import (
+from pitchpoint.viz.report.build import (
     CaseTable,
     MeshCycleData,
     ReportModel,

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
-    from pitchpoint.viz.scene import Scene
+    from pitchpoint.viz.scene.content import Scene
 
 HEIGHT, WITH_CURVES = "480px", "640px"
 """Height of a scene among the cells, alone and with curves below it."""
@@ -70,7 +70,7 @@ def shown() -> dict[tuple[str, str], Callable[[Any], str]]:
 
 def model_html(model: Model) -> str:
     """The tables of a model, a drawing of every pair of gears in it, and its scene at rest."""
-    from pitchpoint.report.scene_rest import rest_scene
+    from pitchpoint.report.scene.rest import rest_scene
 
     return drawings.model_html(model) + _frame(lambda: rest_scene(model))
 
@@ -93,7 +93,7 @@ def dataset_html(data: xr.Dataset) -> str:
 def _frame(scene: Callable[[], Scene]) -> str:
     """A scene in a frame of its own, or a sentence that states why there is none."""
     from pitchpoint.core.errors import PitchpointError, ValidityWarning
-    from pitchpoint.viz.scene_page import scene_frame
+    from pitchpoint.viz.scene.page import scene_frame
 
     try:
         with warnings.catch_warnings():
@@ -121,8 +121,8 @@ def _scene(data: xr.Dataset) -> Scene:
     """The scene of a result over time, or of its machine at rest where nothing moves."""
     from pitchpoint.core.errors import PitchpointError
     from pitchpoint.io.yaml_model import loads_model
-    from pitchpoint.report.scene import scene_of
-    from pitchpoint.report.scene_rest import rest_scene
+    from pitchpoint.report.scene.build import scene_of
+    from pitchpoint.report.scene.rest import rest_scene
 
     text = str(data.attrs.get("model_text", ""))
     if not text:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.viz.report import SceneData, TimeRun
+from pitchpoint.viz.report.build import SceneData, TimeRun
 from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ def _named(model: Model, section: str, name: str) -> str:
 
 def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
     """The scene of the first run that came to its end, else of the first, else of the model at rest."""
-    from pitchpoint.report.scene import scene_of
+    from pitchpoint.report.scene.build import scene_of
 
     names = [*(name for name, run in runs.items() if not run.note), *runs]
     words = ""

@@ -19,7 +19,7 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import MESH, RATIO, Kind, Power
 from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
-from pitchpoint.report.scene_motion import Motion, motion
+from pitchpoint.report.scene.motion import Motion, motion
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 

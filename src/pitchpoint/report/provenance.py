@@ -10,7 +10,7 @@ from typing import Any
 from pitchpoint.core.status import OK
 from pitchpoint.core.status import sentence as sentence_of
 from pitchpoint.viz.quantities import number, scale
-from pitchpoint.viz.report import SourceData
+from pitchpoint.viz.report.build import SourceData
 
 KINDS = {"time": "time response", "quasi_static": "slow roll", "sweep": "speed sweep", "cases": "cases"}
 UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}

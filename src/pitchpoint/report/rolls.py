@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.quasistatic import Roll
     from pitchpoint.system.system import System
-    from pitchpoint.viz.report import MeshCycleData, RollData
+    from pitchpoint.viz.report.build import MeshCycleData, RollData
 
 Array = np.ndarray
 POSITION = "mesh_phase_position"
@@ -241,7 +241,7 @@ def closed(phase: Array, values: Array, cycle: float = 1.0) -> Array:
 
 def given_roll(data: xr.Dataset, note: str = "") -> RollData:
     """Transmission errors of a roll that was computed before, over the periods of each mesh."""
-    from pitchpoint.viz.report import RollData
+    from pitchpoint.viz.report.build import RollData
 
     position = np.asarray(data[POSITION].values, dtype=np.float64)
     words = str(data[POSITION].attrs.get("long_name", ""))

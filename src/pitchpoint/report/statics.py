@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
     from pitchpoint.system.system import System
-    from pitchpoint.viz.report import CampbellData, MeshCycleData, ModeData
+    from pitchpoint.viz.report.build import CampbellData, MeshCycleData, ModeData
 
 LINEAR = 2
 """Parts of the work of a report next to the slow rolls: matrices of the linear system, Campbell diagram."""
@@ -164,7 +164,7 @@ def linear_parts(
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
-    from pitchpoint.viz.report import CampbellData, ModeData
+    from pitchpoint.viz.report.build import CampbellData, ModeData
 
     if not model.bodies:
         return None, None, []

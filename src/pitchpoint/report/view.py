@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
-    from pitchpoint.viz.scene import Scene
+    from pitchpoint.viz.scene.content import Scene
 
 RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 
@@ -57,7 +57,7 @@ def write_view(
     """
     from pitchpoint.io.target import check_target, write_file
     from pitchpoint.report.write import files_of
-    from pitchpoint.viz.scene_page import scene_page
+    from pitchpoint.viz.scene.page import scene_page
 
     path = check_target(path_out, "page", files_of(*sources))
     scenes = [_scene(source, allow_code, modes) for source in sources]
@@ -108,7 +108,7 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
     from pitchpoint.io.yaml_model import load_model, loads_model
     from pitchpoint.model.model import Model
     from pitchpoint.report.kept_model import kept_model
-    from pitchpoint.report.scene import scene_of
+    from pitchpoint.report.scene.build import scene_of
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # it was reported when the result was made
@@ -130,7 +130,7 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
 
 def _motion(model: Model, result: xr.Dataset, name: str, modes: int) -> Scene:
     """Scene of a model that moves as in a result."""
-    from pitchpoint.report.scene import scene_of
+    from pitchpoint.report.scene.build import scene_of
 
     if "time" not in result.dims and "body_shape" not in result:
         kind = result.attrs.get("kind", "no time run")

@@ -73,7 +73,7 @@ def write_report(
     from pitchpoint.io.target import check_target, write_file
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.report.collect import collect, describe
-    from pitchpoint.viz.report import report_html
+    from pitchpoint.viz.report.build import report_html
 
     path = check_target(path_out, "page", files_of(model, *results))
     with warnings.catch_warnings(record=True) as heard:

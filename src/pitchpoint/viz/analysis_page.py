@@ -14,7 +14,7 @@ from pitchpoint.viz import theme
 from pitchpoint.viz.analysis_pictures import PICTURES
 from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import channels, scale
-from pitchpoint.viz.report_page import Section, page
+from pitchpoint.viz.report.page import Section, page
 from pitchpoint.viz.signals_plot import plot_signals
 
 if TYPE_CHECKING:

@@ -232,12 +232,12 @@ def test_planet_sets_are_refused_with_a_sentence(tmp_path: Path, capsys: pytest.
 def test_a_file_that_is_still_written_is_a_sentence(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from pitchpoint.report import diagnosis_files
-    from pitchpoint.report.diagnosis_record import Record
+    from pitchpoint.report.diagnosis import record as records
+    from pitchpoint.report.diagnosis.record import Record
 
     table = rig()
     growing = Record(table["time"][:-100], {"acc": table["acc"]})
-    monkeypatch.setattr(diagnosis_files, "read_record", lambda *_: growing)
+    monkeypatch.setattr(records, "read_record", lambda *_: growing)
     said = told([csv_of(tmp_path, only(table, "acc")), *TRAIN, "--speed", "10Hz"], capsys)
     assert "if the run still continues, wait for its end" in said
 

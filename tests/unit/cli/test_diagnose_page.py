@@ -181,7 +181,7 @@ def test_a_page_that_cannot_be_written_is_refused_before_the_work(
 
     file = rig_file(tmp_path)
     (tmp_path / "notes.html").write_text("my notes")
-    monkeypatch.setattr("pitchpoint.report.diagnosis_files.read_record", fail)
+    monkeypatch.setattr("pitchpoint.report.diagnosis.record.read_record", fail)
     assert run_command(["diagnose", file, *TRAIN, "-o", str(tmp_path / target)]) == 2
     captured = capsys.readouterr()
     assert words in captured.err and captured.out == ""

@@ -21,7 +21,7 @@ from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
-from pitchpoint.viz.report_page import page
+from pitchpoint.viz.report.page import page
 
 GEAR = CylindricalGear(z=17, m_n=1e-3, b=0.01)
 

@@ -8,7 +8,7 @@ import pytest
 from pitchpoint.analysis.diagnosis import Diagnosis
 from pitchpoint.analysis.findings import Evidence, Finding
 from pitchpoint.analysis.turning_parts import train_parts
-from pitchpoint.report.diagnosis_words import nothing_found, outcome, sentence
+from pitchpoint.report.diagnosis.words import nothing_found, outcome, sentence
 
 
 def _evidence(*, found: bool, explained: str = "") -> Evidence:

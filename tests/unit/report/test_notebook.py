@@ -19,8 +19,8 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.report import notebook
 from pitchpoint.report.notebook import dataset_html, is_result, model_html
-from pitchpoint.report.scene import scene_of
-from pitchpoint.report.scene_rest import rest_scene
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.report.scene.rest import rest_scene
 from pitchpoint.report.view import write_view
 from pitchpoint.viz import notebook as drawings
 from tests.support.gearbox_files import GEARBOX

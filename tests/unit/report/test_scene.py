@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.scene import scene_of
+from pitchpoint.report.scene.build import scene_of
 from pitchpoint.system import evaluate
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_models import CARRIER, PAIR, seen
 from tests.support.scene_reader import Seen
 from tests.support.scene_shapes import depth, end_face, inside

@@ -10,9 +10,9 @@ import pytest
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.flanks import flank_lines
-from pitchpoint.report.scene import scene_of
-from pitchpoint.report.scene_contacts import ContactLines
-from pitchpoint.report.scene_motion import motion
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.report.scene.motion import motion
+from pitchpoint.report.scene.tooth_contacts import ContactLines
 from tests.support.bevel_teeth import PAIR, RUN
 from tests.support.scene_models import seen
 

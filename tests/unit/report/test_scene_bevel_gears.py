@@ -14,10 +14,10 @@ from pitchpoint.geometry.bevel_tooth import placed
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.bevel_places import apex_of
 from pitchpoint.model.frames import body_frame
-from pitchpoint.report.scene import scene_of
-from pitchpoint.report.scene_bevel_gears import bevel_axes
-from pitchpoint.report.scene_solids import thinning
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene.bevel_gears import bevel_axes
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.report.scene.solids import thinning
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.bevel_teeth import PAIR, angles_inside
 from tests.support.scene_reader import Seen
 

@@ -9,10 +9,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pitchpoint.report.scene_bevel_gears import bevel_axes
-from pitchpoint.report.scene_contacts import ContactLines
-from pitchpoint.report.scene_motion import motion
-from pitchpoint.report.scene_solids import thinning
+from pitchpoint.report.scene.bevel_gears import bevel_axes
+from pitchpoint.report.scene.motion import motion
+from pitchpoint.report.scene.solids import thinning
+from pitchpoint.report.scene.tooth_contacts import ContactLines
 from tests.support.bevel_teeth import PAIR, RUN, angles_inside
 from tests.support.scene_models import seen
 

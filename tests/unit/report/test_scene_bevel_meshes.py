@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.power_flow import power_flow
-from pitchpoint.report.scene import scene_of
+from pitchpoint.report.scene.build import scene_of
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from tests.support.bevel_files import bevel_file

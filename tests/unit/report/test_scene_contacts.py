@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from pitchpoint.report.scene import scene_of
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.model_files import TORSIONAL_PAIR
 from tests.support.scene_models import CARRIER, PAIR, seen
 from tests.support.scene_reader import Seen

@@ -14,10 +14,10 @@ from pitchpoint.core.errors import MissingDependencyError
 from pitchpoint.geometry.solid_file import solid_of_triangles
 from pitchpoint.geometry.step_triangles import step_triangles
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.report.scene_files import MOST, fewer_triangles
-from pitchpoint.report.scene_rest import rest_scene
-from pitchpoint.report.scene_shapes import turned_profile
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene.cad_files import MOST, fewer_triangles
+from pitchpoint.report.scene.rest import rest_scene
+from pitchpoint.report.scene.shapes import turned_profile
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_reader import Seen
 
 needs_occ = pytest.mark.skipif(

@@ -10,8 +10,8 @@ import pytest
 
 from pitchpoint.geometry.mass_properties import gear_mass_properties
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.scene import scene_of
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_reader import Seen
 
 GEAR = """\

@@ -11,10 +11,10 @@ import pytest
 
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.sections import GROUPS
-from pitchpoint.report import scene_shapes as shapes
-from pitchpoint.report.scene_rest import rest_scene
-from pitchpoint.report.scene_supports import covers
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene import shapes
+from pitchpoint.report.scene.rest import rest_scene
+from pitchpoint.report.scene.supports import covers
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_reader import Seen
 
 SINGLE = 1e-7

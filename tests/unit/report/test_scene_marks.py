@@ -13,8 +13,8 @@ import xarray as xr
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.tooth_faults import RootCrack
-from pitchpoint.report.scene_marks import MOST, contact_marks, fault_marks, scene_marks, tooth_in_mesh
-from pitchpoint.viz.scene_contact import ContactFlank, FlankSurface, SceneContact
+from pitchpoint.report.scene.marks import MOST, contact_marks, fault_marks, scene_marks, tooth_in_mesh
+from pitchpoint.viz.scene.contacts import ContactFlank, FlankSurface, SceneContact
 from tests.support.scene_models import PAIR, seen
 
 GAP = 40e-6

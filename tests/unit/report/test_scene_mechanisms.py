@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import load_model, loads_model
-from pitchpoint.report.scene import scene_of
-from pitchpoint.report.scene_rest import rest_scene
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.report.scene.rest import rest_scene
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_reader import Seen
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -12,10 +12,10 @@ import pytest
 import xarray as xr
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.scene import scene_of
+from pitchpoint.report.scene.build import scene_of
 from pitchpoint.system.compile import compile_model
-from pitchpoint.viz.scene_file import scene_texts
-from pitchpoint.viz.scene_page import scene_page
+from pitchpoint.viz.scene.file import scene_texts
+from pitchpoint.viz.scene.page import scene_page
 from tests.support.scene_reader import Seen
 
 PAIRS, SAMPLES, RATE = 5, 19_991, 500.0

@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.scene_spectra import scene_spectra
-from pitchpoint.viz.scene_spectrum_file import map_levels
+from pitchpoint.report.scene.spectra import scene_spectra
+from pitchpoint.viz.scene.entries import map_levels
 
 MODEL = """
 gears:

@@ -8,9 +8,9 @@ import pytest
 
 from pitchpoint.geometry.triangle_file import join_corners
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report import scene_shapes as shapes
-from pitchpoint.report.scene import scene_of
-from pitchpoint.viz.scene_file import scene_texts
+from pitchpoint.report.scene import shapes
+from pitchpoint.report.scene.build import scene_of
+from pitchpoint.viz.scene.file import scene_texts
 from tests.support.scene_reader import Seen
 from tests.unit.report.test_scene import CARRIER, PAIR
 

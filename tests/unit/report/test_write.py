@@ -18,7 +18,7 @@ from pitchpoint.report.flanks import flank_lines
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.report.overview import power_part, scene_part
 from pitchpoint.report.statics import held_bodies, highest_of_scenario, highest_speed
-from pitchpoint.viz.report import TimeRun
+from pitchpoint.viz.report.build import TimeRun
 
 TEXT = """
 title: pair for a report

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from pitchpoint.viz.report import ReportModel, ReportResults
+from pitchpoint.viz.report.build import ReportModel, ReportResults
 from tests.support.report_data import report_model, report_results
 
 

@@ -15,7 +15,7 @@ import pytest
 from pitchpoint.viz.power_flow import PowerBlock, PowerFlow, PowerLink
 from pitchpoint.viz.power_flow_drawing import power_flow_svg
 from pitchpoint.viz.quantities import Channel
-from pitchpoint.viz.report import (
+from pitchpoint.viz.report.build import (
     MeshCycleData,
     ReportModel,
     ReportResults,
@@ -24,8 +24,8 @@ from pitchpoint.viz.report import (
     TimeRun,
     report_html,
 )
-from pitchpoint.viz.report_cycles import mesh_cycle_section
-from pitchpoint.viz.report_extremes import extreme_section
+from pitchpoint.viz.report.cycles import mesh_cycle_section
+from pitchpoint.viz.report.extremes import extreme_section
 from pitchpoint.viz.tables import symbol_html
 from tests.support.report_data import numbers_of, power, run
 

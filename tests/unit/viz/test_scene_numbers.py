@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from pitchpoint.viz.scene_numbers import Block
+from pitchpoint.viz.scene.packing import Block
 from tests.support.scene_reader import Seen
 
 RANDOM = np.random.default_rng(11)

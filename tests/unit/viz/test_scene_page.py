@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from pitchpoint.viz.scene_page import scene_elements, scene_fragment, scene_frame, scene_page
+from pitchpoint.viz.scene.page import scene_elements, scene_fragment, scene_frame, scene_page
 from tests.support.report_data import scene
 
 

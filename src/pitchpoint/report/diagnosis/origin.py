@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where everything comes from that a diagnosis knows of file and machine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from pitchpoint.report.diagnosis.record import Record
+
+if TYPE_CHECKING:
+    from pitchpoint.report.diagnosis.request import Request
+    from pitchpoint.report.diagnosis.study import Study
+
+Row = tuple[str, str, str]
+
+
+def origin(request: Request, record: Record, found: Study, noise: Sequence[str]) -> tuple[Row, ...]:
+    """Quantity, its value, and its origin.
+
+    Parameters
+    ----------
+    request
+        What was asked.
+    record
+        The part of the file that counts.
+    found
+        The study.
+    noise
+        Sentences about noise that was added.
+    """
+    time, count = record.time, record.time.size
+    length = float(time[-1] - time[0])
+    rate = (count - 1) / length if length > 0.0 else 0.0
+    source = "--sample-rate" if request.sample_rate is not None else "file"
+    rows = [
+        (
+            "file",
+            request.file,
+            ", ".join(text for key, text in record.about.items() if key != "notes" and text),
+        ),
+        ("sample rate", f"{rate:.6g} Hz", source),
+        ("length", f"{length:.6g} s, {count} samples", _cut(record)),
+        ("machine", *_machine(request)),
+        ("speed", _speed(found), found.over.source),
+    ]
+    rows += [("bearing", text, "--bearing") for text in request.bearings]
+    if any(bearing.name not in _given(request) for bearing in found.parts.bearings):
+        rows.append(("bearings", "all others" if request.bearings else "all", "the model"))
+    chosen = (
+        "--channel"
+        if request.channels
+        else "sensors before insides of the machine"
+        if record.model_text
+        else "all"
+    )
+    rows.append(("channels", ", ".join(found.over.signals), chosen))
+    rows += [
+        ("noise", "; ".join(noise), "--noise" if request.noise is not None else "default for results")
+    ] * bool(noise)
+    given = "default" if request.false_alarm == type(request).false_alarm else "--false-alarm"
+    rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of healthy records", given))
+    notes = record.about.get("notes", "")
+    rows += [("note of the file", note, "file") for note in notes.split("; ") if note]
+    granted = "shafts with fixed axes; teeth of equal pitch"
+    slip = "; bearings slip less than 1 %" if found.parts.bearings else ""
+    rows.append(("taken for granted", granted + slip, "–"))
+    return tuple(rows)
+
+
+def _cut(record: Record) -> str:
+    if record.settle_time:
+        return f"file, without the first {record.settle_time:g} s (settle_time of the scenario)"
+    return "file"
+
+
+def _machine(request: Request) -> tuple[str, str]:
+    if request.train is not None:
+        return f"train of gears {request.train}", "--train"
+    if request.model is not None:
+        return request.model, "--model"
+    return "the model that the file keeps", "file"
+
+
+def _speed(found: Study) -> str:
+    """Speed of the reference shaft."""
+    shaft = next((s.name for s in found.parts.shafts if s.order == 1), "the input")
+    hertz = found.over.frequency
+    if hertz != hertz:
+        return f"{shaft}: changes"
+    return f"{shaft}: {hertz:.6g} Hz ({60.0 * hertz:.6g} rpm)"
+
+
+def _given(request: Request) -> set[str]:
+    return {text.partition(":")[0].strip() for text in request.bearings}

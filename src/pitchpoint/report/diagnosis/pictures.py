@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures of one channel of a diagnosis: spectrum, lines of the part in question, mean turn, envelope."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from html import escape
+
+import numpy as np
+
+from pitchpoint.analysis.bearing_signals import envelope_band, without_healthy_lines
+from pitchpoint.analysis.bearing_tests import alike
+from pitchpoint.analysis.envelope import band_envelope
+from pitchpoint.analysis.findings import Evidence
+from pitchpoint.analysis.indicators import signal_indicators
+from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.shaft_tests import FEWEST_TURNS
+from pitchpoint.analysis.turning_parts import Shaft
+from pitchpoint.report.diagnosis.study import Study
+from pitchpoint.report.diagnosis.tables import HARMONICS, indicator_tables
+from pitchpoint.report.diagnosis.tooth_places import GearTurn, gear_turns
+from pitchpoint.viz.diagnosis_plots import Lines, in_hertz, line_places, plot_lines, plot_mean_turn
+from pitchpoint.viz.quantities import number, scale, span
+from pitchpoint.viz.report.page import Section
+
+SIDEBANDS, BEARING_HARMONICS = 6, 3
+"""Orders of a shaft on either side of a line, and harmonics of a part of a bearing, that are marked."""
+PARTS = {"outer ring": "○", "inner ring": "◇", "rolling element": "□", "cage": "△"}
+"""Parts of bearings in the order of the symbols that pictures have, and these in words."""
+ABOUT_INDICATORS = (
+    "rms of the mean turn, and of its residual, which is without mesh harmonics and the two lowest orders; "
+    "crest, kurtosis and tooth energy are those of the residual, FM4, M6A and M8A of the difference signal. "
+    "Tooth energy is the largest part in the angle of one tooth. In brackets: what 1\N{NO-BREAK SPACE}% of "
+    "signals of the same spectrum exceed that are alike all around, and the energy of a tooth if it is "
+    "spread evenly. Bold: exceeded, which one healthy number in a hundred does; the tests below decide."
+)
+
+
+def add_channel(section: Section, study: Study, channel: str) -> None:
+    """Everything that is shown of one channel."""
+    unit, over = study.units.get(channel, ""), study.over
+    spectrum = in_hertz(fine_spectrum(over.signals[channel], over.samples_per_turn), over.frequency)
+    section.add(f"<p>{escape(_level(study, channel, unit))}</p>")
+    section.add_figure(
+        plot_lines(spectrum, _meshes(study, spectrum), unit=unit, quantity="amplitude", over=_axis(study)),
+        f"Spectrum of {channel}, with the mesh lines of all gears and their harmonics up to {HARMONICS}.",
+    )
+    turns = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
+    # a mean of one or two turns still holds what all other shafts do
+    rows = [row for row in turns if row.turn.averages >= FEWEST_TURNS]
+    for evidence in questions(study, channel):
+        for view in _views(study, spectrum, evidence):
+            _add_orders(section, study, spectrum, study.parts.shaft(evidence.shaft), view, unit)
+        _add_turn(section, study, rows, evidence, unit)
+    if study.parts.bearings:
+        _add_envelope(section, study, channel, unit)
+    if rows:
+        section.add("<h3>Indicators of the mean turns</h3>")
+        section.add(indicator_tables(rows, unit))
+        section.add(f"<p>{ABOUT_INDICATORS}</p>")
+
+
+def questions(study: Study, channel: str) -> list[Evidence]:
+    """For each shaft with a finding in a channel its strongest evidence; without findings the nearest one."""
+    mine = [e for e in study.diagnosis.evidence if e.channel == channel and e.kind != "bearing"]
+    mine.sort(key=lambda e: (e.probability, e.threshold - e.value))
+    found = study.diagnosis.findings
+    if not found:
+        return mine[:1]
+    shafts = [f.shaft for f in found if f.channel == channel and f.kind != "bearing"]
+    return [e for shaft in dict.fromkeys(shafts) for e in [e for e in mine if e.shaft == shaft][:1]]
+
+
+def _level(study: Study, channel: str, unit: str) -> str:
+    """Level and shape of the whole channel."""
+    from scipy.stats import norm
+
+    found, size = signal_indicators(study.over.signals[channel]), study.over.signals[channel].size
+    best = scale(unit, [found.rms])
+    # the largest magnitude of so many independent Gaussian samples, by its median
+    peak = float(norm.isf(-0.5 * np.expm1(np.log(0.5) / size)))
+    rms = f"{number(found.rms * best.factor, 4)} {best.unit}".rstrip()
+    return (
+        f"Alternating part of the whole record: rms {rms}, kurtosis {number(found.kurtosis, 3)} "
+        "(Gaussian noise 3, a sine 1.5), crest factor "
+        f"{number(found.crest_factor, 3)} (Gaussian noise of {size} samples about {number(peak, 2)})."
+    )
+
+
+def _axis(study: Study) -> str:
+    return "frequency" if math.isfinite(study.over.frequency) else "order"
+
+
+def _rate(study: Study, order: float) -> float:
+    """An order as frequency [Hz], if the speed is known."""
+    return order * study.over.frequency if math.isfinite(study.over.frequency) else order
+
+
+def _named(study: Study, name: str, order: float) -> str:
+    value = number(_rate(study, order), 4)
+    return f"{name}, {value} Hz" if math.isfinite(study.over.frequency) else f"{name}, order {value}"
+
+
+def _meshes(study: Study, spectrum: FineSpectrum) -> list[Lines]:
+    """Mesh lines and their harmonics."""
+    found = []
+    for look, mesh in enumerate(study.parts.meshes, start=1):
+        order = study.parts.mesh_order(mesh)
+        places = line_places(_rate(study, order), HARMONICS, spectrum.highest)
+        found.append(Lines(_named(study, mesh.name, order), places, look=look))
+    return [lines for lines in found if lines.places.size]
+
+
+@dataclass(frozen=True)
+class _View:
+    """Part of the spectrum: order of the shaft in its middle, the one numbers count from, and the caption."""
+
+    middle: int
+    counted: int
+    words: str
+
+
+def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
+    """What of the spectrum is drawn for a piece of evidence: with a comb the sidebands of a mesh as well."""
+    shaft = study.parts.shaft(e.shaft)
+    if e.kind == "low order":
+        words = f"The lowest orders of {shaft.name}. Numbers are orders of the shaft."
+        return [_View(SIDEBANDS + 1, 0, words)]
+    found = []
+    for mesh, teeth, harmonic in _sidebands(study, spectrum, e)[:1]:
+        words = (
+            f"About harmonic {harmonic} of {mesh}. Numbers are those of its sidebands at the turns of "
+            f"{shaft.name}: what changes slowly over a turn raises the first of them, a local fault all."
+        )
+        found.append(_View(harmonic * teeth, harmonic * teeth, words))
+    if e.kind == "comb":
+        middle = _clearest(spectrum, _rate(study, float(shaft.order)))
+        words = (
+            f"Where {2 * SIDEBANDS + 1} orders of {shaft.name} stand out most: a local fault raises all of "
+            "them above what lies between. Numbers are orders of the shaft."
+        )
+        # where both would lie in one picture, it is that of the sidebands
+        if not found or abs(middle - found[0].middle) > SIDEBANDS:
+            found.insert(0, _View(middle, 0, words))
+    return found
+
+
+def _sidebands(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[tuple[str, int, int]]:
+    """Meshes of the gears in question with tooth count and harmonic, the clearest first."""
+    gears, same = _gears(study, e), (e.channel, e.shaft, "sidebands")
+    tests = [o for o in study.diagnosis.evidence if (o.channel, o.shaft, o.kind) == same and o.gear in gears]
+    found = []
+    for test in sorted(tests, key=lambda other: other.probability):
+        mesh, teeth = study.parts.gears_of(e.shaft)[test.gear]
+        found.append((mesh.name, teeth, max(round(test.order / study.parts.mesh_order(mesh)), 1)))
+    # what was not tested is shown nevertheless, if the record holds it
+    for gear, (mesh, teeth) in study.parts.gears_of(e.shaft).items():
+        if gear in gears and _rate(study, study.parts.mesh_order(mesh)) < spectrum.highest:
+            found.append((mesh.name, teeth, 1))
+    return found
+
+
+def _clearest(spectrum: FineSpectrum, step: float) -> int:
+    """Order in the middle of those that stand out most above the points half-way between them."""
+    count = int(0.9 * spectrum.highest / step)
+    number = np.arange(1, count + 1)
+    width = min(2 * SIDEBANDS + 1, count)
+    lines, between = spectrum.power(number * step), spectrum.power((number + 0.5) * step)
+    smallest = 1e-12 * max(float(lines.max()), 1e-300)
+    excess = np.log(np.maximum(lines, smallest)) - np.log(np.maximum(between, smallest))
+    return int(np.argmax(np.convolve(excess, np.ones(width), mode="valid"))) + 1 + width // 2
+
+
+def _gears(study: Study, e: Evidence) -> tuple[str, ...]:
+    """Gears in question: those of the finding, else that of the test, else all of the shaft."""
+    found = [f.gears for f in study.diagnosis.findings if f.shaft == e.shaft and f.kind != "bearing"]
+    if found and found[0]:
+        return found[0]
+    return (e.gear,) if e.gear else tuple(study.parts.gears_of(e.shaft))
+
+
+def _add_orders(
+    section: Section, study: Study, spectrum: FineSpectrum, shaft: Shaft, view: _View, unit: str
+) -> None:
+    """Part of the spectrum with the orders of a shaft and mesh lines."""
+    step = _rate(study, float(shaft.order))
+    low = max((view.middle - SIDEBANDS - 0.6) * step, 0.3 * step)
+    high = min((view.middle + SIDEBANDS + 0.6) * step, spectrum.highest)
+    orders = range(math.ceil(low / step), math.floor(high / step) + 1)
+    labels = tuple(_order_label(k - view.counted, view.counted > 0) for k in orders)
+    name = _named(study, f"orders of {shaft.name}", float(shaft.order))
+    marks = [Lines(name, step * np.array(orders, dtype=np.float64), labels)]
+    marks += [m for m in _meshes(study, spectrum) if ((m.places >= low) & (m.places <= high)).any()]
+    figure = plot_lines(spectrum, marks, unit=unit, quantity="amplitude", over=_axis(study), span=(low, high))
+    section.add_figure(figure, view.words)
+
+
+def _order_label(k: int, sideband: bool) -> str:
+    """Number of an order, or of a sideband; none for the mesh line itself."""
+    if not sideband:
+        return str(k)
+    return f"{k:+d}".replace("-", "−") if k else ""
+
+
+def _add_turn(section: Section, study: Study, rows: list[GearTurn], e: Evidence, unit: str) -> None:
+    """Mean turn over the teeth of the gear, or over degrees where it is not known which gear it is."""
+    gears = _gears(study, e)
+    turns = [row for row in rows if row.shaft == e.shaft and set(row.gears) & set(gears)]
+    if not turns:
+        return
+    turn = min(turns, key=lambda row: row.turn.energy.probability)
+    mine = [f for f in study.diagnosis.findings if f.shaft == e.shaft and f.kind == "local fault"]
+    known = len(turns) == 1 and all(f.gears for f in mine)
+    marked = bool(mine) and turn.stands_out(study.diagnosis.false_alarm)
+    figure = plot_mean_turn(
+        turn.turn,
+        unit=unit,
+        teeth=turn.teeth if known else None,
+        zero=turn.zero,
+        since=turn.since,
+        mark=(turn.angle, math.tau / turn.teeth) if marked else None,
+    )
+    words = f"Mean of {turn.turn.averages} turns of {e.shaft}"
+    words += f", over the teeth of {' or '.join(turn.gears)}" if known else ""
+    shaded = "; shaded: the angle of one tooth with most energy of the residual" if marked else ""
+    section.add_figure(figure, f"{words}, counted in its sense of rotation from {turn.since}{shaded}.")
+
+
+def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> None:
+    """Spectrum of the squared envelope, as the tests of bearings see it."""
+    over, parts = study.over, study.parts
+    try:
+        rest = without_healthy_lines(over.signals[channel], over.samples_per_turn, parts)
+        low, high = envelope_band(rest, over.samples_per_turn, parts)
+        envelope = band_envelope(rest, over.samples_per_turn, band=(low, high)).envelope
+        spectrum = in_hertz(fine_spectrum(envelope**2, over.samples_per_turn), over.frequency)
+    except SignalError as reason:
+        section.add(f"<p>No envelope of {escape(channel)}: {escape(str(reason))}.</p>")
+        return
+    marks = [
+        Lines(
+            _named(study, f"{bearing.name}, {part}", order),
+            line_places(_rate(study, order), BEARING_HARMONICS, spectrum.highest),
+            look=look,
+            group=bearing.name,
+            symbol=list(PARTS).index(part),
+        )
+        for look, bearing in enumerate(alike(parts.bearings), start=1)
+        for part, order in bearing.orders.items()
+    ]
+    there = {part for bearing in parts.bearings for part in bearing.orders}
+    shown = [f"{sign}\N{NO-BREAK SPACE}{part}" for part, sign in PARTS.items() if part in there]
+    last = max((float(m.places[-1]) for m in marks if m.places.size), default=spectrum.highest)
+    known = math.isfinite(over.frequency)
+    band = span(_rate(study, low), _rate(study, high)) if known else f"orders {low:.4g} to {high:.4g}"
+    figure = plot_lines(
+        spectrum,
+        marks,
+        unit=f"({unit})²" if unit else "",
+        quantity="squared envelope",
+        over=_axis(study),
+        span=(0.0, min(1.15 * last, spectrum.highest)),
+    )
+    section.add_figure(
+        figure,
+        f"Spectrum of the squared envelope of {channel} without mesh lines, band {band}, with the parts of "
+        f"the bearings and their harmonics up to {BEARING_HARMONICS}: "
+        f"{', '.join(shown)}.",
+    )

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: Apache-2.0
+"""From a file to a record over time, and from there to channels over the angle of a shaft."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
+from pitchpoint.analysis.sampled import SignalError, as_increasing, as_signal, same_length
+from pitchpoint.analysis.turning_parts import TurningParts
+
+Array = NDArray[np.float64]
+
+SPEED_REACH = 0.01
+"""How far a given speed may be off, as a part of it: so far the mesh lines are looked for."""
+HARMONICS = 3
+STEADY = 1e-3
+"""Relative spread of the speed within which frequencies are given in Hz."""
+
+
+@dataclass
+class Record:
+    """Channels over time as a file has them.
+
+    Attributes
+    ----------
+    time
+        Times [s], shape (n,).
+    channels
+        Values by channel, shape (n,) each.
+    model_text
+        Model that the file keeps; empty if none.
+    scenario
+        Scenario of a result.
+    settle_time
+        Time that does not count [s].
+    units
+        Unit of each channel, where it is known.
+    about
+        Format, fingerprint and notes of the file, by name.
+    """
+
+    time: Array
+    channels: Mapping[str, Array]
+    model_text: str = ""
+    scenario: str = ""
+    settle_time: float = 0.0
+    units: Mapping[str, str] = field(default_factory=dict)
+    about: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class OverAngle:
+    """Channels over the angle of the reference shaft.
+
+    Attributes
+    ----------
+    signals
+        Values by channel, shape (n,) each.
+    samples_per_turn
+        Samples in one turn [-].
+    frequency
+        Turns per second [Hz]; NaN if the speed changes.
+    sampled_per_turn
+        Samples in one turn with which the record was taken [-].
+    remarks
+        What was done.
+    zeros
+        By shaft: the angle that it has gone at the first sample, in its sense of rotation [rad], and since
+        what; a shaft that is not listed has gone nothing since `began`.
+    began
+        Words for the first sample.
+    source
+        What the speed comes from.
+    """
+
+    signals: dict[str, Array]
+    samples_per_turn: float
+    frequency: float
+    sampled_per_turn: float
+    remarks: tuple[str, ...] = ()
+    zeros: Mapping[str, tuple[float, str]] = field(default_factory=dict)
+    began: str = "the start of the record"
+    source: str = ""
+
+
+def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:
+    """Channels at equal steps of an angle [rad] that was recorded with them."""
+    from pitchpoint.analysis.orders import resample_over_angle
+
+    clock = as_increasing(time)
+    turned = as_signal(angle, "angle", 16)
+    same_length(turned, clock, "angle, time")
+    speed = np.gradient(turned, clock)
+    found, rate = {}, math.nan
+    for name, values in signals.items():
+        resampled = resample_over_angle(as_signal(values, name, 16), turned)
+        found[name], rate = resampled.values, resampled.samples_per_revolution
+    mean = abs(float(turned[-1] - turned[0])) / float(clock[-1] - clock[0]) / math.tau
+    tenths = np.abs(np.diff(turned[np.linspace(0, turned.size - 1, 11).astype(int)]))
+    steady = float(np.ptp(tenths)) < 10.0 * STEADY * float(tenths.mean())
+    remarks = (
+        []
+        if steady
+        else [
+            f"the speed goes from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders "
+            f"instead of frequencies"
+        ]
+    )
+    taken = (clock.size - 1) / (abs(float(turned[-1] - turned[0])) / math.tau)
+    return OverAngle(found, float(rate), mean if steady else math.nan, taken, tuple(remarks))
+
+
+def at_speed(
+    signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float
+) -> OverAngle:
+    """Channels at a steady speed [Hz] that is known to 1 %: the mesh lines give the exact value.
+
+    Raises
+    ------
+    SignalError
+        If the record is shorter than a turn.
+    """
+    length = next(iter(signals.values())).size / sample_rate
+    if length * frequency < 1.0:
+        raise SignalError(
+            f"record: {length:.4g} s are {length * frequency:.2g} turns "
+            "of the reference shaft (limit 1); use a longer record"
+        )
+    spectra = [fine_spectrum(values, sample_rate) for values in signals.values()]
+    found = _best_speed(spectra, parts, frequency)
+    remarks = []
+    if abs(found / frequency - 1.0) > 1e-6:
+        remarks.append(
+            f"speed by the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) in place of {frequency:.6g} Hz"
+        )
+    return OverAngle(dict(signals), sample_rate / found, found, sample_rate / found, tuple(remarks))
+
+
+def _rpm(speed: float) -> float:
+    return float(speed) * 30.0 / math.pi
+
+
+def _best_speed(spectra: list[FineSpectrum], parts: TurningParts, frequency: float) -> float:
+    """Speed near the given one at which the mesh lines are strongest; the given one if none stands out."""
+    orders = [k * parts.mesh_order(mesh) for mesh in parts.meshes for k in range(1, HARMONICS + 1)]
+    spectrum = spectra[0]
+    top = 0.95 * spectrum.highest
+    orders = [order for order in orders if order * frequency * (1.0 + SPEED_REACH) < top]
+    if not orders:
+        return frequency
+    step = 0.25 * spectrum.resolution / max(orders)
+    count = int(np.ceil(SPEED_REACH * frequency / step))
+    tried = frequency + step * np.arange(-count, count + 1)
+    gain = np.zeros(tried.size)
+    for one in spectra:
+        for order in orders:
+            power = one.power(order * tried)
+            gain += np.log(np.maximum(power, 1e-300)) - np.log(max(float(np.median(power)), 1e-300))
+    best = int(np.argmax(gain))
+    # as much as a line of 20 dB in one channel, and more where many speeds were tried
+    return float(tried[best]) if gain[best] > np.log(100.0) + np.log(tried.size) else frequency
+
+
+def strongest_lines(values: Array, samples_per_turn: float, count: int = 4) -> list[float]:
+    """Orders of the strongest lines [-], by falling amplitude."""
+    spectrum = fine_spectrum(values, samples_per_turn)
+    size = spectrum.amplitude.copy()
+    apart = max(int(np.ceil(3.0 * spectrum.resolution / spectrum.step)), 1)
+    size[:apart] = 0.0
+    found = []
+    for _ in range(count):
+        top = int(np.argmax(size))
+        found.append(top * spectrum.step)
+        size[max(top - apart, 0) : top + apart + 1] = 0.0
+    return found
+
+
+class ResultChannels(Mapping[str, Array]):
+    """Channels of a result file, each read when it is requested: a large machine has hundreds."""
+
+    def __init__(self, path: str) -> None:
+        from pitchpoint.io.reading import list_channels
+
+        self._path, self._names = path, dict.fromkeys(list_channels(path))
+        self._names.pop("time", None)
+        self._read: dict[str, Array] = {}
+
+    def __getitem__(self, name: str) -> Array:
+        from pitchpoint.io.reading import read_channel
+
+        if name not in self._names:
+            raise KeyError(name)
+        if name not in self._read:
+            self._read[name] = np.asarray(read_channel(self._path, name)[1], dtype=np.float64)
+        return self._read[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+
+def read_record(path: str, sample_rate: float | None = None) -> Record:
+    """Read the channels of a time response, or of a measured file.
+
+    Raises
+    ------
+    MeasuredError
+        If the file is not a result and cannot be read as a measured one.
+    SignalError
+        If it holds no time series.
+    """
+    from pitchpoint.io.container import ResultError
+    from pitchpoint.io.reading import read_channel, read_header, read_units
+
+    try:
+        header = read_header(path)
+    except ResultError:
+        return _measured(path, sample_rate)
+    if header.get("kind") != "time":
+        raise SignalError(
+            f"{path}: holds {header.get('kind')} results (limit: a time response); run one first"
+        )
+    channels = ResultChannels(path)
+    if not channels:
+        raise SignalError(f"{path}: has no channel (limit 1); run the scenario again")
+    time = read_channel(path, next(iter(channels)))[0]
+    settle = float(header["options"].get("settle_time") or 0.0)
+    return Record(
+        time=np.asarray(time, dtype=np.float64),
+        channels=channels,
+        model_text=str(header.get("model_text", "")),
+        scenario=str(header.get("scenario", "")),
+        settle_time=settle,
+        units=read_units(path),
+        about={"format": "result of pitchpoint", "model": str(header.get("model_hash", ""))},
+    )
+
+
+def _measured(path: str, sample_rate: float | None) -> Record:
+    """Read a measured file: all its channels over time."""
+    from pitchpoint.io.measured.reading import read_measured
+
+    data = read_measured(path, sample_rate=sample_rate)
+    channels = {
+        str(name): np.asarray(values.values, dtype=np.float64)
+        for name, values in data.data_vars.items()
+        if values.dims == ("time",)
+    }
+    return Record(
+        np.asarray(data["time"].values, dtype=np.float64),
+        channels,
+        units={name: str(data[name].attrs.get("units", "")) for name in channels},
+        about={
+            "format": str(data.attrs.get("format", "")),
+            "SHA-256": str(data.attrs.get("sha256", ""))[:16],
+            "notes": str(data.attrs.get("notes", "")),
+        },
+    )

@@ -1,0 +1,398 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What `pitchpoint diagnose` is asked: file, machine, speed and channels, assembled and checked."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
+from pitchpoint.core.errors import Message, ModelError, UnitError
+from pitchpoint.core.nearest import hint
+from pitchpoint.report.diagnosis.origin import origin
+from pitchpoint.report.diagnosis.record import OverAngle, Record, at_speed, over_angle
+from pitchpoint.report.diagnosis.study import Study, preferred, study, usable
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+SIMULATED = 20.0
+"""Default signal-to-noise ratio of simulation results [dB]."""
+_BEARING = re.compile(r"([^:@]+):([^@]+)@(.+)")
+
+
+@dataclass(frozen=True)
+class Request:
+    """Options of the command, as they were written."""
+
+    file: str
+    model: str | None = None
+    scenario: str | None = None
+    train: str | None = None
+    speeds: Sequence[str] = ()
+    tacho: str | None = None
+    pulses: int | None = None
+    angle: str | None = None
+    channels: Sequence[str] = ()
+    bearings: Sequence[str] = ()
+    false_alarm: float = 0.01
+    allow_code: bool = False
+    sample_rate: float | None = None
+    noise: float | None = None
+
+
+@dataclass(frozen=True)
+class _Machine:
+    """What turns, the shaft whose turns count, its speed if it is known [Hz], other names of shafts."""
+
+    parts: TurningParts
+    reference: str
+    frequency: float
+    names: dict[str, str]
+    remarks: tuple[str, ...] = ()
+
+
+def diagnose_file(request: Request) -> Study:
+    """Read a file, put the machine next to it and diagnose it.
+
+    Raises
+    ------
+    PitchpointError
+        If the file, the machine or an option cannot be used.
+    """
+    from pitchpoint.report.diagnosis.record import read_record
+
+    record = read_record(request.file, request.sample_rate)
+    machine = _machine(request, record)
+    chosen = _chosen(request, record)
+    _complete(request, record, chosen)
+    signals, remarks = usable(chosen, None if request.channels else record.time)
+    if not signals:
+        raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
+    part = slice(int(np.searchsorted(record.time, record.time[0] + record.settle_time)), None)
+    record = replace(record, time=record.time[part], channels=_Part(record.channels, part))
+    signals = {name: values[part] for name, values in signals.items()}
+    signals, noise = _noisy(request, record, signals)
+    over = _over_angle(request, record, machine, signals)
+    found = study(
+        over,
+        machine.parts,
+        false_alarm=request.false_alarm,
+        remarks=[f"channels: {', '.join(signals)}", *noise, *machine.remarks, *remarks],
+    )
+    return replace(
+        found,
+        file=request.file,
+        origin=origin(request, record, found, noise),
+        units={name: record.units.get(name, "") for name in signals},
+    )
+
+
+def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> None:
+    """Refuse a file that grows while it is read: a run that is still continuing."""
+    for name, values in chosen.items():
+        if values.size != record.time.size:
+            raise SignalError(
+                f"{request.file}: {name} has {values.size} samples for {record.time.size} times (limit: as "
+                "many); if the run still continues, wait for its end"
+            )
+
+
+class _Part(Mapping[str, Array]):
+    """The part of all channels that counts."""
+
+    def __init__(self, channels: Mapping[str, Array], part: slice) -> None:
+        self._channels, self._part = channels, part
+
+    def __getitem__(self, name: str) -> Array:
+        return self._channels[name][self._part]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._channels)
+
+    def __len__(self) -> int:
+        return len(self._channels)
+
+
+def _noisy(request: Request, record: Record, signals: dict[str, Array]) -> tuple[dict[str, Array], list[str]]:
+    """Simulations get the noise of a sensor: without any, meshes that change each other look like a fault."""
+    from pitchpoint.analysis.noise import with_white_noise
+
+    level = request.noise
+    if level is None and not record.model_text:
+        return signals, []
+    chosen = SIMULATED if level is None else level
+    found = {
+        name: with_white_noise(x, signal_to_noise=chosen, seed=[len(signals), k]).values
+        for k, (name, x) in enumerate(signals.items())
+    }
+    return found, [f"white noise {chosen:g} dB below the signal was added to each channel (--noise)"]
+
+
+def _machine(request: Request, record: Record) -> _Machine:
+    """Parts of the machine from tooth counts or a model."""
+    if request.train is not None:
+        return _of_train(request)
+    model = _model(request, record)
+    if model is None:
+        raise SignalError(
+            f"{request.file}: does not describe the machine; give --train with the tooth counts, such as "
+            "--train 32/96-48/80, or --model MODEL.yaml"
+        )
+    return _of_model(request, record, model)
+
+
+def _of_train(request: Request) -> _Machine:
+    stages = []
+    for text in str(request.train).split("-"):
+        found = re.fullmatch(r"\s*(\d+)\s*/\s*(\d+)\s*", text)
+        if not found:
+            raise SignalError(
+                f"--train: {text!r} is not a pair of tooth counts; write them as in 32/96-48/80"
+            )
+        stages.append((int(found[1]), int(found[2])))
+    parts = train_parts(stages)
+    names = {str(k + 1): shaft.name for k, shaft in enumerate(parts.shafts)}
+    names |= {shaft.name: shaft.name for shaft in parts.shafts}
+    where = request.tacho or request.angle or ""
+    reference = _shaft_of(where, names) or parts.shafts[0].name
+    speeds = [_speed(text) for text in request.speeds]
+    frequency = math.nan
+    for name, value in speeds:
+        shaft = names.get(name or parts.shafts[0].name)
+        if shaft is None:
+            raise SignalError(f"--speed: no shaft {name!r}; there are: {', '.join(names)}")
+        given = value / float(parts.shaft(shaft).order) * float(parts.shaft(reference).order)
+        if not math.isnan(frequency) and abs(given / frequency - 1.0) > 1e-6:
+            raise SignalError("--speed: the speeds do not fit the ratios of the teeth; give one of them")
+        frequency = given
+    parts = _counted_from(parts, reference)
+    return _Machine(_with_bearings(parts, request, names), reference, frequency, names)
+
+
+def _counted_from(parts: TurningParts, reference: str) -> TurningParts:
+    """The same with the orders of another shaft."""
+    base = parts.shaft(reference).order
+    return replace(parts, shafts=tuple(replace(shaft, order=shaft.order / base) for shaft in parts.shafts))
+
+
+def _model(request: Request, record: Record) -> Model | None:
+    """The model that is named, else the one that the file keeps."""
+    from pitchpoint.io.yaml_model import load_model, loads_model
+
+    if request.model is not None:
+        return load_model(request.model, allow_code=request.allow_code)
+    if not record.model_text:
+        return None
+    return loads_model(record.model_text, allow_code=request.allow_code, file=request.file)
+
+
+def _of_model(request: Request, record: Record, model: Model) -> _Machine:
+    """Parts of a model: speeds from options or a scenario, else any: an angle channel gives the speed."""
+    from pitchpoint.report.frequencies import turning_speeds
+    from pitchpoint.report.machine_parts import parts_of
+
+    where = request.tacho or request.angle or ""
+    angles = (
+        [] if where or request.speeds else [n for n in record.channels if _owner(n, "angle") in model.bodies]
+    )
+    bodies = {body: body for body in model.bodies}
+    spins, remarks = _spins(request, record, model)
+    if not any(spins.values()):
+        measured = _shaft_of(where, bodies) or next((_owner(name, "angle") for name in angles), "")
+        if not measured:
+            raise SignalError(
+                f"{request.file}: the speed is not known; give --speed BODY=QUANTITY, such as --speed "
+                f"{next(iter(model.bodies), 'motor')}=1500rpm, or a tacho"
+            )
+        spins = turning_speeds(model, {measured: 1.0})
+    known = {name: abs(spins.get(name, 0.0)) for name in model.bodies}
+    seen = [_owner(name, "angle") for name in angles if known[_owner(name, "angle")]]
+    reference = _shaft_of(where, bodies) or max(seen or known, key=lambda body: known[body])
+    if where and not _shaft_of(where, bodies):
+        turning = ", ".join(body for body, speed in known.items() if speed)
+        raise SignalError(f"{where}: give its shaft, as in {where}@BODY; there are: {turning}")
+    parts, names, more = parts_of(model, spins, reference)
+    parts = _with_bearings(parts, request, names)
+    return _Machine(parts, reference, known[reference] / math.tau, names, (*remarks, *more))
+
+
+def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, float], list[str]]:
+    """Speeds of all bodies [rad/s] from options or a scenario; nothing if neither gives any."""
+    from pitchpoint.report.frequencies import scenario_speeds, turning_speeds
+
+    given = {}
+    for text in request.speeds:
+        name, value = _speed(text)
+        if not name:
+            raise SignalError(f"--speed: {text!r} does not name a body; write BODY={text}")
+        given[name] = value * math.tau
+    if given:
+        return turning_speeds(model, given), []
+    scenario = request.scenario or record.scenario
+    if not scenario and len(model.scenarios) == 1:
+        scenario = next(iter(model.scenarios))
+    if scenario and scenario not in model.scenarios:
+        if request.scenario is None:
+            return {}, []
+        listed = ", ".join(model.scenarios) or "none"
+        raise ModelError(
+            [Message(f"scenarios.{scenario}", "is not in the model", remedy=f"there are: {listed}")]
+        )
+    if not scenario:
+        return {}, []
+    speeds, remarks = scenario_speeds(model, scenario)
+    return turning_speeds(model, speeds, driven=model.scenarios[scenario].drive), remarks
+
+
+def _chosen(request: Request, record: Record) -> dict[str, Array]:
+    """Channels to look at."""
+    used = {text.partition("@")[0] for text in (request.tacho, request.angle) if text}
+    for name in [*request.channels, *used]:
+        if name not in record.channels:
+            raise SignalError(f"{request.file}: no channel {name!r}; {hint(name, record.channels, 3)}")
+    names = list(request.channels)
+    if not names:
+        kept = [name for name in record.channels if name not in used]
+        names = preferred(kept) if record.model_text else kept
+    if not names:
+        listed = ", ".join(list(record.channels)[:12])
+        raise SignalError(f"{request.file}: no channel to look at; choose with -c; there are: {listed}")
+    return {name: record.channels[name] for name in names}
+
+
+def _over_angle(request: Request, record: Record, machine: _Machine, signals: dict[str, Array]) -> OverAngle:
+    """Channels over the angle of the reference shaft: from an angle, a tacho or a steady speed."""
+    from pitchpoint.analysis.sampled import sample_rate_of
+    from pitchpoint.analysis.tacho import angle_channel, tacho_angle
+
+    time = record.time
+    cut = signals
+    own = f"angle[{machine.reference}]"
+    if request.tacho is not None:
+        name = request.tacho.partition("@")[0]
+        source, zero = f"tacho {name}, {request.pulses} pulses in one turn", f"the first pulse of {name}"
+        shaft = tacho_angle(
+            record.channels[name],
+            time,
+            pulses_per_revolution=int(request.pulses or 1),
+        )
+    elif request.angle is not None or (own in record.channels and not request.speeds):
+        name = (request.angle or own).partition("@")[0]
+        source, zero = f"angle channel {name}", f"the zero of {name}"
+        shaft = angle_channel(record.channels[name], time)
+    elif math.isnan(machine.frequency):
+        raise SignalError(
+            f"{request.file}: the speed is not known; give --speed, such as --speed 30Hz, --tacho CHANNEL "
+            "with --pulses N, or --angle CHANNEL"
+        )
+    else:
+        source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"
+        over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
+        refined = ", then the mesh lines" if over.remarks else ""
+        return replace(over, source=source + refined, began=_began(record, 0))
+    first, count = shaft.first_sample, shaft.angle.size
+    cut = {name: values[first : first + count] for name, values in cut.items()}
+    zeros = _zeros(record, machine, first, zero, shaft.angle)
+    began = _began(record, first)
+    return replace(over_angle(cut, shaft.time, shaft.angle), source=source, zeros=zeros, began=began)
+
+
+def _began(record: Record, first: int) -> str:
+    """Words for the first sample that is used."""
+    if first == 0 and not record.settle_time:
+        return "the start of the record"
+    return f"t = {float(record.time[first]):.6g} s"
+
+
+def _zeros(
+    record: Record, machine: _Machine, first: int, zero: str, angle: Array
+) -> dict[str, tuple[float, str]]:
+    """Angles of shafts at the first sample, where a channel gives them."""
+    found = {}
+    own = machine.names.get(machine.reference, machine.reference)
+    for shaft in machine.parts.shafts:
+        name = f"angle[{shaft.name}]"
+        # shafts that turn equally fast are one here, and have two angles
+        if shaft.name == own and own == machine.reference:
+            turned, words = angle, zero
+        elif name in record.channels:
+            turned, words = record.channels[name][first:], f"the zero of {name}"
+        else:
+            continue
+        forward = 1.0 if turned[-1] >= turned[0] else -1.0
+        found[shaft.name] = (forward * float(turned[0]), words)
+    return found
+
+
+def _shaft_of(where: str, names: dict[str, str]) -> str:
+    """Shaft of CHANNEL@SHAFT, or of an angle channel that has its name."""
+    channel, at, shaft = where.partition("@")
+    if at:
+        if shaft not in names:
+            raise SignalError(f"{where}: no shaft {shaft!r}; there are: {', '.join(names)}")
+        return names[shaft]
+    return names.get(_owner(channel, "angle"), "")
+
+
+def _owner(channel: str, quantity: str) -> str:
+    """Body of `angle[body]`; empty for other channels."""
+    found = re.fullmatch(rf"{quantity}\[([^\]]+)\]", channel)
+    return found[1] if found else ""
+
+
+def _speed(text: str) -> tuple[str, float]:
+    """Shaft (empty if not given) and speed [Hz] of SHAFT=QUANTITY or QUANTITY."""
+    from pitchpoint.core.units import parse_quantity
+
+    name, equals, quantity = text.rpartition("=")
+    try:
+        if re.fullmatch(r"\s*[-+.\deE]+\s*[kM]?Hz\s*", quantity):
+            value = parse_quantity(quantity, "frequency", positive=True)
+        else:
+            value = parse_quantity(quantity, "angular_speed", positive=True) / math.tau
+    except UnitError as error:
+        raise SignalError(f"--speed: {error}") from None
+    return (name.strip() if equals else ""), float(value)
+
+
+def _with_bearings(parts: TurningParts, request: Request, names: dict[str, str]) -> TurningParts:
+    """Bearings of the options in addition to those of the model."""
+    found = [_bearing(text, parts, names) for text in request.bearings]
+    return replace(parts, bearings=(*parts.bearings, *found))
+
+
+def _bearing(text: str, parts: TurningParts, names: dict[str, str]) -> Bearing:
+    """Bearing of NAME:elements,d,D,angle@shaft."""
+    from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
+    from pitchpoint.core.units import parse_quantity
+    from pitchpoint.report.machine_parts import BEARING_PARTS
+
+    example = "as in left:8,7.94 mm,33.5 mm,0 deg@2"
+    match = _BEARING.fullmatch(text)
+    fields = match[2].split(",") if match else []
+    if match is None or len(fields) not in (3, 4):
+        raise SignalError(f"--bearing: {text!r} is not NAME:elements,d,D,angle@shaft; write it {example}")
+    shaft = names.get(match[3].strip())
+    if shaft is None:
+        raise SignalError(f"--bearing: no shaft {match[3]!r}; there are: {', '.join(names)}")
+    try:
+        rates = bearing_frequencies(
+            elements=int(fields[0]),
+            element_diameter=parse_quantity(fields[1].strip(), "length", positive=True),
+            pitch_diameter=parse_quantity(fields[2].strip(), "length", positive=True),
+            contact_angle=parse_quantity(fields[3].strip(), "angle") if len(fields) == 4 else 0.0,
+            speed_inner=math.tau * float(parts.shaft(shaft).order),
+        )
+    except (ValueError, UnitError) as error:
+        raise SignalError(f"--bearing: {text!r}: {error}; write it {example}") from None
+    orders = {part: float(getattr(rates, key)) for part, key in BEARING_PARTS.items()}
+    return Bearing(match[1].strip(), {part: rate for part, rate in orders.items() if rate > 0.0}, shaft)

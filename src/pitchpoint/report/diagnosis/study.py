@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A record and a machine in, findings in words out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
+from pitchpoint.analysis.pulse_trains import is_pulse_train
+from pitchpoint.analysis.remarks import Note, grouped
+from pitchpoint.analysis.sampled import SignalError, as_signal
+from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.report.diagnosis.record import OverAngle, strongest_lines
+from pitchpoint.report.diagnosis.tooth_places import GearTurn, local_turns, one_gear, place_sentence
+from pitchpoint.report.diagnosis.words import evidence_rows, mesh_remarks, nothing_found, sentence
+
+Array = NDArray[np.float64]
+
+PREFERRED = (
+    ("signal",),
+    ("acceleration",),
+    ("bearing_force", "support_force"),
+    ("transmission_error", "mesh_force"),
+)
+"""Quantities of result files in which damage is looked for if no one states where: sensors before insides."""
+MOST = 6
+
+
+@dataclass(frozen=True)
+class Study:
+    """What the command shows.
+
+    Attributes
+    ----------
+    diagnosis
+        Findings and every test.
+    over
+        The channels that they come from, over the angle.
+    parts
+        What turns.
+    sentences
+        One per finding, or that nothing was found.
+    remarks
+        What is to be known.
+    places
+        For each finding that is a local fault the mean turns of the gears in question.
+    place_sentences
+        Their statements, for each finding; empty for those without.
+    file
+        The file.
+    origin
+        Quantity, its value, its origin.
+    units
+        Unit of each channel, where it is known.
+    """
+
+    diagnosis: Diagnosis
+    over: OverAngle
+    parts: TurningParts
+    sentences: tuple[str, ...]
+    remarks: tuple[str, ...]
+    places: tuple[tuple[GearTurn, ...], ...] = ()
+    place_sentences: tuple[str, ...] = ()
+    file: str = ""
+    origin: tuple[tuple[str, str, str], ...] = ()
+    units: Mapping[str, str] = field(default_factory=dict)
+
+    def as_data(self) -> dict[str, Any]:
+        """All of it as plain data."""
+        hertz = self.over.frequency
+        found = self.diagnosis
+        return {
+            "findings": [
+                {
+                    "kind": finding.kind,
+                    "shaft": finding.shaft,
+                    "gears": list(finding.gears),
+                    "bearings": list(finding.bearings),
+                    "channel": finding.channel,
+                    "false_alarm": finding.probability,
+                    "sentence": words,
+                    "mean_turn": [
+                        {"gears": list(turn.gears)}
+                        | turn.as_data(found.false_alarm, one_gear(finding, turns))
+                        for turn in turns
+                    ],
+                    "place": place,
+                }
+                for finding, words, turns, place in zip(
+                    found.findings, self.sentences, self.places, self.place_sentences, strict=False
+                )
+            ],
+            "sentences": list(self.sentences),
+            "evidence": evidence_rows(found, hertz),
+            "meshes": {
+                channel: [
+                    {
+                        "mesh": row.mesh,
+                        "frequency": row.order * hertz,
+                        "amplitude": row.amplitude.tolist(),
+                        "seen": row.seen,
+                        "lost_harmonics": list(row.lost),
+                    }
+                    for row in rows
+                ]
+                for channel, rows in found.meshes.items()
+            },
+            "turns": dict(found.turns),
+            "origin": [list(row) for row in self.origin],
+            "reference_frequency": hertz,
+            "tests": found.tests,
+            "allowed_false_alarm": found.false_alarm,
+            "not_tested": list(found.untested),
+            "not_reported": list(found.unreported),
+            "remarks": list(self.remarks),
+        }
+
+
+def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: Sequence[str] = ()) -> Study:
+    """Diagnose channels over an angle and describe the result in words.
+
+    Raises
+    ------
+    SignalError
+        If no mesh shows itself although the record could hold it: then tooth counts or speed are wrong, and
+        whatever was found would be about another machine.
+    """
+    found = diagnose(
+        over.signals,
+        over.samples_per_turn,
+        parts,
+        false_alarm=false_alarm,
+        sampled_per_turn=over.sampled_per_turn,
+    )
+    found, unnamed = _named(found, parts)
+    strongest = {name: strongest_lines(x, over.samples_per_turn) for name, x in over.signals.items()}
+    about_meshes, nothing = mesh_remarks(found, parts, over.frequency, strongest)
+    if nothing:
+        raise SignalError("; ".join(text for text in about_meshes if "no mesh line" in text))
+    words = tuple(sentence(finding, found, parts, over.frequency) for finding in found.findings)
+    notes = (*over.remarks, *remarks, *about_meshes, *unnamed, *_whole_ratios(parts))
+    places = local_turns(found, over, parts)
+    return Study(
+        diagnosis=found,
+        over=over,
+        parts=parts,
+        sentences=words or (nothing_found(found),),
+        remarks=tuple(dict.fromkeys(notes)),
+        places=places,
+        place_sentences=tuple(
+            place_sentence(finding, turns, found.false_alarm)
+            for finding, turns in zip(found.findings, places, strict=True)
+        ),
+    )
+
+
+def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]:
+    """Findings without gears whose mesh does not show: their tooth counts are not confirmed."""
+    seen = {row.mesh for rows in found.meshes.values() for row in rows if row.seen}
+    shown = {gear for mesh in parts.meshes if mesh.name in seen for gear in mesh.gears}
+    findings, remarks = [], []
+    for one in found.findings:
+        unseen = [gear for gear in one.gears if one.kind != "bearing" and gear not in shown]
+        if unseen:
+            # one of several by its name alone would be a guess as well
+            remarks.append(
+                f"no gear of {one.shaft} is named: no line of the mesh of {', '.join(unseen)} is seen"
+            )
+        findings.append(replace(one, gears=()) if unseen else one)
+    return replace(found, findings=tuple(findings)), remarks
+
+
+def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[dict[str, Array], list[str]]:
+    """Channels that change and are finite, and sentences about the others.
+
+    With `time` [s], tacho channels are omitted too: their harmonics are not vibration.
+    """
+    kept, remarks = {}, []
+    for name, values in channels.items():
+        try:
+            x = as_signal(values, name, 64)
+        except SignalError as reason:
+            remarks.append(f"{reason}; omitted")
+            continue
+        spread = float(np.ptp(x))
+        if spread <= 1e-12 * float(np.abs(x).max()):
+            remarks.append(f"{name}: is constant; omitted")
+            continue
+        if time is not None and is_pulse_train(x, time):
+            remarks.append(
+                f"{name}: looks like the pulses of a tacho, not like vibration; omitted; --tacho {name} "
+                f"--pulses N takes the speed from it, -c {name} looks at it all the same"
+            )
+            continue
+        kept[name] = x
+    return kept, remarks
+
+
+def preferred(names: Sequence[str]) -> list[str]:
+    """Channels of a result in which damage is looked for unless somebody chooses others.
+
+    Examples
+    --------
+    >>> preferred(["angle[a]", "mesh_force[m]", "transmission_error[m]", "speed[a]"])
+    ['transmission_error[m]', 'mesh_force[m]']
+    """
+    for group in PREFERRED:
+        found = [name for quantity in group for name in names if name.partition("[")[0] == quantity]
+        if found:
+            # spread over the list: the first ones often belong to one shaft
+            count = min(MOST, len(found))
+            return [found[k * len(found) // count] for k in range(count)]
+    return []
+
+
+def _whole_ratios(parts: TurningParts) -> list[str]:
+    """Shafts that no averaging distinguishes."""
+    why = (
+        "whole ratios: {}; averaging cannot distinguish the gears of such shafts, and equal faults at "
+        "equal angles on the slower shaft look like one on the faster"
+    )
+    pairs = [(fast, slow) for fast in parts.shafts for slow in parts.shafts if fast.order > slow.order]
+    return grouped(
+        Note(why, f"{fast.name} turns {fast.order / slow.order} times as fast as {slow.name}")
+        for fast, slow in pairs
+        if (fast.order / slow.order).denominator == 1
+    )

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of the page of a diagnosis."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from html import escape
+
+from pitchpoint.analysis.bearing_tests import alike
+from pitchpoint.analysis.findings import Evidence
+from pitchpoint.analysis.indicators import signal_indicators
+from pitchpoint.report.diagnosis.study import Study
+from pitchpoint.report.diagnosis.tooth_places import GAUSSIAN, INDICATORS, GearTurn, crest
+from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
+from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.tables import plain_table
+
+HARMONICS = 5
+
+
+def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:
+    """Rows of a table: the first columns are words, the others numbers; `**` in front makes a cell bold."""
+    made = []
+    for row in rows:
+        cells = []
+        for k, text in enumerate(row):
+            plain = escape(text.removeprefix("**"))
+            shown = f"<b>{plain}</b>" if text.startswith("**") else plain
+            cells.append(f"<td>{shown}</td>" if k < words else f'<td class="num">{shown}</td>')
+        made.append(f"<tr>{''.join(cells)}</tr>")
+    return made
+
+
+def origin_table(study: Study) -> str:
+    """Quantity, its value, its origin."""
+    return plain_table(("what", "value", "from"), rows_html(study.origin, 3), numbers=False)
+
+
+def shaft_table(study: Study) -> str:
+    """Shafts with gears, ratio, speed and turns in the record."""
+    hertz, turns = study.over.frequency, study.diagnosis.turns
+    rows = []
+    for shaft in study.parts.shafts:
+        gears = ", ".join(f"{gear} ({z})" for gear, (_, z) in study.parts.gears_of(shaft.name).items())
+        order = float(shaft.order)
+        rows.append(
+            (
+                shaft.name,
+                gears or "–",
+                str(shaft.order) if shaft.order.denominator < 1000 else number(order, 7),
+                *_rates(order, hertz),
+                number(turns[shaft.name], 4) if shaft.name in turns else "–",
+            )
+        )
+    head = (
+        "shaft",
+        "gears (teeth)",
+        "ratio",
+        "[Hz]",
+        "[rpm]",
+        "turns in the record",
+    )
+    return plain_table(head, rows_html(rows, 2))
+
+
+def mesh_table(study: Study) -> str:
+    """Meshes with frequency and the harmonics that the record cannot hold."""
+    first = next(iter(study.diagnosis.meshes.values()), ())
+    rows = []
+    for mesh, line in zip(study.parts.meshes, first, strict=True):
+        seen = any(lines[first.index(line)].seen for lines in study.diagnosis.meshes.values())
+        rows.append(
+            (
+                mesh.name,
+                f"{mesh.gears[0]} and {mesh.gears[1]}",
+                f"{mesh.teeth[0]}/{mesh.teeth[1]}",
+                number(line.order, 6),
+                _rates(line.order, study.over.frequency)[0],
+                "yes" if seen else "no",
+                ", ".join(str(k) for k in line.lost) or "none",
+            )
+        )
+    head = (
+        "mesh",
+        "gears",
+        "teeth",
+        "order",
+        "[Hz]",
+        "seen",
+        f"lost of {HARMONICS} harmonics",
+    )
+    return plain_table(head, rows_html(rows, 2)) if rows else ""
+
+
+def bearing_table(study: Study) -> str:
+    """Bearings with the rates of their parts."""
+    rows = [
+        (bearing.name, part, number(order, 5), _rates(order, study.over.frequency)[0])
+        for bearing in alike(study.parts.bearings)
+        for part, order in bearing.orders.items()
+    ]
+    return plain_table(("bearing", "part", "order", "[Hz]"), rows_html(rows, 2)) if rows else ""
+
+
+def test_table(study: Study) -> str:
+    """Every test, channel by channel."""
+    where = "at [Hz]" if math.isfinite(study.over.frequency) else "at order"
+    head = ("shaft or bearing", "test", where, "value", "limit", "by chance", "result")
+    body = []
+    for channel in study.over.signals:
+        if len(study.over.signals) > 1:
+            body.append(f'<tr><td colspan="{len(head)}"><b>{escape(channel)}</b></td></tr>')
+        mine = [e for e in study.diagnosis.evidence if e.channel == channel]
+        body += rows_html((_test_row(e, study.over.frequency) for e in mine), 2)
+    return plain_table(head, body)
+
+
+def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
+    """One test in cells."""
+    return (
+        e.shaft if e.kind != "bearing" else e.gear,
+        e.shaft if e.kind == "bearing" else what_is_tested(e),
+        _rates(e.order, hertz)[0] if math.isfinite(hertz) else number(e.order, 5),
+        f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
+        f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
+        percent(e.probability).replace("less than", "<"),
+        f"**{outcome(e)}" if e.found else outcome(e),
+    )
+
+
+def limit_table(study: Study, channel: str) -> str:
+    """Values of one channel, and the limits from which a fault is reported."""
+    unit = study.units.get(channel, "")
+    rms = signal_indicators(study.over.signals[channel]).rms
+    rows = []
+    for e in study.diagnosis.evidence:
+        if e.channel != channel:
+            continue
+        now, needed = _amplitudes(e, rms, unit)
+        whose = f"{e.shaft} of {e.gear}" if e.kind == "bearing" else e.shaft
+        rows.append(
+            (
+                whose,
+                _fault(e),
+                f"{number(round(e.value, 1), 4)} {unit_of(e.kind)}" if e.value > NEVER else "–",
+                f"{number(round(e.threshold, 1), 4)} {unit_of(e.kind)}",
+                now,
+                needed,
+            )
+        )
+    head = ("part", "to be found as", "value", "limit", "strongest line", "line at the limit")
+    return plain_table(head, rows_html(rows, 2))
+
+
+def indicator_tables(turns: Sequence[GearTurn], unit: str) -> str:
+    """Indicators of mean turns, with what 1 % of noise of the same spectrum exceeds in brackets."""
+    if not turns:
+        return ""
+    best = scale(unit, [float(row.turn.average.std()) for row in turns])
+    levels, shapes = [], []
+    for row in turns:
+        gear = f"{' or '.join(row.gears)} ({row.teeth})"
+        cells = {name: _against(*row.turn.indicators[name]) for name in INDICATORS}
+        levels.append(
+            (
+                gear,
+                row.shaft,
+                str(row.turn.averages),
+                number(float(row.turn.average.std()) * best.factor, 3),
+                number(float(row.turn.residual.std()) * best.factor, 3),
+                number(crest(row.turn), 3),
+                f"{number(100.0 * row.turn.energy.share, 2)} ({number(100.0 / row.teeth, 2)})",
+            )
+        )
+        fm0 = number(row.fm0, 3) if math.isfinite(row.fm0) else "–"
+        shapes.append((gear, row.shaft, fm0, *cells.values()))
+    gaussian = [number(GAUSSIAN[name], 3) for name in INDICATORS]
+    shapes.append(("Gaussian noise", "", "", *gaussian))
+    head = ("gear (teeth)", "shaft")
+    rms = (best.title("rms"), best.title("rms of residual"))
+    return plain_table(
+        (*head, "turns", *rms, "crest", "tooth energy [%]"), rows_html(levels, 2)
+    ) + plain_table((*head, "FM0", *INDICATORS.values()), rows_html(shapes, 2))
+
+
+def _against(value: float, limit: float, part: float) -> str:
+    """An indicator with its limit in brackets, bold where it is exceeded."""
+    return f"{'**' if part < 0.01 else ''}{number(value, 3)} ({number(limit, 3)})"
+
+
+def _amplitudes(e: Evidence, rms: float, unit: str) -> tuple[str, str]:
+    """Amplitude of the strongest line, and the one at the limit; dashes where there is no line."""
+    if e.kind not in ("low order", "sidebands") or e.value < NEVER or e.amplitude <= 0.0:
+        return "–", "–"
+    needed = max(e.amplitude * 10.0 ** ((e.threshold - e.value) / 20.0), 0.01 * rms)
+    best = scale(unit, [needed])
+    return tuple(f"{number(a * best.factor, 3)} {best.unit}".rstrip() for a in (e.amplitude, needed))  # type: ignore[return-value]
+
+
+def _fault(e: Evidence) -> str:
+    """What kind of damage a test sees."""
+    if e.kind == "bearing":
+        return "impacts of the bearing, in the envelope"
+    if e.kind == "sidebands":
+        return f"change of the mesh of {e.gear} over the turn"
+    return {"comb": "one impact in a turn: all orders together", "low order": "unbalance, misalignment"}[
+        e.kind
+    ]
+
+
+def _rates(order: float, hertz: float) -> tuple[str, str]:
+    """Hz and rpm of an order; dashes where the speed changes."""
+    if not math.isfinite(hertz):
+        return "–", "–"
+    return number(order * hertz, 5), number(60.0 * order * hertz, 5)

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where on a gear a finding sits: mean turn, indicators and the tooth that stands out, if one does."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from pitchpoint.analysis.diagnosis import Diagnosis
+from pitchpoint.analysis.findings import Finding
+from pitchpoint.analysis.gear_indicators import gear_indicators
+from pitchpoint.analysis.mean_turns import MeanTurn, mean_turn
+from pitchpoint.analysis.sampled import SignalError
+from pitchpoint.analysis.turning_parts import TurningParts
+from pitchpoint.report.diagnosis.record import OverAngle
+from pitchpoint.report.diagnosis.words import percent
+from pitchpoint.viz.quantities import number
+
+INDICATORS = {"kurtosis": "kurtosis", "fm4": "FM4", "m6a": "M6A", "m8a": "M8A"}
+"""What tables call the indicators of a mean turn."""
+GAUSSIAN = {"kurtosis": 3.0, "fm4": 3.0, "m6a": 15.0, "m8a": 105.0}
+"""What they are for Gaussian noise [-]."""
+
+
+@dataclass(frozen=True)
+class GearTurn:
+    """Mean turn of a shaft as one of its gears sees it.
+
+    Attributes
+    ----------
+    channel, shaft, gears
+        Channel, shaft, and the gears of this tooth count.
+    teeth
+        Tooth count [-].
+    turn
+        Mean turn with indicators and the energy of its teeth.
+    zero, since
+        Angle that the shaft has gone at the first sample [rad], and since what.
+    fm0
+        FM0 [-]; NaN where the mean turn holds no harmonic of the gear.
+    """
+
+    channel: str
+    shaft: str
+    gears: tuple[str, ...]
+    teeth: int
+    turn: MeanTurn
+    zero: float
+    since: str
+    fm0: float
+
+    @property
+    def angle(self) -> float:
+        """Middle of the angle of one tooth with most energy [rad], counted from `since`."""
+        return (self.turn.energy.angle + self.zero) % math.tau
+
+    @property
+    def tooth(self) -> float:
+        """The same in pitches of the gear [-]."""
+        return self.angle / math.tau * self.teeth
+
+    def stands_out(self, false_alarm: float) -> bool:
+        """Whether the energy in the angle of one tooth is more than chance gives."""
+        return self.turn.energy.probability < false_alarm
+
+    def as_data(self, false_alarm: float, one_gear: bool) -> dict[str, Any]:
+        """Plain data; the tooth only if one stands out and the gear is known."""
+        energy = self.turn.energy
+        out = self.stands_out(false_alarm)
+        return {
+            "averages": self.turn.averages,
+            "angle": self.angle if out else None,
+            "tooth": self.tooth if out and one_gear else None,
+            "teeth": self.teeth if one_gear else None,
+            "counted_from": self.since,
+            "tooth_energy": {
+                "share": energy.share,
+                "evenly_spread": 1.0 / self.teeth,
+                "false_alarm": energy.probability,
+            },
+            "indicators": {"fm0": {"value": self.fm0}}
+            | {
+                name: {
+                    "value": value,
+                    "gaussian": GAUSSIAN[name],
+                    "limit_1_percent": limit,
+                    "by_chance": part,
+                }
+                for name, (value, limit, part) in self.turn.indicators.items()
+            },
+        }
+
+
+def gear_turns(channel: str, shaft: str, over: OverAngle, parts: TurningParts) -> tuple[GearTurn, ...]:
+    """Mean turns of a shaft in one channel, one for each tooth count on it, where the record has one."""
+    by_count: dict[int, list[str]] = {}
+    for gear, (_, teeth) in parts.gears_of(shaft).items():
+        by_count.setdefault(teeth, []).append(gear)
+    zero, since = over.zeros.get(shaft, (0.0, over.began))
+    found = []
+    for teeth, gears in by_count.items():
+        try:
+            turn = mean_turn(over.signals[channel], over.samples_per_turn, parts, parts.shaft(shaft), teeth)
+        except SignalError:
+            continue
+        try:
+            fm0 = gear_indicators(turn.average, teeth=teeth).fm0
+        except SignalError:
+            fm0 = math.nan
+        found.append(GearTurn(channel, shaft, tuple(gears), teeth, turn, zero, since, fm0))
+    return tuple(found)
+
+
+def local_turns(
+    diagnosis: Diagnosis, over: OverAngle, parts: TurningParts
+) -> tuple[tuple[GearTurn, ...], ...]:
+    """For each finding that is a local fault the mean turns of the gears that come into question."""
+    return tuple(
+        tuple(
+            row
+            for row in gear_turns(finding.channel, finding.shaft, over, parts)
+            if not finding.gears or set(row.gears) & set(finding.gears)
+        )
+        if finding.kind == "local fault"
+        else ()
+        for finding in diagnosis.findings
+    )
+
+
+def one_gear(finding: Finding, turns: tuple[GearTurn, ...]) -> bool:
+    """Whether all gears in question have one tooth count, so that teeth can be counted."""
+    return bool(finding.gears) and not finding.bearings and len(turns) == 1
+
+
+def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: float) -> str:
+    """Mean turn of a local fault in words; empty if there is none."""
+    if not turns:
+        return ""
+    best = min(turns, key=lambda row: row.turn.energy.probability)
+    energy, found = best.turn.energy, best.turn.indicators
+    (fm4, limit, _), (m6a, other, _) = found["fm4"], found["m6a"]
+    shape = (
+        f"FM4 {number(fm4, 3)} (1 % of noise of the same spectrum exceeds {number(limit, 3)}), "
+        f"M6A {number(m6a, 3)} ({number(other, 3)})"
+    )
+    text = f"mean of {best.turn.averages} turns of {finding.shaft}: {shape}"
+    degrees = f"{math.degrees(best.angle):.0f}°"
+    # a finding that names no gear has no tooth of it either
+    where = f"one tooth of {' or '.join(best.gears)}" if finding.gears else f"a turn over {best.teeth}"
+    share = (
+        f"{100.0 * energy.share:.0f} % of the energy of its residual lies in the angle of {where} "
+        f"({100.0 / best.teeth:.2g} % if spread evenly; by chance: {percent(energy.probability)})"
+    )
+    if not best.stands_out(false_alarm):
+        return f"{text}; {share}: no single tooth can be identified"
+    if not one_gear(finding, turns):
+        return f"{text}; {share}, {degrees} after {best.since}"
+    return (
+        f"{text}; {share}: the tooth of {best.teeth} that meshes {best.tooth:.1f} pitches ({degrees}) after "
+        f"{best.since}"
+    )
+
+
+def crest(turn: MeanTurn) -> float:
+    """Largest magnitude of the residual by its rms [-]."""
+    rms = float((turn.residual**2).mean() ** 0.5)
+    return float(abs(turn.residual).max()) / rms if rms > 0.0 else math.nan

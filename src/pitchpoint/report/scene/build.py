@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Brings together the scene of a model, or of a result and the model that it keeps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.provenance import content_hash
+from pitchpoint.report.scene.elastic import elastic_parts
+from pitchpoint.report.scene.forces import force_arrows
+from pitchpoint.report.scene.marks import scene_marks
+from pitchpoint.report.scene.modes import modes_of_result, scene_modes
+from pitchpoint.report.scene.motion import motion, scene_bodies, shown_bodies
+from pitchpoint.report.scene.places import Places
+from pitchpoint.report.scene.solids import scene_solids
+from pitchpoint.report.scene.spectra import scene_spectra
+from pitchpoint.report.scene.tooth_contacts import ContactLines, scene_contacts
+from pitchpoint.viz.quantities import Channel, channel_scale
+from pitchpoint.viz.scene.contacts import SceneContact
+from pitchpoint.viz.scene.content import Scene, SceneArrow, SceneChannel, SceneMark
+from pitchpoint.viz.scene.spectrum import SceneMap, SceneSpectrum
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+
+MOST_FRAMES = 2000
+NUMBERS = 8e5
+"""Most numbers of all tracks: with more bodies there are fewer frames."""
+PIECES = (500, 200)
+"""Pieces of a record that a curve is drawn from, most and least."""
+CURVES = 1e5
+"""Most pieces of all curves: with more of them each has fewer."""
+FIRST = ("normal_force", "transmission_error")
+"""Quantities that are drawn without asking."""
+SECOND = ("contact_force", "tension", "reaction_force", "torque", "speed", "displacement")
+"""Those of which the first that changes is drawn where there is none of these."""
+
+
+def scene_of(
+    model: Model, result: xr.Dataset | None = None, scenario: str | None = None, modes: int = 0
+) -> Scene:
+    """The scene of a model at rest, or of a result over time.
+
+    Parameters
+    ----------
+    model
+        The model; of a result the one that it keeps.
+    result
+        Result of a time run, or of modes.
+    scenario
+        Scenario of the result; that which it names, if omitted.
+    modes
+        How many of the lowest modes are computed for it.
+
+    Raises
+    ------
+    PitchpointError
+        If the model cannot be compiled, or the result holds no place of the bodies.
+    """
+    from pitchpoint.system.compile import compile_model
+
+    whole = result
+    if result is not None and "time" in result.dims:
+        result = _known(result)
+    chosen = scenario or (None if result is None else result.attrs.get("scenario")) or None
+    system = compile_model(model, chosen)
+    names = system.layout.bodies
+    still = motion(system, 1, lambda _: np.zeros(1), np.zeros(1))
+    shapes = result if result is not None and "mode" in result.dims else None
+    result = result if shapes is None else None
+    record = _Record.of(result, len(names))
+    lines = ContactLines(system, record.at_frames, len(record.times))
+    moved = motion(system, len(record.times), record.at_frames, record.times, lines.look)
+    bodies = scene_bodies(system, moved, still)
+    numbers = {b: k for k, b in enumerate(shown_bodies(system))}
+    places = Places(model, numbers, {names[b]: k for b, k in numbers.items()})
+    solids, notes = scene_solids(model, places)
+    bending, remarks = elastic_parts(model, places, record.at_frames)
+    solids, notes = solids + bending, notes + remarks
+    if result is not None and whole is not None and result.sizes["time"] < whole.sizes["time"]:
+        notes.append(
+            f"shown up to {float(result['time'][-1]):.6g} s: after that the result holds numbers that are "
+            "not finite"
+        )
+    if result is not None and moved.unknown:
+        notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
+    arrows: list[SceneArrow] = []
+    contacts: list[SceneContact] = []
+    marks: list[SceneMark] = []
+    spectra: list[SceneSpectrum] = []
+    maps: list[SceneMap] = []
+    if result is not None:
+        arrows, remarks = force_arrows(system, moved, record.at_frames)
+        contacts, lacking = scene_contacts(model, system, lines, moved, record.at_frames)
+        marks, coarse = scene_marks(model, result, contacts, record.times)
+        spectra, maps = scene_spectra(model, result, _settle_time(model, chosen))
+        notes += [*_another_state(model, result), *remarks, *lacking, *coarse]
+    labels = [body.name for body in bodies]
+    found = scene_modes(system, modes, labels, solids) if modes else []
+    if shapes is not None:
+        found = modes_of_result(shapes, labels, solids)
+    return Scene(
+        title=model.title or "Gears",
+        subtitle="" if result is None else _subtitle(result),
+        up=_up(model),
+        bodies=bodies,
+        solids=solids,
+        times=record.times,
+        arrows=arrows,
+        contacts=contacts,
+        channels=record.curves(),
+        marks=marks,
+        spectra=spectra,
+        maps=maps,
+        modes=found,
+        notes=notes,
+    )
+
+
+def _known(result: xr.Dataset) -> xr.Dataset:
+    """A result up to the first sample at which a body has no place: a run that failed may end so."""
+    moving = [n for n in result.data_vars if str(n).startswith(("angle[", "displacement["))]
+    known = np.isfinite(result["time"].values)
+    for name in moving:
+        if result[name].dims == ("time",):
+            known = known & np.isfinite(result[name].values)
+    count = int(known.size if known.all() else np.argmin(known))
+    if count == 0:
+        raise PitchpointError("the result holds no sample at which all bodies have a place; run it again")
+    return result if count == known.size else result.isel(time=slice(0, count))
+
+
+def _another_state(model: Model, result: xr.Dataset) -> list[str]:
+    """A sentence where the result was computed with other values than the model has."""
+    known = str(result.attrs.get("model_hash", ""))
+    if known in ("", content_hash(model)):
+        return []
+    return [
+        "computed with another state of the model than the one that is kept; teeth, faults and scenario are "
+        "those of the latter, forces and motion those of the run"
+    ]
+
+
+def _up(model: Model) -> tuple[float, float, float]:
+    """Against gravity; y where there is none."""
+    size = math.hypot(*(model.gravity or ()))
+    if model.gravity is None or size == 0.0:
+        return (0.0, 1.0, 0.0)
+    x, y, z = (-g / size for g in model.gravity)
+    return (x, y, z)
+
+
+def _settle_time(model: Model, scenario: str | None) -> float:
+    """Time that a scenario lets pass before it measures [s]."""
+    found = model.scenarios.get(scenario or "")
+    return float(getattr(found, "settle_time", None) or 0.0)
+
+
+def _subtitle(result: xr.Dataset) -> str:
+    """Scenario and span of a result in words."""
+    span = float(result["time"][-1] - result["time"][0])
+    name = result.attrs.get("scenario")
+    return f"scenario {name}, {span:.4g} s" if name else f"{span:.4g} s"
+
+
+@dataclass(frozen=True)
+class _Record:
+    """A result and the samples of it that become frames."""
+
+    result: xr.Dataset | None
+    samples: NDArray[np.int64]
+    times: Array
+
+    @classmethod
+    def of(cls, result: xr.Dataset | None, bodies: int) -> _Record:
+        """Choose frames: fewer where there are many bodies; one, at rest, without a result."""
+        if result is None:
+            return cls(None, np.zeros(1, np.int64), np.zeros(1))
+        time = np.asarray(result["time"].values, dtype=np.float64)
+        most = int(min(MOST_FRAMES, max(100.0, NUMBERS / (7.0 * bodies))))
+        step = max(1, -(-(time.size - 1) // (most - 1)))
+        samples = np.arange(0, time.size, step)
+        return cls(result, samples, time[samples])
+
+    def at_frames(self, name: str) -> Array | None:
+        """A channel at the frames; None where the result does not hold it, or no numbers."""
+        if self.result is None:
+            return np.zeros(1)
+        if name not in self.result:
+            return None
+        values = np.asarray(self.result[name].values[self.samples], dtype=np.float64)
+        return values if np.isfinite(values).all() else None
+
+    def curves(self) -> Sequence[SceneChannel]:
+        """Every channel over time, decimated to least and most of each piece."""
+        if self.result is None:
+            return []
+        time = np.asarray(self.result["time"].values, dtype=np.float64)
+        most = int(min(PIECES[0], max(PIECES[1], CURVES / max(1, len(self.result.data_vars)))))
+        edges = np.unique(np.linspace(0, time.size, min(most, time.size) + 1).round().astype(np.int64))[:-1]
+        found = []
+        for name, values in self.result.data_vars.items():
+            if values.dims != ("time",):
+                continue
+            x = np.asarray(values.values, dtype=np.float64)
+            if not np.isfinite(x).all():
+                continue
+            unit = str(values.attrs.get("units", "1"))
+            shown = channel_scale(str(name), unit, x)
+            found.append(
+                SceneChannel(
+                    name=str(name),
+                    label=Channel(str(name), x).label,
+                    unit=unit,
+                    shown_unit=shown.unit,
+                    scale=shown.factor,
+                    times=time[edges],
+                    least=np.minimum.reduceat(x, edges),
+                    most=np.maximum.reduceat(x, edges),
+                    first=str(name).split("[")[0] in FIRST,
+                )
+            )
+        if found and not any(channel.first for channel in found):
+            order = {quantity: k for k, quantity in enumerate(SECOND)}
+
+            def rank(k: int) -> tuple[bool, int]:
+                """What changes comes before what is at rest, round-off apart; then what people look at."""
+                least, most = float(found[k].least.min()), float(found[k].most.max())
+                level = most - least <= 1e-9 * max(abs(least), abs(most))
+                return level, order.get(found[k].name.split("[")[0], len(order))
+
+            best = min(range(len(found)), key=rank)
+            found[best] = replace(found[best], first=True)
+        return found

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What bends in a scene: beams between bodies, and elastic bodies as bars between their nodes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.model.frames import place_of, split, unit
+from pitchpoint.model.shafts import station_names
+from pitchpoint.viz.scene.content import Blend, ModalShape, SceneSolid
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.beam import Beam
+    from pitchpoint.model.model import Model
+    from pitchpoint.report.scene.places import Places
+
+Array = NDArray[np.float64]
+Read = Callable[[str], "Array | None"]
+"""Channel of a result at the frames, none where it has none."""
+
+RINGS = 4
+"""Rings of corners along every piece of a beam."""
+MOST_NODES = 300
+BAR = 0.008
+"""Half the side of the bars between nodes, as a part of the size of the machine."""
+
+
+def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid], list[str]]:
+    """Solids of beams and elastic bodies, and what is not drawn.
+
+    Parameters
+    ----------
+    model
+        The model.
+    at
+        Where things sit in the scene.
+    read
+        Gives channels of the result at the frames.
+    """
+    found = [_beam(model, name, part, at) for name, part in model.beams.items()]
+    notes: list[str] = []
+    for name in model.elastic_bodies:
+        try:
+            found.append(_nodes(model, name, at, read))
+        except PitchpointError as error:
+            notes.append(f"elastic body {name} is not drawn: {error}")
+    if model.elastic_bodies:
+        notes.append("elastic bodies are drawn as bars between their nodes: matrices have no surface")
+    return found, notes
+
+
+def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
+    """A beam with its section, which follows its ends and its stations."""
+    root, tip = (place_of(model, end) for end in part.ends)
+    assert root is not None and tip is not None
+    z = unit(tip - root)
+    wish = np.array(part.axis or ((0.0, 1.0, 0.0) if abs(z[0]) > 0.999 else (1.0, 0.0, 0.0)))
+    x = unit(wish - z * (z @ wish))
+    y = np.cross(z, x)
+    outline = _section(part)
+    count = RINGS * part.pieces + 1
+    share = np.linspace(0.0, 1.0, count)
+    ring = outline[:, :1] * x + outline[:, 1:] * y
+    points = (root + share[:, None] * (tip - root))[:, None, :] + ring
+    n = len(outline)
+    k, after = np.arange(n), (np.arange(n) + 1) % n
+    faces = []
+    for low in range(0, (count - 1) * n, n):
+        faces += [np.c_[low + k, low + after, low + n + k], np.c_[low + after, low + n + after, low + n + k]]
+    last = (count - 1) * n
+    faces += [
+        np.c_[0 * k[1:-1], after[1:-1], k[1:-1]],
+        np.c_[last + 0 * k[1:-1], last + k[1:-1], last + after[1:-1]],
+    ]
+    stations = [at.names.get(label) for label in station_names(name, part.pieces)[1:]]
+    between = [number for number in stations if number is not None]
+    # a scene at rest knows no stations of beams
+    pieces = len(between) + 1 if len(between) == len(stations) else 1
+    first = np.minimum((share * pieces + 1e-9).astype(np.int64), pieces - 1)
+    weight = share * pieces - first
+    bodies = [at.seat(split(part.ends[0])[0], root)[0], *between[: pieces - 1]]
+    bodies.append(at.seat(split(part.ends[1])[0], tip)[0])
+    _, origin, axes = at.seat(split(part.ends[0])[0], root)
+    return SceneSolid(
+        name=name,
+        kind="shaft",
+        body=bodies[0],
+        points=(points.reshape(-1, 3) - origin) @ axes,
+        triangles=np.concatenate(faces),
+        blend=Blend(bodies, np.repeat(first, n), np.repeat(first + 1, n), np.repeat(weight, n)),
+    )
+
+
+def _section(part: Beam) -> Array:
+    """Corners of the section of a beam along its axes 1 and 2, (n, 2) [m]; a circle where it is unknown."""
+    section = part.section
+    if section.width is not None and section.height is not None:
+        w, h = 0.5 * section.width, 0.5 * section.height
+        return np.array([[w, -h], [w, h], [-w, h], [-w, -h]])
+    radius = 0.5 * section.diameter if section.diameter else math.sqrt((section.area or 0.0) / math.pi)
+    angle = 2.0 * math.pi / 20 * np.arange(20)
+    return radius * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
+def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
+    """Bars between neighbouring nodes, which go with the modal coordinates."""
+    from scipy.sparse.csgraph import minimum_spanning_tree
+    from scipy.spatial.distance import cdist
+
+    from pitchpoint.system.rules.elastic_body import file_nodes
+
+    places, shape = file_nodes(model, name)
+    kept = np.arange(0, len(places), -(-len(places) // MOST_NODES))
+    places, shape = places[kept], shape[kept]
+    # a length of zero would be no edge
+    edges = np.argwhere(minimum_spanning_tree(cdist(places, places) + 1e-9).toarray())
+    half = BAR * at.size
+    points: list[Array] = []
+    node: list[int] = []
+    faces: list[NDArray[np.int64]] = []
+    corner = half * np.array([[1, 1], [-1, 1], [-1, -1], [1, -1]])
+    k, after = np.arange(4), (np.arange(4) + 1) % 4
+    for i, j in edges:
+        if np.linalg.norm(places[j] - places[i]) < 1e-6 * at.size:
+            continue  # nodes in one place
+        z = unit(places[j] - places[i])
+        x = unit(np.cross(np.eye(3)[int(np.argmin(np.abs(z)))], z))
+        ring = corner[:, :1] * x + corner[:, 1:] * np.cross(z, x)
+        first = 4 * len(points)
+        points += [places[i] + ring, places[j] + ring]
+        node += [i] * 4 + [j] * 4
+        faces += [
+            np.c_[first + k, first + after, first + 4 + k],
+            np.c_[first + after, first + 4 + after, first + 4 + k],
+        ]
+        faces.append(first + np.array([[0, 2, 1], [0, 3, 2], [4, 5, 6], [4, 6, 7]]))
+    number = at.seat(name)[0]
+    values = [read(f"displacement[{c}]") for c in coordinates_of(name, shape.shape[2])]
+    known = [v for v in values if v is not None]
+    return SceneSolid(
+        name=name,
+        kind="body",
+        body=number,
+        points=np.concatenate(points),
+        triangles=np.concatenate(faces),
+        modal=ModalShape(
+            np.moveaxis(shape, 2, 0),
+            np.array(node, np.int64),
+            np.column_stack(known) if len(known) == len(values) else None,
+        ),
+        schematic=True,
+    )
+
+
+def coordinates_of(name: str, count: int) -> list[str]:
+    """Names of the modal coordinates of an elastic body.
+
+    Examples
+    --------
+    >>> coordinates_of("rod", 4)[2:]
+    ['rod.1.eta3', 'rod.2.eta4']
+    """
+    return [f"{name}.{m // 3 + 1}.eta{m + 1}" for m in range(count)]

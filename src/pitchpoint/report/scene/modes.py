@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mode shapes of a scene."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.report.scene.elastic import coordinates_of
+from pitchpoint.viz.scene.content import SceneMode, SceneSolid
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+def scene_modes(
+    system: System, count: int, bodies: Sequence[str], solids: Sequence[SceneSolid]
+) -> list[SceneMode]:
+    """The lowest modes of a system about its loaded state.
+
+    Parameters
+    ----------
+    system
+        The machine, compiled with a scenario or at rest.
+    count
+        How many.
+    bodies
+        Names of the bodies of the scene.
+    solids
+        Its solids: those that bend in modal coordinates get theirs.
+    """
+    from pitchpoint.solvers.modal import find_modes
+
+    found = find_modes(system, count=count)
+    return [
+        _mode(
+            f"{k + 1}: {found.names[k]}",
+            (float(found.frequency[k]), float(found.damping_ratio[k])),
+            (found.bodies, found.damped_body_shape[k]),
+            (found.coordinates, found.damped_shape[k]),
+            bodies,
+            solids,
+        )
+        for k in range(min(count, len(found.names)))
+    ]
+
+
+def modes_of_result(
+    result: xr.Dataset, bodies: Sequence[str], solids: Sequence[SceneSolid]
+) -> list[SceneMode]:
+    """The modes that a result of `pitchpoint modes` holds, without damping in their shapes.
+
+    Parameters
+    ----------
+    result
+        The result.
+    bodies, solids
+        As in `scene_modes`.
+
+    Raises
+    ------
+    PitchpointError
+        If it does not hold what bodies do in them.
+    """
+    if "body_shape" not in result:
+        raise PitchpointError("this result of modes holds no motions of bodies; compute it again")
+    names = [str(name) for name in result["body"].values]
+    coordinates = [str(name) for name in result["coordinate"].values]
+    return [
+        _mode(
+            f"{k + 1}: {result['name'].values[k]}",
+            (float(result["frequency"][k]), float(result["damping_ratio"][k])),
+            (names, np.asarray(result["body_shape"].values[k], dtype=complex)),
+            (coordinates, np.asarray(result["shape"].values[k], dtype=complex)),
+            bodies,
+            solids,
+        )
+        for k in range(result.sizes["mode"])
+    ]
+
+
+def _mode(
+    name: str,
+    numbers: tuple[float, float],
+    motions: tuple[Sequence[str], Complex],
+    coordinates: tuple[Sequence[str], Complex],
+    bodies: Sequence[str],
+    solids: Sequence[SceneSolid],
+) -> SceneMode:
+    """One mode with the bodies in the order of the scene."""
+    frequency, damping = numbers
+    at = {body: k for k, body in enumerate(motions[0])}
+    moved = np.array([motions[1][at[body]] for body in bodies]).reshape(-1, 6)
+    place = {coordinate: k for k, coordinate in enumerate(coordinates[0])}
+    modal = {}
+    for solid in solids:
+        if solid.modal is None:
+            continue
+        own = coordinates_of(solid.name, len(solid.modal.shapes))
+        if all(c in place for c in own):
+            modal[solid.name] = coordinates[1][[place[c] for c in own]]
+    shown = damping if math.isfinite(damping) and frequency > 0.0 else None
+    return SceneMode(
+        name=name, frequency=frequency, damping=shown, position=moved[:, :3], turn=moved[:, 3:], modal=modal
+    )

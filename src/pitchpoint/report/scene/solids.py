@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Solids of a model for its scene: gears with their teeth, shafts, bearings, bodies from files.
+
+Every solid is in the frame of its body at spin 0, as the system has it. What has no drawing is omitted and
+reported: nothing is drawn that the model does not hold, but for spindles, which only join the gears of a
+body.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import GeometryError, MissingDependencyError
+from pitchpoint.geometry.shaft_solid import shaft_solid
+from pitchpoint.geometry.triangle_file import join_corners
+from pitchpoint.model.frames import frame
+from pitchpoint.model.shafts import middle_of, section_at, station_names
+from pitchpoint.report.scene.bevel_gears import bevel_part
+from pitchpoint.report.scene.cad_files import surface_of
+from pitchpoint.report.scene.connections import joining_parts
+from pitchpoint.report.scene.gear_room import seated
+from pitchpoint.report.scene.gears import gear_part
+from pitchpoint.report.scene.ratios import ratio_parts
+from pitchpoint.report.scene.schematics import schematics
+from pitchpoint.report.scene.supports import (
+    bearing_rings,
+    carriers,
+    covers,
+    housings,
+    ring_places,
+    spindle_radius,
+)
+from pitchpoint.viz.scene.content import Blend, SceneSolid
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.report.scene.places import Places
+
+Array = NDArray[np.float64]
+
+ROUND = 48
+"""Corners of a drawn circle."""
+
+
+def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]:
+    """Solids of a model, and what is not drawn.
+
+    Parameters
+    ----------
+    model
+        The model.
+    at
+        Where things sit in the scene.
+    """
+    found: list[SceneSolid] = []
+    notes: list[str] = []
+    cover = covers(model)
+    thinner = thinning(model)
+    for name in model.gears:
+        body = model.body_of(name)
+        if body is None:
+            continue
+        seat = at.own(body, (0.0, 0.0, model.bodies[body].gears[name]))
+        try:
+            solid, unseen = gear_part(model, name, seat, thinner.get(name, 0.0))
+        except GeometryError as error:
+            notes.append(f"gear {name} is not drawn: {error}")
+            continue
+        found.append(solid)
+        notes += unseen
+    for name in model.bevel_gears:
+        body = model.body_of(name)
+        if body is None:
+            continue
+        apex = model.bodies[body].bevel_gears[name]
+        # on an elastic shaft the gear moves with the station where its teeth are
+        middle = middle_of(model.bevel_gears[name], apex) if body in model.shafts else apex
+        number, place, axes = at.own(body, (0.0, 0.0, middle))
+        seat = number, place + (apex - middle) * axes[:, 2], axes
+        try:
+            found.append(bevel_part(model, name, seat, thinner.get(name, 0.0)))
+        except GeometryError as error:
+            notes.append(f"bevel gear {name} is not drawn: {error}")
+    for name in model.shafts:
+        found.append(_shaft(model, name, at.names))
+    for name, part in model.bodies.items():
+        if part.solid is not None:
+            try:
+                found.append(_from_file(model, name, at, cover.get(name)))
+            except (GeometryError, MissingDependencyError) as error:
+                notes.append(f"body {name} is not drawn: {error}")
+        elif name not in model.shafts and (part.gears or part.bevel_gears):
+            found += _spindle(model, name, at)
+    for name in model.rolling_bearings:
+        found += _rolling_bearing(model, name, at)
+    found += bearing_rings(model, at)
+    plates = carriers(model, at)
+    found += [solid for part in plates.values() for solid in part]
+    frames = housings(model, at)
+    found += [solid for part in frames.values() for solid in part]
+    if frames:
+        notes.append("frames around gears represent housings, whose shape the model does not give")
+    if model.bearings or plates:
+        notes.append("rings of linear bearings and plates of carriers show where they are, not how large")
+    shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
+    shapes |= {*plates, *frames}
+    wheels, lacking = ratio_parts(model, at)
+    wheeled = {n for n in model.bodies if at.names.get(n) in {solid.body for solid in wheels}}
+    more, remarks = schematics(model, at, shapes | set(model.shafts), wheeled)
+    return [*found, *more, *joining_parts(model, at), *wheels], [*notes, *remarks, *lacking]
+
+
+def thinning(model: Model) -> dict[str, float]:
+    """Normal tooth thickness that drawn gears lack so that meshes show the backlash that is given [m].
+
+    By gear, at the reference circle, of bevel gears in the middle of the face; half of a mesh's part each,
+    and of a gear in several meshes the largest. The backlash follows the thickness as in
+    `geometry.backlash.backlash_at`.
+    """
+    found: dict[str, float] = {}
+    for name, mesh in model.meshes.items():
+        pair = model.pairs[name]
+        more = model.backlash(name) - pair.j_bt
+        half = 0.5 * more * math.cos(pair.gear1.beta) / math.cos(pair.gear1.alpha_t)
+        for gear in mesh.gears:
+            found[gear] = max(found.get(gear, half), half)
+    for name, bevel in model.bevel_meshes.items():
+        pitch = model.bevel_pairs[name]
+        more = model.backlash(name) - pitch.R_m * pitch.sigma_j
+        half = 0.5 * more * math.cos(pitch.gear1.beta_m) / math.cos(pitch.alpha_t)
+        for gear in bevel.gears:
+            # the same arc at another cone distance
+            own = half * model.bevel_gears[gear].geometry.R_m / pitch.R_m
+            found[gear] = max(found.get(gear, own), own)
+    return found
+
+
+def _solid(
+    name: str, kind: str, body: int, corners: Array, *, creases: float = 35.0, schematic: bool = False
+) -> SceneSolid:
+    """Triangles with their corners numbered."""
+    first, triangles = join_corners(corners)
+    points = corners.reshape(-1, 3)[first]
+    return SceneSolid(
+        name=name,
+        kind=kind,
+        body=body,
+        points=points,
+        triangles=triangles,
+        creases=creases,
+        schematic=schematic,
+    )
+
+
+def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
+    """A shaft that bends between its stations."""
+    shaft, places = model.shafts[name], np.array(model.stations[name])
+    # sections are cut at the stations too, so that every ring of corners can follow one
+    ends = np.cumsum([0.0, *(s.length for s in shaft.sections)])
+    cuts = np.unique(np.concatenate([ends, places]))
+    cuts = cuts[np.append(True, np.diff(cuts) > 1e-9 * ends[-1])]
+    middles = 0.5 * (cuts[:-1] + cuts[1:])
+    pieces = [
+        (float(b - a), *section_at(shaft, float(m))) for a, b, m in zip(cuts, cuts[1:], middles, strict=False)
+    ]
+    corners = shaft_solid(pieces, ROUND)
+    if len(places) < 2:
+        return _solid(name, "shaft", bodies[name], corners)
+    kept, triangles = join_corners(corners)
+    points = corners.reshape(-1, 3)[kept]
+    stations = station_names(name, len(places))
+    height = np.clip(points[:, 2], places[0], places[-1])
+    first = np.clip(np.searchsorted(places, height, side="right") - 1, 0, len(places) - 2)
+    weight = (height - places[first]) / (places[first + 1] - places[first])
+    return SceneSolid(
+        name=name,
+        kind="shaft",
+        body=bodies[name],
+        points=points - np.array([0.0, 0.0, places[0]]),
+        triangles=triangles,
+        blend=Blend([bodies[s] for s in stations], first, first + 1, weight),
+    )
+
+
+def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
+    """Something round that joins the gears of a body without sections."""
+    part = model.bodies[name]
+    radius = spindle_radius(model, name)
+    if radius is None:
+        return []
+    ends = [z for gear in seated(model, name).values() for z in (gear.low, gear.high)]
+    ends += [m.position[2] for m in part.markers.values() if _on_axis(m.position)]
+    ends += [z for label, b in model.bearings.items() if b.body == name for z in ring_places(model, label)]
+    low, high = min(ends), max(ends)
+    over = 0.15 * (high - low)
+    corners = shaft_solid([(high - low + 2.0 * over, 2.0 * radius, 0.0)], ROUND)
+    number, place, axes = at.own(name, (0.0, 0.0, low - over))
+    return [_solid(f"{name} (spindle)", "shaft", number, corners @ axes.T + place, schematic=True)]
+
+
+def _on_axis(place: Iterable[float]) -> bool:
+    x, y, _ = place
+    return x == 0.0 and y == 0.0
+
+
+def _rolling_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
+    """Both rings of a rolling bearing, each on the body of its end."""
+    part = model.rolling_bearings[name]
+    d, pitch = part.element_diameter, part.pitch_diameter
+    width, rib = 1.4 * d, 0.5 * d
+    inner = (width, pitch - 1.1 * d, pitch - 1.1 * d - rib)
+    outer = (width, pitch + 1.1 * d + rib, pitch + 1.1 * d)
+    middle = np.array([0.0, 0.0, -0.5 * width])
+    found = []
+    for end, ring, word in zip(part.ends, (inner, outer), ("inner", "outer"), strict=True):
+        number, place, axes = at.end(end)
+        corners = (shaft_solid([ring], ROUND) + middle) @ axes.T + place
+        found.append(_solid(f"{name}, {word} ring", "bearing", number, corners))
+    return found
+
+
+def _from_file(model: Model, name: str, at: Places, cover: str | None) -> SceneSolid:
+    """The surface of a file, in the axes of its body; what covers others is seen through."""
+    reference = model.bodies[name].solid
+    assert reference is not None
+    points, triangles = surface_of(reference)
+    points = (points - np.array(reference.origin or (0.0, 0.0, 0.0))) @ frame(reference.axes)
+    number, place, axes = at.own(name)
+    return SceneSolid(
+        name=name,
+        kind=cover or "body",
+        body=number,
+        points=points @ axes.T + place,
+        triangles=triangles,
+        creases=20.0,
+        see_through=cover is not None,
+    )

@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Supports in a scene: rings of bearings, plates and pins of planet carriers, a frame for the housing.
+
+Where they sit is in the model; what they look like is not, and they are marked as schematic.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.model.frames import GROUND, joint_axes, joint_place, place_of, split
+from pitchpoint.model.shafts import section_at
+from pitchpoint.report.scene import shapes
+from pitchpoint.report.scene.gear_room import seated
+from pitchpoint.viz.scene.content import SceneSolid
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.joint import Joint
+    from pitchpoint.model.model import Model
+    from pitchpoint.report.scene.places import Places
+
+Array = NDArray[np.float64]
+
+SPINDLE = 0.35
+"""Radius of a drawn spindle, as a part of the smallest root radius on it."""
+LEAST = 0.02
+"""Radius of what turns in a bearing if unknown, as a part of the size of the machine."""
+INNER, OUTER = (1.0, 1.3), (1.5, 1.85)
+"""Radii of both rings over that of the shaft."""
+WIDE = 0.5
+"""Width of a ring over the radius of the shaft."""
+BESIDE = 0.7
+"""Distance of a ring from the face of a gear that it would lie in, over the radius of the shaft."""
+EDGE, ROOM = 0.003, 0.02
+"""Radius of the bars of a frame, and its distance from what it holds, as parts of the size of the machine."""
+
+
+def spindle_radius(model: Model, body: str) -> float | None:
+    """Radius of the spindle that joins the gears of a body without sections [m]; none without gears."""
+    gears = seated(model, body).values()
+    roots = [g.root for g in gears if g.root is not None]
+    if not roots:
+        return None
+    bores = [g.hub for g in gears if g.hub > 0.0]
+    return min(bores) if bores else SPINDLE * min(roots)
+
+
+def ring_places(model: Model, name: str) -> list[float]:
+    """Heights on its body where rings of a bearing are drawn [m]: its own, or both sides of a gear."""
+    part = model.bearings[name]
+    z, radius = part.position[2], shaft_radius(model, part.body, part.position[2])
+    if radius is None:
+        return [z]
+    for gear in seated(model, part.body).values() if part.body in model.bodies else ():
+        half = 0.5 * (gear.high - gear.low)
+        if abs(z - gear.middle) < half + 0.5 * WIDE * radius:
+            away = half + BESIDE * radius
+            return [gear.middle - away, gear.middle + away]
+    return [z]
+
+
+def shaft_radius(model: Model, body: str, z: float) -> float | None:
+    """Radius of what turns at a height on a body [m]; none if unknown."""
+    shaft = model.shafts.get(body)
+    if shaft is not None:
+        return 0.5 * section_at(shaft, z)[0]
+    return spindle_radius(model, body) if body in model.bodies else None
+
+
+def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
+    """Both rings of all linear bearings: the inner ones turn with their bodies."""
+    found = []
+    for name, part in model.bearings.items():
+        if part.body not in model.bodies:
+            continue
+        radius = shaft_radius(model, part.body, part.position[2]) or LEAST * at.size
+        for z in ring_places(model, name):
+            for word, (low, high) in (("inner", INNER), ("outer", OUTER)):
+                number, place, axes = at.own(part.body, (0.0, 0.0, z))
+                if word == "outer":
+                    origin, frame = at.world(part.body, (0.0, 0.0, z))
+                    number, place, axes = at.at_world(split(part.housing or GROUND)[0], origin, frame)
+                points, triangles = shapes.disc(high * radius, WIDE * radius, 1.002 * low * radius, 32)
+                found.append(
+                    SceneSolid(
+                        name=f"bearing {name}, {word} ring",
+                        kind="bearing",
+                        body=number,
+                        points=points,
+                        triangles=triangles,
+                        place=place,
+                        axes=axes,
+                        schematic=True,
+                    )
+                )
+    return found
+
+
+def carriers(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
+    """Plates and pins of bodies without a solid on which gears turn next to their axis, by body."""
+    found: dict[str, list[SceneSolid]] = {}
+    for name, body in model.bodies.items():
+        pins = [
+            joint
+            for joint in model.joints.values()
+            if joint.type == "revolute"
+            and split(joint.bodies[0])[0] == name
+            and model.bodies[split(joint.bodies[1])[0]].gears
+            and body.moves != "fixed"
+        ]
+        origin, axes = at.world(name)
+        places = [axes.T @ (p - origin) for j in pins if (p := joint_place(model, j)) is not None]
+        along = all(abs(float(axes[:, 2] @ joint_axes(model, j)[:, 2])) > 0.999 for j in pins)
+        if not pins or body.solid is not None or not along or len(places) < len(pins):
+            continue
+        if max(float(np.hypot(p[0], p[1])) for p in places) < 1e-6 * at.size:
+            continue
+        found[name] = _carrier(model, at, name, list(zip(pins, places, strict=True)))
+    return found
+
+
+def _carrier(model: Model, at: Places, name: str, pins: list[tuple[Joint, Array]]) -> list[SceneSolid]:
+    """A plate behind the planets and a pin through each of them, in the axes of the carrier."""
+    pieces = []
+    low, high, reach = [], [], []
+    for joint, place in pins:
+        planet = split(joint.bodies[1])[0]
+        for gear, middle in model.bodies[planet].gears.items():
+            half = 0.5 * model.gears[gear].face_width
+            low.append(place[2] + middle - half)
+            high.append(place[2] + middle + half)
+        radius = spindle_radius(model, planet) or LEAST * at.size
+        reach.append((float(np.hypot(place[0], place[1])), radius, place))
+    thick = 0.25 * (max(high) - min(low))
+    bottom = min(low) - 0.3 * thick
+    outer = max(far + 1.6 * radius for far, radius, _ in reach)
+    inner = min(0.45 * min(far for far, _, _ in reach), outer * 0.5)
+    pieces.append(shapes.moved(shapes.disc(outer, thick, inner, 64), (0.0, 0.0, bottom - 0.5 * thick)))
+    for _, radius, place in reach:
+        start = np.array([place[0], place[1], bottom - thick])
+        end = np.array([place[0], place[1], max(high) + 0.5 * thick])
+        pieces.append(shapes.rod(start, end, 0.98 * radius, 24))
+    points, triangles = shapes.joined(pieces)
+    number, place, axes = at.own(name)
+    return [
+        SceneSolid(
+            name=f"{name} (carrier)",
+            kind="carrier",
+            body=number,
+            points=points,
+            triangles=triangles,
+            place=place,
+            axes=axes,
+            schematic=True,
+        )
+    ]
+
+
+def covers(model: Model) -> dict[str, str]:
+    """Bodies whose solids would hide what they hold, by name: "housing", or "carrier" if they turn.
+
+    They are fixed, or something runs in a bearing that sits in them, or gears turn on them; what carries
+    gears itself and moves is not a cover, nor is a shaft.
+    """
+    rings = [p.ends[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
+    seats = [b.housing or GROUND for b in model.bearings.values()]
+    pins = [j.bodies for j in model.joints.values() if j.type == "revolute"]
+    carrying = [on for on, body in pins if body != GROUND and model.bodies[split(body)[0]].gears]
+    holding = {split(end)[0] for end in (*rings, *seats, *carrying)}
+    found = {}
+    for name, body in model.bodies.items():
+        kind = joint_type(model, name) or body.moves
+        if name in model.shafts or (kind != "fixed" and (name not in holding or body.gears)):
+            continue
+        found[name] = "carrier" if kind in ("torsion", "revolute") else "housing"
+    return found
+
+
+def joint_type(model: Model, body: str) -> str | None:
+    """Type of the joint that carries a body; none where none does."""
+    joint = model.joints.get(model.bodies[body].joint or "")
+    return None if joint is None else joint.type
+
+
+def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
+    """Bars along the edges of a box around what two bearings or more hold, by the body that holds them.
+
+    That is ground or a body without gears and without a solid.
+    """
+    held: dict[str, list[tuple[str, Array]]] = {}
+    for part in model.bearings.values():
+        if part.body in model.bodies:
+            place = at.world(part.body, part.position)[0]
+            held.setdefault(split(part.housing or GROUND)[0], []).append((part.body, place))
+    for group in (model.rolling_bearings, model.plain_bearings):
+        for pair in group.values():
+            inner, outer = (split(end)[0] for end in pair.ends)
+            where = place_of(model, pair.ends[1])
+            if inner in model.bodies and where is not None:
+                held.setdefault(outer, []).append((inner, where))
+    found = {}
+    for name, parts in held.items():
+        body = model.bodies.get(name)
+        if len(parts) < 2:
+            continue
+        if body is not None and (body.gears or body.bevel_gears or body.solid is not None or body.shaft):
+            continue
+        if name in model.elastic_bodies:
+            continue
+        found[name] = [_frame(model, at, name, parts)]
+    return found
+
+
+def _frame(model: Model, at: Places, name: str, parts: list[tuple[str, Array]]) -> SceneSolid:
+    """Box around bearings, and around the gears that they hold."""
+    corners = []
+    for body, place in parts:
+        axis = at.world(body)[1][:, 2]
+        radius = shaft_radius(model, body, float((place - at.origin(body)) @ axis)) or LEAST * at.size
+        corners.append(_reach(place, axis, OUTER[1] * radius, 0.5 * WIDE * radius))
+        for gear in seated(model, body).values():
+            middle = at.world(body, (0.0, 0.0, gear.middle))[0]
+            corners.append(_reach(middle, axis, gear.outer, 0.5 * (gear.high - gear.low)))
+    box = np.concatenate(corners)
+    low, high = box.min(axis=0) - ROOM * at.size, box.max(axis=0) + ROOM * at.size
+    ends = np.array([[(low, high)[k >> i & 1][i] for i in range(3)] for k in range(8)])
+    bars = [
+        shapes.rod(ends[k], ends[k | 1 << i], EDGE * at.size, 8)
+        for k in range(8)
+        for i in range(3)
+        if not k >> i & 1
+    ]
+    points, triangles = shapes.joined(bars)
+    number, origin, axes = at.seat(name)
+    return SceneSolid(
+        name="housing (frame)" if name == GROUND else f"{name} (frame)",
+        kind="housing",
+        body=number,
+        points=(points - origin) @ axes,
+        triangles=triangles,
+        see_through=True,
+        schematic=True,
+    )
+
+
+def _reach(origin: Array, axis: Array, radius: float, half: float) -> Array:
+    """Corners of a box along the world axes around a disc."""
+    size = half * np.abs(axis) + radius * np.sqrt(np.maximum(1.0 - axis**2, 0.0))
+    return np.array([origin - size, origin + size])

@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where and how teeth touch over the frames of a scene: contact lines and their loads, from the kernels.
+
+The state of each frame is put back into the compiled system (`motion`), which is then requested the
+contact lines (`elements/mesh_lines`). A result does not keep all velocities, so these loads are elastic;
+that they add up to the pair forces of the result, damping included, is seen to by one factor a pair.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.hertz import flank_radius, half_width, peak_pressure, plane_strain_compliance
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.kernel import invoke
+from pitchpoint.core.status import OK, sentence
+from pitchpoint.elements import mesh_lines
+from pitchpoint.elements.gear_mesh_record import PROFILE
+from pitchpoint.elements.mesh_pairs import pair_teeth
+from pitchpoint.report.scene.bevel_lines import BevelLines, bevel_tooth_at
+from pitchpoint.report.scene.motion import shown_bodies
+from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_places
+from pitchpoint.viz.scene.contacts import ContactFlank, FlankSurface, SceneContact
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.report.scene.motion import Motion
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+Read = Callable[[str], Array | None]
+
+STATIONS = 9
+"""Places along a contact line at which its load is kept."""
+PLACES = 65
+"""Places of the path of contact at which the pressure of a load is kept."""
+GRID = (9, 11)
+"""Points of a painted flank over its width and along the path."""
+STEADY = 2e-8
+"""Motion of a pitch point [m], and turn of its directions times the path, below which one row is enough."""
+
+
+class ContactLines:
+    """Answers of all meshes, frame by frame, while a motion goes through them.
+
+    Parameters
+    ----------
+    system
+        The machine.
+    read
+        Gives a channel of the result at the frames, or None.
+    n
+        Number of frames.
+    """
+
+    def __init__(self, system: System, read: Read, n: int) -> None:
+        self.system = system
+        meshes = list(zip(mesh_names(system), mesh_places(system), strict=True))
+        one = {name: system.records[kind][k : k + 1] for name, (kind, k) in meshes}
+        self.names = tuple(name for name in one if not is_bevel(one[name][0]))
+        self.deflection = [read(f"deflection[{name}]") for name in self.names]
+        self.found = [_Mesh(one[name], n) for name in self.names]
+        self.bevels = {
+            name: BevelLines(one[name], n, system.pools[kind])
+            for name, (kind, _) in meshes
+            if is_bevel(one[name][0])
+        }
+        self.questions = np.zeros(2 * len(self.names), mesh_lines.LINES)
+        for m, mesh in enumerate(self.found):
+            for k, flank in enumerate((1, -1)):
+                one = self.questions[2 * m + k]
+                one["record"], one["flank"], one["stations"] = mesh.record.ctypes.data, flank, STATIONS
+
+    def look(self, frame: int) -> None:
+        """Evaluate all meshes at the present state.
+
+        Raises
+        ------
+        SolverError
+            If the core refuses.
+        """
+        for bevel in self.bevels.values():
+            bevel.look(frame)
+        if not self.names:
+            return
+        for m, mesh in enumerate(self.found):
+            b, channel = mesh.record[0], self.deflection[m]
+            travel = b["now"]["u"] - b["now"]["e_t"] if channel is None else channel[frame]
+            for k in range(2):
+                one = self.questions[2 * m + k]
+                one["deflection"] = travel
+                one["forces"] = mesh.forces[frame, k].ctypes.data
+                one["loads"] = mesh.loads[frame, k].ctypes.data
+        where, at = self.questions.ctypes.data, self.system.workspace.at
+        status = invoke(mesh_lines.answer, at, where, len(self.questions))
+        if status != OK:
+            raise SolverError(sentence(status), int(status))
+        for m, mesh in enumerate(self.found):
+            mesh.keep(frame, self.questions[2 * m : 2 * m + 2])
+
+
+class _Mesh:
+    """What one mesh answered."""
+
+    def __init__(self, record: NDArray[np.void], n: int) -> None:
+        self.record = record
+        self.pairs = int(record[0]["n_pair"])
+        self.forces = np.zeros((n, 2, self.pairs))
+        self.loads = np.zeros((n, 2, self.pairs, STATIONS))
+        self.travel = np.zeros((n, 2))
+        self.deflection = np.zeros(n)
+        self.line = np.zeros((n, 6))
+        self.first: Any = None
+
+    def keep(self, frame: int, answers: NDArray[np.void]) -> None:
+        """Take over what is not written in place."""
+        b = self.record[0]
+        now = b["now"]
+        self.travel[frame] = now["xi_A"] + (answers["pairs"] + answers["psi"]) * b["p_bt"]
+        self.deflection[frame] = answers[0]["deflection"]
+        ends = (
+            now["xi_A"],
+            now["xi_A"] + now["eps"] * b["p_bt"],
+            now["z_lo"],
+            now["z_hi"],
+        )
+        self.line[frame] = (*ends, math.atan2(now["sin_a"], now["cos_a"]), now["gap"])
+        if frame == 0:
+            self.first = self.record.copy()[0]
+
+
+def scene_contacts(
+    model: Model, system: System, lines: ContactLines, moved: Motion, read: Read
+) -> tuple[list[SceneContact], list[str]]:
+    """Contacts of all meshes, and what they do not show.
+
+    Parameters
+    ----------
+    model, system
+        The machine.
+    lines
+        What its meshes answered.
+    moved
+        Where its bodies are over the same frames.
+    read
+        Gives a channel of the result at the frames, or None.
+    """
+    found, notes = [], []
+    shown = shown_bodies(system)
+    for bevel in lines.bevels.values():
+        bevel.close()
+    meshes: list[tuple[str, _Mesh | BevelLines]] = [*zip(lines.names, lines.found, strict=True)]
+    for name, mesh in (*meshes, *lines.bevels.items()):
+        m = mesh_names(system).index(name)
+        if mesh.first["source"] != PROFILE:
+            notes.append(
+                f"mesh {name}: its stiffness law knows no single tooth pairs, so lines have no loads"
+            )
+        forces, loads = _as_kept(name, mesh, read)
+        at = moved.pitch_points[:, m]
+        axes = np.swapaxes(moved.directions[:, m][:, (1, 0, 2)], 1, 2)
+        cone = None
+        if isinstance(mesh, BevelLines):
+            axes, cone = mesh.axes, mesh.cone
+        path = tuple(float(x) for x in mesh.line[0, :2])
+        steady = max(_moves(at), _moves(axes) * max(abs(x) for x in path)) < STEADY
+        rows = slice(0, 1) if steady else slice(None)
+        state = read(f"contact_state[{name}]")
+        back = bool(np.any(forces[:, 1])) or (state is not None and bool(np.any(np.isin(state, (-1.0, 2.0)))))
+        found.append(
+            SceneContact(
+                name=name,
+                at=at[rows],
+                axes=axes[rows],
+                pressure_angle=mesh.line[rows, 4],
+                base_helix=math.atan(float(mesh.first["tan_b"])),
+                base_pitch=float(mesh.first["p_bt"]),
+                width=(float(mesh.line[0, 2]), float(mesh.line[0, 3])),
+                path=(path[0], path[1]),
+                cone=cone,
+                penetration=_penetration(name, mesh, read),
+                unit_pressure=_unit_pressure(model, name, path) if mesh.pairs else None,
+                flanks=[
+                    ContactFlank(
+                        side=side,
+                        travel=mesh.travel[:, k],
+                        forces=forces[:, k],
+                        loads=loads[:, k],
+                        surfaces=_surfaces(model, name, mesh, side, moved, shown),
+                    )
+                    for k, side in enumerate((1, -1))
+                    if side == 1 or back
+                ],
+            )
+        )
+    return found, notes
+
+
+def _moves(values: Array) -> float:
+    return float(np.ptp(values, axis=0).max())
+
+
+def _as_kept(name: str, mesh: _Mesh | BevelLines, read: Read) -> tuple[Array, Array]:
+    """Forces and loads of all slots, brought to the forces that the result keeps, damping included."""
+    kept = [read(f"pair_force[{name}.{k}]") for k in range(mesh.pairs)]
+    if any(one is None for one in kept) or not kept:
+        return mesh.forces, mesh.loads
+    both = np.stack([np.asarray(one) for one in kept], axis=1)
+    forces = np.stack([np.maximum(both, 0.0), np.minimum(both, 0.0)], axis=1)
+    factor = np.divide(forces, mesh.forces, out=np.zeros_like(forces), where=mesh.forces != 0.0)
+    return forces, mesh.loads * factor[..., None]
+
+
+def _unit_pressure(model: Model, name: str, path: tuple[float, ...]) -> Array:
+    """Hertzian pressure of a load of 1 N/m at even places from A to E [Pa], from the materials of both gears.
+
+    That of bevel gears holds at the mean cone distance.
+
+    A load per width is one per length of the contact line as well: force and length both grow by 1/cos β_b.
+    """
+    materials = [model.toothed[gear].material_data for gear in model.every_mesh[name].gears]
+    compliances = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
+    xi = np.linspace(path[0], path[1], PLACES)
+    if name in model.pairs:
+        pair = model.pairs[name]
+        radius = flank_radius(pair.T1C + xi, pair.T1T2, pair.gear1.beta_b)
+    else:
+        bevel = model.bevel_pairs[name]
+        # the spherical involute of roll σ has the geodesic radius R tan σ
+        sigma = bevel.sigma_w + xi / bevel.R_m
+        rho_1, rho_2 = (bevel.R_m * np.tan(angle) for angle in (sigma, bevel.sigma_T - sigma))
+        radius = flank_radius(rho_1, rho_1 + rho_2, bevel.beta_b)
+    width = half_width(1.0, radius, *compliances)
+    return np.asarray(peak_pressure(1.0, width))
+
+
+def _penetration(name: str, mesh: _Mesh | BevelLines, read: Read) -> Array:
+    """Of the front and the back flanks [m]: channels give that of the nearer one and its side."""
+    nearer = read(f"penetration[{name}]")
+    cos_b = math.cos(math.atan(float(mesh.first["tan_b"])))
+    x = mesh.deflection
+    if nearer is None:
+        nearer = (np.abs(x) - 0.5 * mesh.line[:, 5]) * cos_b
+    farther = nearer - 2.0 * np.abs(x) * cos_b
+    front = x >= 0.0
+    return np.stack([np.where(front, nearer, farther), np.where(front, farther, nearer)], axis=1)
+
+
+def _surfaces(
+    model: Model, name: str, mesh: _Mesh | BevelLines, side: int, moved: Motion, shown: list[int]
+) -> list[FlankSurface]:
+    """Flanks of both gears where the path of contact reaches them: what the kernel's lines sweep over.
+
+    At a width z the flanks of pair 0 are at `line` on the line of action, half of the penetration before
+    and behind it; a flank comes to another place of the path when its gear turns by the way over its base
+    radius.
+    """
+    b = mesh.first
+    now = b["now"]
+    k = 0 if side > 0 else 1
+    width = np.linspace(mesh.line[0, 2], mesh.line[0, 3], GRID[0])[:, None]
+    path = np.linspace(mesh.line[0, 0], mesh.line[0, 1], GRID[1])[None, :]
+    line = mesh.travel[0, k] + side * float(b["tan_b"]) * width
+    half = 0.5 * (side * mesh.deflection[0] - 0.5 * mesh.line[0, 5])
+    normal = side * now["cos_a"] * now["t"] + now["sin_a"] * now["e"]
+    points = now["P"] + width[..., None] * now["m"] + path[..., None] * normal
+    if isinstance(mesh, BevelLines):
+        points = mesh.placed(width, path, normal)
+    found = []
+    for gear, (field, sign) in enumerate((("i", 1.0), ("j", -1.0))):
+        body, z = int(b[field]), int(b[f"z{gear + 1}"])
+        turn = sign * side * (path - line - sign * half) / float(b[f"r_b{gear + 1}"])
+        here = (points - moved.place[0, body]) @ moved.axes[0, body]
+        angle = -(moved.angle[0, body] + turn)
+        c, s = np.cos(angle), np.sin(angle)
+        placed = np.stack(
+            [c * here[..., 0] - s * here[..., 1], s * here[..., 0] + c * here[..., 1], here[..., 2]], axis=-1
+        )
+        own = model.every_mesh[name].gears[gear]
+        if isinstance(mesh, BevelLines):
+            tooth, step = bevel_tooth_at(model, own, placed), side if gear else -side
+        else:
+            pair_0 = b.copy()
+            pair_0["now"]["flank"], pair_0["now"]["tooth"] = side, 0
+            tooth = int(pair_teeth.py_func(pair_0, 0)[gear]) % abs(z)
+            step = -side if gear == 0 else side * (1 if z > 0 else -1)
+        found.append(
+            FlankSurface(
+                body=shown.index(body),
+                gear=own,
+                teeth=abs(z),
+                points=placed,
+                turn=-sign * side * 2.0 * math.pi / z,
+                tooth=tooth,
+                step=step,
+            )
+        )
+    return found

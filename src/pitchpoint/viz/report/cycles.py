@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sections of a report over mesh cycles: what follows from the model, and slow rolls that were given."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.viz.mesh_cycle_plot import (
+    ROUND_OFF,
+    plot_load_sharing,
+    plot_mesh_stiffness,
+    plot_transmission_error,
+)
+from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.report.page import Section
+
+MOST_CYCLES = 4
+"""Cycles of the stiffness that are drawn at most; more cannot be distinguished."""
+ROUND_OFF_WAY = 1e-6
+"""Way before contact at mid-face that is round-off [base pitches]: spur gears have none."""
+
+
+def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
+    """Stiffness and transmission error over the mesh cycle."""
+    section = Section("cycle", "Over the mesh cycle")
+    for mesh, cycle in cycles.items():
+        section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
+        if cycle.stiffness is not None:
+            _add_stiffness(section, mesh, cycle)
+        if cycle.errors:
+            drawn = plot_transmission_error(cycle.error_phase, cycle.errors, cycles=_drawn_cycles(cycle))
+            words = f"Quasi-static transmission error along the line of action over {_words(cycle)}."
+            section.add_figure(drawn, words)
+        if np.size(cycle.share):
+            words = "Share of one tooth pair in the load, from its first to its last contact"
+            if float(np.min(cycle.share_way)) < -ROUND_OFF_WAY:
+                words += "; helical teeth touch at one end of the face before its middle comes into contact"
+            section.add_figure(plot_load_sharing(cycle.share_way, cycle.share), f"{words}.")
+    return section
+
+
+def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:
+    s = cycle.stiffness
+    loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
+    count = min(_drawn_cycles(cycle), MOST_CYCLES) if loaded else 2
+    caption = (
+        f"Mesh stiffness over {_count(count)}: mean {number(float(s.mean))}, "
+        f"from {number(float(s.minimum))} to {number(float(s.maximum))}, "
+        f"in units of {'its mean' if cycle.stiffness_unit == 'mean' else cycle.stiffness_unit}."
+    )
+    unit = "× mean" if cycle.stiffness_unit == "mean" else cycle.stiffness_unit
+    section.add_figure(plot_mesh_stiffness(s, name=mesh, unit=unit, loaded=loaded, cycles=count), caption)
+
+
+def roll_section(rolls: Mapping[str, Any]) -> Section:
+    """Transmission errors of slow rolls, over all the periods that were rolled."""
+    section = Section("roll", "Slow roll")
+    for name, roll in rolls.items():
+        section.add(f"<h3>{escape(name)}</h3>")
+        section.add(f"<p>{escape(roll.note)}</p>" if roll.note else "")
+        for mesh, (periods, errors) in roll.curves.items():
+            if np.size(periods) < 2:
+                continue
+            drawn = plot_transmission_error(
+                periods, errors, cycles=1, title=f"periods of {mesh} rolled [base pitches]"
+            )
+            section.add_figure(drawn, _roll_caption(mesh, periods, errors))
+    return section
+
+
+def _roll_caption(mesh: str, periods: Any, errors: Mapping[str, Any]) -> str:
+    spans = {name: float(np.ptp(values)) for name, values in errors.items()}
+    spans = {name: span if span > ROUND_OFF else 0.0 for name, span in spans.items()}
+    shown = scale("m", [*spans.values(), ROUND_OFF])
+    words = ", ".join(f"{number(span * shown.factor, 4)} {shown.unit} {name}" for name, span in spans.items())
+    words = words.replace(" mesh force", " at a mesh force of")
+    count = number(float(np.max(periods)), 4)
+    return f"Transmission error of {mesh} over the {count} periods rolled; peak to peak {words}."
+
+
+def _drawn_cycles(cycle: Any) -> int:
+    """A single cycle that repeats is drawn twice, anything else once."""
+    return 2 if cycle.cycles == cycle.repeats == 1 else int(cycle.cycles)
+
+
+def _words(cycle: Any) -> str:
+    if cycle.cycles == cycle.repeats == 1:
+        return _count(2)
+    if cycle.cycles == cycle.repeats:
+        return f"{_count(cycle.cycles)}, after which it repeats"
+    if cycle.repeats > cycle.cycles:
+        return f"the first {cycle.cycles} of {cycle.repeats} mesh cycles, after which it repeats"
+    return f"{_count(cycle.cycles)}; it has not repeated by then"
+
+
+def _count(cycles: int) -> str:
+    few = ("no", "one", "two", "three", "four")
+    words = few[cycles] if cycles < len(few) else str(cycles)
+    return f"{words} mesh cycle{'' if cycles == 1 else 's'}"

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The section of a report about extremes: mean, rms, minimum and maximum value of the channels, and when."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.analysis.statistics import signal_statistics
+from pitchpoint.viz.quantities import Array, Channel, Scale, channels, number, scale, span
+from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES, listed, settled_part
+from pitchpoint.viz.tables import MOST_ROWS, plain_table
+
+
+def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
+    """Tables of extremes.
+
+    Parameters
+    ----------
+    runs
+        Time responses by name.
+    seen
+        The one that the scene of this page shows: its times move the scene.
+    """
+    section = Section("extremes", "Extremes")
+    for name, run in runs.items():
+        time, found = channels(run.data)
+        if time.size < 2 or not found:
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        settled = settled_part(time, run.settle_time)
+        _add_table(section, time[settled], found, settled, linked=name == seen)
+        begin, end = time[settled][[0, -1]]
+        words = f"From {span(float(begin), float(end), 's')}; times are those of the sample kept next to it."
+        section.add(f"<p>{escape(words)}{' A time moves the scene there.' if name == seen else ''}</p>")
+    return section
+
+
+def _add_table(
+    section: Section, time: Array, found: Mapping[str, Channel], settled: np.ndarray, linked: bool
+) -> None:
+    """Table of the channels that are read most, and a sentence about all others."""
+    wanted = [
+        c
+        for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
+        for c in found.values()
+        if listed(c, quantity) and np.all(np.isfinite(c.values))
+    ]
+    moving = [c for c in wanted if np.any(c.values != 0.0)]
+    clock = scale("s", time)
+    table = [(c, c.statistics or vars(signal_statistics(c.values[settled], time))) for c in moving]
+    extent: dict[str, list[float]] = {}
+    for channel, values in table:
+        extent.setdefault(channel.unit, []).extend((values["min"], values["max"]))
+    rows = []
+    for channel, values in table:
+        shown = scale(channel.unit, extent[channel.unit])
+        moments = [float(time[k(channel.values[settled])]) for k in (np.argmin, np.argmax)]
+        rows.append(_row(channel, values, shown, [_time(t, clock, linked) for t in moments]))
+    if rows:
+        at = f"at [{clock.unit}]"
+        head = ("channel", "unit", "mean", "rms (alternating)", "minimum", at, "maximum", at)
+        section.add(plain_table(head, rows[:MOST_ROWS]))
+        more = rows[MOST_ROWS:]
+        folded = f"<details><summary>{len(more)} more channels</summary>{plain_table(head, more)}</details>"
+        section.add(folded if more else "")
+    zeros, others = len(wanted) - len(moving), len(found) - len(wanted)
+    words = [f"{zeros} {_channels(zeros)} zero throughout"] if zeros else []
+    words += [f"{others} {_channels(others)} of other quantities"] if others else []
+    if words:
+        section.add(f"<p>Not listed, but in the result: {' and '.join(words)}.</p>")
+
+
+def _row(channel: Channel, values: Mapping[str, float], shown: Scale, moments: list[str]) -> str:
+    # the alternating part of a constant is round-off, not a result
+    noise = 1e-10 * max(abs(values["min"]), abs(values["max"]))
+    known = {**values, "rms": values["rms"] if values["rms"] > noise else 0.0}
+    mean, rms, low, high = (number(known[key] * shown.factor) for key in ("mean", "rms", "min", "max"))
+    constant = values["max"] - values["min"] <= noise
+    at_low, at_high = ("–", "–") if constant else moments
+    cells = "".join(f'<td class="num">{cell}</td>' for cell in (mean, rms, low, at_low, high, at_high))
+    return f'<tr><th scope="row">{escape(channel.label)}</th><td class="unit">{shown.unit}</td>{cells}</tr>'
+
+
+def _time(moment: float, clock: Scale, linked: bool) -> str:
+    """An instant; of the run in the scene a button that goes there."""
+    text = number(moment * clock.factor, 5)
+    if not linked:
+        return text
+    words = f"show the scene at {text} {clock.unit}"
+    return f'<button type="button" class="when" data-time="{moment!r}" title="{words}">{text}</button>'
+
+
+def _channels(count: int) -> str:
+    return "channel" if count == 1 else "channels"

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Sections of a report that are about all of it: summary, scene, and where its results come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.analysis.statistics import contact_statistics
+from pitchpoint.viz.power_flow import PowerFlow
+from pitchpoint.viz.quantities import Channel, channels, number, scale
+from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.run_record import owner, settled_part
+from pitchpoint.viz.scene.page import scene_fragment
+from pitchpoint.viz.tables import plain_table
+
+HEIGHT = "clamp(430px, 78vh, 760px)"
+"""Height of the scene: on a phone there is room below it to continue reading."""
+
+
+def summary_section(counts: Sequence[tuple[str, str]], results: Any) -> Section:
+    """Contents of the model, and one line for each result."""
+    section = Section("summary", "Summary")
+    section.add(facts_list(counts))
+    states = {source.name: "finished" if source.finished else source.sentence for source in results.sources}
+    rows = [_run_row(name, run, states.get(name, ""), results.powers) for name, run in results.runs.items()]
+    if rows:
+        head = ("time response", "status", "power put in", "greatest mesh force", "transmission error, p–p")
+        section.add(plain_table((*head, "contact lost, at most"), rows))
+    others = [source for source in results.sources if source.name not in results.runs]
+    items = "".join(
+        f"<li>{escape(source.kind[:1].upper() + source.kind[1:])} <b>{escape(source.name)}</b>: "
+        f"{escape(states[source.name])}</li>"
+        for source in others
+    )
+    section.add(f'<ul class="notes">{items}</ul>' if items else "")
+    return section
+
+
+def facts_list(rows: Sequence[tuple[str, str]]) -> str:
+    """Words and what is reported about them, in columns that fit the page."""
+    items = "".join(f"<div><dt>{escape(key)}</dt><dd>{escape(text)}</dd></div>" for key, text in rows)
+    return f'<dl class="known">{items}</dl>' if items else ""
+
+
+def _run_row(name: str, run: Any, state: str, powers: Mapping[str, PowerFlow | str]) -> str:
+    """One time response in one line."""
+    time, found = channels(run.data)
+    window = settled_part(time, run.settle_time) if time.size else np.zeros(0, dtype=bool)
+    flow = powers.get(name)
+    cells = [
+        escape(state),
+        _amount("W", flow.put_in) if isinstance(flow, PowerFlow) and flow.put_in else "–",
+        _largest(found, "mesh_force", window, lambda low, high: max(abs(low), abs(high))),
+        _largest(found, "transmission_error", window, lambda low, high: high - low),
+        _contact(found, time, window),
+    ]
+    words = "".join(f"<td{' class=num' if k else ''}>{cell}</td>" for k, cell in enumerate(cells))
+    return f'<tr><th scope="row">{escape(name)}</th>{words}</tr>'
+
+
+def _largest(found: Mapping[str, Channel], quantity: str, window: np.ndarray, size: Any) -> str:
+    """Largest size of a quantity of all meshes, and whose it is."""
+    sizes = {}
+    for channel in found.values():
+        if channel.quantity != quantity or not np.all(np.isfinite(channel.values)) or not window.any():
+            continue
+        low, high = float(channel.values[window].min()), float(channel.values[window].max())
+        known = channel.statistics or {"min": low, "max": high}
+        sizes[owner(channel)] = size(min(low, known["min"]), max(high, known["max"]))
+    if not sizes:
+        return "–"
+    name = max(sizes, key=lambda key: sizes[key])
+    return _amount(next(c.unit for c in found.values() if c.quantity == quantity), sizes[name]) + (
+        f", {escape(name)}" if len(sizes) > 1 else ""
+    )
+
+
+def _contact(found: Mapping[str, Channel], time: np.ndarray, window: np.ndarray) -> str:
+    """Largest share of the time that a mesh was without contact."""
+    states = {owner(c): c.values[window] for c in found.values() if c.quantity == "contact_state"}
+    if not states or window.sum() < 2:
+        return "–"
+    shares = {name: contact_statistics(time[window], state).loss_share for name, state in states.items()}
+    name = max(shares, key=lambda key: shares[key])
+    text = f"{100.0 * shares[name]:.3g} %"
+    return text + (f", {escape(name)}" if len(shares) > 1 and shares[name] else "")
+
+
+def _amount(unit: str, value: float) -> str:
+    shown = scale(unit, [value])
+    return f"{number(value * shown.factor, 4)} {shown.unit}"
+
+
+def scene_section(data: Any) -> Section:
+    """The scene, or a sentence in its place."""
+    section = Section("scene", "Scene")
+    if data.scene is None:
+        section.add(f"<p>{escape(data.words)}</p>" if data.words else "")
+        return section
+    section.add('<p class="screen"><a class="skip" href="#after-scene">Skip the scene</a></p>')
+    section.add(f'<div class="scene">{scene_fragment(data.scene, height=HEIGHT)}</div>')
+    section.add('<img id="pp-still" alt="The scene at the time chosen" hidden>')
+    section.add(f'<p id="after-scene" tabindex="-1">{escape(data.words)}</p>')
+    return section
+
+
+def provenance_section(sources: Sequence[Any]) -> Section:
+    """Files, fingerprints, solvers, options and how each result ended."""
+    section = Section("provenance", "Provenance")
+    for source in sources:
+        rows = [
+            f'<tr><th scope="row">{escape(key)}</th><td>{escape(text)}</td></tr>' for key, text in source.rows
+        ]
+        if rows:
+            section.add(f"<h3>{escape(source.name)}</h3>")
+            section.add(
+                f'<div class="scroll"><table class="plain"><tbody>{"".join(rows)}</tbody></table></div>'
+            )
+    return section

@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sections of a report, one function each: data in, finished HTML out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.analysis.spectra import amplitude_spectrum
+from pitchpoint.analysis.statistics import contact_statistics
+from pitchpoint.viz.campbell_plot import plot_campbell
+from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
+from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
+from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.run_record import (
+    FORCE_PARTS,
+    TIME_QUANTITIES,
+    changes_speed,
+    listed,
+    owner,
+    settled_part,
+    turning_angle,
+    uniform,
+)
+from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals, signal_rows
+from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
+from pitchpoint.viz.tables import (
+    BEVEL_GEAR_ROWS,
+    BEVEL_MESH_ROWS,
+    GEAR_ROWS,
+    MEASURE_ROWS,
+    MESH_ROWS,
+    plain_table,
+    quantity_table,
+)
+
+MOST_LINES = 8
+DETAIL_PERIODS = 12
+WIDE, HALF = 5000, 2400
+"""Points of a line across the page, and of one of two next to each other: more than a bucket a pixel."""
+
+
+def gear_section(
+    gears: Mapping[str, Mapping[str, Any]],
+    meshes: Mapping[str, Mapping[str, Any]],
+    flanks: Sequence[Sequence[str]] = (),
+    bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {}),
+    idle_faults: int = 0,
+) -> Section:
+    """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute.
+
+    `bevels`: bevel gears and their meshes; `idle_faults`: how many faults of teeth have severity 0.
+    """
+    section = Section("gears", "Gears and meshes")
+    section.add(quantity_table(GEAR_ROWS, gears))
+    table = quantity_table(MEASURE_ROWS, gears)
+    section.add(f"<h3>Measures</h3>{table}" if table else "")
+    narrow = [name for name, gear in gears.items() if gear.get("span_measurable") is False]
+    if narrow:
+        section.add(f"<p>Too narrow for the span: {escape(', '.join(narrow))}.</p>")
+    if flanks:
+        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in flanks]
+        head = ("gear", "flanks", "modification or deviation", "amount", "extent")
+        section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
+    if idle_faults:
+        waiting = "1 fault of gears has" if idle_faults == 1 else f"{idle_faults} faults of gears have"
+        section.add(f"<p>{waiting} severity 0 and change{'s' if idle_faults == 1 else ''} nothing.</p>")
+    table = quantity_table(MESH_ROWS, meshes)
+    section.add(f"<h3>Meshes</h3>{table}" if table else "")
+    for title, rows_of, things in zip(
+        ("Bevel gears", "Bevel meshes"), (BEVEL_GEAR_ROWS, BEVEL_MESH_ROWS), bevels, strict=True
+    ):
+        table = quantity_table(rows_of, things)
+        section.add(f"<h3>{title}</h3>{table}" if table else "")
+    return section
+
+
+def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
+    """Both gears in mesh and the mesh zone, pair by pair."""
+    section = Section("drawing", "Gears in mesh")
+    for mesh, (pair, first, second) in pairs.items():
+        heading = f"<h3>{escape(mesh)}</h3>" if len(pairs) > 1 else ""
+        section.add(
+            f'{heading}<div class="pair"><figure>{pair_svg(pair, names=(first, second))}</figure>'
+            f"<figure>{mesh_zone_svg(pair)}</figure></div>"
+        )
+    return section
+
+
+def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
+    """Speed sweeps with jumps and contact loss."""
+    section = Section("sweep", "Speed sweep")
+    for name, sweep in sweeps.items():
+        points, jumps = sweep.get("points", ()), sweep.get("jumps", ())
+        if not points:
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(sweeps) > 1 else "")
+        for quantity, statistic in (("deflection", "rms"), ("mesh_force", "max")):
+            if any(p.get(quantity) for p in points):
+                caption = _jump_sentence(jumps) if quantity == "deflection" else ""
+                section.add_figure(plot_sweep(points, jumps, quantity=quantity, statistic=statistic), caption)
+        if any(float(p.get("contact_loss_share") or 0.0) > 0.0 for p in points):
+            section.add_figure(
+                plot_contact_shares(points), "Time without contact as a share of the time measured."
+            )
+        elif any(p.get("contact_loss_share") is not None for p in points):
+            section.add("<p>The flanks stay in contact at every point of this sweep.</p>")
+    return section
+
+
+def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
+    """Signals and contact times of the time responses.
+
+    Parameters
+    ----------
+    runs
+        Time responses by name.
+    seen
+        The one that the scene of this page shows: its curves share the time of the scene.
+    """
+    section = Section("time", "Time response")
+    for name, run in runs.items():
+        time, found = channels(run.data)
+        if time.size < 2 or not found:
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
+        section.add('<div class="linked">' if name == seen else "")
+        settled = settled_part(time, run.settle_time)
+        steady = not changes_speed(time[settled], turning_angle(run, found), settled)
+        states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
+        section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
+        for quantity in TIME_QUANTITIES:
+            # what is zero throughout (friction without friction) is in the table and needs no picture
+            group = [c for c in found.values() if listed(c, quantity) and np.any(c.values != 0.0)]
+            for unit in dict.fromkeys(c.unit for c in group):
+                same = [c for c in group if c.unit == unit]
+                state = states.get(owner(same[0])) if len(same) == 1 and quantity == "mesh_force" else None
+                _add_signals(section, time, same, state, steady)
+        parts = [
+            c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)
+        ]
+        for mesh in dict.fromkeys(map(owner, parts)):
+            tooth = [c for c in parts if owner(c) == mesh]
+            part = _last_periods(time, tooth[0].values) if steady else slice(None)
+            shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
+            where = "over the last periods" if part.start is not None else "over the whole run"
+            section.add_figure(
+                plot_force_parts(time[part], shown, points=WIDE),
+                f"Parts of the tooth force of {mesh}, {where}.",
+            )
+        section.add("</div>" if name == seen else "")
+    return section
+
+
+def _channels(count: int) -> str:
+    return "channel" if count == 1 else "channels"
+
+
+def _add_signals(
+    section: Section, time: Array, group: Sequence[Channel], state: Array | None, steady: bool
+) -> None:
+    """Signals of one quantity over the whole run and, where it is steady, their end magnified."""
+    drawn = group[:MOST_LINES]
+    part = _last_periods(time, drawn[0].values) if steady else slice(None)
+    end, rows = None, signal_rows(drawn)
+    if part.start is not None:
+        last = [replace(c, values=c.values[part]) for c in drawn]
+        # the end has settled: its ranges decide which lines can share an axis
+        rows = signal_rows(last)
+        shown = None if state is None else state[part]
+        end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)
+    points = WIDE if end is None else HALF
+    whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows)
+    section.add_figure(whole, _caption(group), beside=end)
+
+
+def campbell_section(data: Any) -> Section:
+    """Natural frequencies against mesh orders."""
+    section = Section("campbell", "Campbell diagram")
+    if data is not None and np.size(data.mode_frequencies) and np.size(data.speed) > 1:
+        section.add_figure(
+            plot_campbell(
+                data.speed,
+                data.mode_frequencies,
+                data.orders,
+                mode_names=data.mode_names,
+                shaft=data.shaft,
+            ),
+            f"Circles mark the speeds at which a mesh order meets a natural frequency. {data.note}".rstrip(),
+        )
+    return section
+
+
+def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: Sequence[str]) -> Section:
+    """Warnings, assumptions and sources."""
+    section = Section("notes", "Warnings, assumptions, sources")
+    for heading, lines, css in (
+        ("Warnings", warnings, "notes warnings"),
+        ("Assumptions", assumptions, "notes"),
+        ("Sources", sources, "notes"),
+    ):
+        items = "".join(f"<li>{escape(line)}</li>" for line in lines)
+        section.add(f'<h3>{heading}</h3><ul class="{css}">{items}</ul>' if items else "")
+    return section
+
+
+def _last_periods(time: Array, values: Array) -> slice:
+    """The last dozen periods of a steady record; everything if there are few, or no clear period."""
+    tail = slice(time.size // 2, None)
+    if time[tail].size < 256 or not np.all(np.isfinite(values[tail])):
+        return slice(None)
+    piece, rate = uniform(time[tail], values[tail])
+    spectrum = amplitude_spectrum(piece, rate)
+    top = int(np.argmax(spectrum.amplitude[1:])) + 1
+    if spectrum.amplitude[top] <= 1e-9 * abs(spectrum.mean) or top < DETAIL_PERIODS * 2:
+        return slice(None)
+    return slice(int(np.searchsorted(time, time[-1] - DETAIL_PERIODS / spectrum.frequency[top])), None)
+
+
+def _caption(group: Sequence[Channel]) -> str:
+    """What a single channel is, in a sentence; of many, how many are not drawn."""
+    if len(group) > MOST_LINES:
+        more = len(group) - MOST_LINES
+        return (
+            f"{more} more {_channels(more)} of this kind {'is' if more == 1 else 'are'} in the result file."
+        )
+    long = group[0].long_name
+    return f"{long[:1].upper()}{long[1:]}." if len(group) == 1 and long else ""
+
+
+def _jump_sentence(jumps: Sequence[Mapping[str, Any]]) -> str:
+    if not jumps:
+        return "No jump found in this sweep."
+    pitch = scale("Hz", [float(j["mesh_frequency"]) for j in jumps])
+    places = ", ".join(
+        f"{j['direction']} at {number(float(j['mesh_frequency']) * pitch.factor)}" for j in jumps
+    )
+    return f"Jumps: {places} {pitch.unit} mesh frequency."
+
+
+def _contact_table(
+    time: Array, states: Mapping[str, Array], found: Mapping[str, Channel], settled: np.ndarray
+) -> str:
+    """Contact loss, back contact and impacts per mesh."""
+    body = []
+    for mesh, state in states.items():
+        force = found.get(f"mesh_force[{mesh}]")
+        c = contact_statistics(time, state, None if force is None else force.values[settled])
+        peaks = [i.peak for i in c.impacts if i.peak is not None]
+        peak = scale("N", peaks) if peaks else None
+        longest = scale("s", [c.longest_loss])
+        cells = (
+            f"{100.0 * c.loss_share:.3g} %",
+            f"{100.0 * c.back_contact_share:.3g} %",
+            f"{number(c.longest_loss * longest.factor, 4)} {longest.unit}" if c.separations else "–",
+            str(len(c.impacts)),
+            f"{number(max(peaks) * peak.factor, 4)} {peak.unit}" if peak else "–",
+        )
+        body.append(
+            f'<tr><th scope="row">{escape(mesh)}</th><td></td>'
+            + "".join(f'<td class="num">{x}</td>' for x in cells)
+            + "</tr>"
+        )
+    head = ("mesh", "", "contact lost", "back contact", "longest loss", "impacts", "largest impact")
+    return plain_table(head, body) if body else ""
