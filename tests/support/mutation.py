@@ -16,7 +16,7 @@ import signal
 import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +24,7 @@ import numpy as np
 from ruamel.yaml import YAML
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.io.measured.reading import read_measured
 from pitchpoint.model.build import build_model
 from pitchpoint.model.read import Reader
 
@@ -126,6 +127,16 @@ def shortened(data: Any) -> Any:
     return data
 
 
+def damaged(data: bytes, chance: random.Random) -> bytes:
+    """Bytes of a file with up to five changed, cut at any place in half of the cases."""
+    raw = bytearray(data)
+    for _ in range(chance.randrange(6)):
+        # most of what can go wrong is in the first bytes
+        place = int(chance.random() ** chance.choice((1, 4)) * len(raw))
+        raw[place] = chance.choice((0, 1, 127, 128, 255, chance.randrange(256)))
+    return bytes(raw[: chance.randrange(len(raw) + 1)]) if chance.random() < 0.5 else bytes(raw)
+
+
 class Hang(BaseException):
     """A case took too long."""
 
@@ -147,18 +158,34 @@ def soon(seconds: int) -> Iterator[None]:
 
 
 def outcome(data: Any, folder: str, *, compute: bool) -> str:
-    """Word for what became of a model: "refused", "computed", or a fault with its place.
+    """Word for what became of a model: "refused", "loaded", "computed", or a fault with its place.
 
     `compute` also compiles it, finds its modes and runs every scenario for a few steps.
     """
-    word = "loaded"
+
+    def done() -> str:
+        model = build_model(shortened(data), Reader(allow_code=True, directory=folder))
+        return _computed(model) if compute else "loaded"
+
+    return _word(done)
+
+
+def outcome_of_file(path: Path) -> str:
+    """Word for what became of a measured file."""
+
+    def done() -> str:
+        found = read_measured(path, sample_rate=None if path.suffix in (".csv", ".h5") else 1000.0)
+        finite = all(np.isfinite(v).all() for v in found.data_vars.values())
+        return "loaded" if finite else "number without a status in a file"
+
+    return _word(done)
+
+
+def _word(done: Callable[[], str]) -> str:
     try:
         with soon(SOON), warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            reader = Reader(allow_code=True, directory=folder)
-            model = build_model(shortened(data), reader)
-            if compute:
-                word = _computed(model)
+            return done()
     except PitchpointError as error:
         assert str(error).strip()
         return "refused"
@@ -168,7 +195,6 @@ def outcome(data: Any, folder: str, *, compute: bool) -> str:
         frames = [f for f in traceback.extract_tb(error.__traceback__) if "pitchpoint" in f.filename]
         last = f"{Path(frames[-1].filename).name}:{frames[-1].lineno}" if frames else "?"
         return f"raw {type(error).__name__} at {last}: {str(error)[:80]}"
-    return word
 
 
 def _computed(model: Any) -> str:
@@ -213,3 +239,15 @@ def counted(seed: int, cases: int, every: int) -> tuple[Counter[str], dict[str, 
         if word not in ("loaded", "refused", "computed"):
             first.setdefault(word, case)
     return words, first
+
+
+def counted_files(seed: int, cases: int, good: Mapping[str, bytes], folder: Path) -> Counter[str]:
+    """Outcomes of damaged measured files; `good` has the contents of one file by its name."""
+    chance = random.Random(seed)
+    words: Counter[str] = Counter()
+    for _ in range(cases):
+        name = chance.choice(sorted(good))
+        path = folder / f"{seed}.{name.rpartition('.')[2]}"
+        path.write_bytes(damaged(good[name], chance))
+        words[outcome_of_file(path)] += 1
+    return words
