@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 )
 @writes(
     "--film",
-    help="Write the record as a film too (mp4, webm or gif); needs chromium and ffmpeg.",
+    help="Write the record as a film too (mp4, webm or gif); needs chromium, ffmpeg and Playwright.",
 )
 @output("HTML file to write; the name of FILE with .view.html if omitted.")
 @allow_code

@@ -1,25 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 """A film of a scene: pictures that a browser without a window draws, assembled by ffmpeg.
 
-Both are programs of the system; where one is missing a sentence reports this.
+Both are programs of the system, the browser is driven by Playwright; what is missing is named before anything
+is computed.
 """
 
 from __future__ import annotations
 
-import base64
-import json
+import importlib.util
 import os
 import shutil
 import subprocess
-import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.target import check_place, make_folder, replacing
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Page
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LENGTH = 10.0
@@ -27,6 +30,7 @@ LENGTH = 10.0
 SIZE = (1280, 800)
 PATIENCE = 120.0
 """Seconds after which an answer of the browser is no longer waited for."""
+FLAGS = "--disable-background-networking --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader"
 READY = "document.querySelector('.ppv')?.dataset.ready ?? ''"
 
 
@@ -119,7 +123,7 @@ def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
     Raises
     ------
     PitchpointError
-        If the ending is none of these, there is such a file, or a program or its encoder is missing.
+        If the ending is none of these, the file exists, or Playwright, a program or its encoder is missing.
     """
     path = Path(target)
     kind = KINDS.get(path.suffix.lower())
@@ -135,6 +139,11 @@ def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
         raise PitchpointError(
             f"a film needs {' and '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not "
             f"installed; on Debian and Ubuntu: apt install {' '.join(missing)}. Pages save films too"
+        )
+    if importlib.util.find_spec("playwright") is None:
+        raise PitchpointError(
+            "a film needs Playwright, which drives the browser; pip install 'pitchpoint[film]'. "
+            "Pages save films too"
         )
     listed = subprocess.run(
         [ffmpeg, "-hide_banner", "-encoders"], capture_output=True, text=True, check=False
@@ -168,14 +177,13 @@ def film(page: str | os.PathLike[str], maker: FilmMaker, progress: Progress = si
     PitchpointError
         If a program fails, or the scene does not move.
     """
-    with tempfile.TemporaryDirectory() as folder, _Browser(maker.browser, folder) as seen:
-        seen.open(Path(page).resolve().as_uri())
-        first, last = seen.ask("pitchpointViewer.state().window")
+    with _shown(maker.browser, Path(page).resolve().as_uri()) as seen:
+        first, last = seen.evaluate("pitchpointViewer.state().window")
         if not last > first:
             raise PitchpointError("the scene has no motion over time, so there is no film of it")
         count = round(maker.kind.rate * LENGTH)
         times = (first + (last - first) * k / (count - 1) for k in range(count))
-        encode(maker, (seen.picture(time, maker.kind.picture) for time in times), count, progress)
+        encode(maker, (_picture(seen, time, maker.kind.picture) for time in times), count, progress)
     return maker.target
 
 
@@ -217,97 +225,30 @@ def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, progress: Pr
             raise PitchpointError(f"ffmpeg cannot write {maker.target.name}: {words or 'it gives no reason'}")
 
 
-class _Browser:
-    """A browser that is steered through two pipes, one message after the other."""
+@contextmanager
+def _shown(program: str, address: str) -> Iterator[Page]:
+    """A page with a scene, once it shows it."""
+    from playwright.sync_api import Error, sync_playwright
 
-    def __init__(self, program: str, folder: str) -> None:
-        self.program, self.folder = program, folder
-        self.number = 0
-        self.rest = b""
-        self.session: str | None = None
+    root = hasattr(os, "geteuid") and os.geteuid() == 0
+    try:
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(
+                executable_path=program, args=FLAGS.split(), chromium_sandbox=not root
+            )
+            page = browser.new_page(viewport={"width": SIZE[0], "height": SIZE[1]})
+            page.set_default_timeout(1e3 * PATIENCE)
+            page.goto(address)
+            if page.wait_for_function(READY).json_value() != "scene":
+                raise PitchpointError("the browser cannot show this scene")
+            yield page
+    except Error as error:
+        raise PitchpointError(f"the browser ({program}) fails: {error.message.splitlines()[0]}") from None
 
-    def __enter__(self) -> _Browser:
-        to_child, self.write = os.pipe()
-        self.read, from_child = os.pipe()
-        # the browser reads messages from file 3 and writes them to file 4
-        shell = 'exec "$@" 3<&"$IN" 4>&"$OUT"'
-        flags = "--headless --disable-extensions --no-first-run --disable-background-networking"
-        flags += " --hide-scrollbars --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader"
-        flags += " --remote-debugging-pipe"
-        flags += " --no-sandbox" if hasattr(os, "geteuid") and os.geteuid() == 0 else ""
-        command = [self.program, *flags.split(), f"--user-data-dir={self.folder}", "about:blank"]
-        environment = {**os.environ, "IN": str(to_child), "OUT": str(from_child)}
-        self.process = subprocess.Popen(
-            ["bash", "-c", shell, "bash", *command],
-            pass_fds=(to_child, from_child),
-            env=environment,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-        )
-        os.close(to_child)
-        os.close(from_child)
-        return self
 
-    def __exit__(self, *_: object) -> None:
-        self.process.terminate()
-        self.process.wait()
-        os.close(self.write)
-        os.close(self.read)
-
-    def _say(self, method: str, **values: Any) -> dict[str, Any]:
-        """Send a message and wait for its answer."""
-        self.number += 1
-        message: dict[str, Any] = {"id": self.number, "method": method, "params": values}
-        if self.session is not None:
-            message["sessionId"] = self.session
-        os.write(self.write, json.dumps(message).encode() + b"\0")
-        while True:
-            answer = self._next()
-            if answer.get("id") == self.number:
-                if "error" in answer:
-                    raise PitchpointError(f"the browser refuses {method}: {answer['error'].get('message')}")
-                return dict(answer["result"])
-
-    def _next(self) -> dict[str, Any]:
-        """The next message of the browser."""
-        import select
-
-        while b"\0" not in self.rest:
-            ready, _, _ = select.select([self.read], [], [], PATIENCE)
-            block = os.read(self.read, 1 << 20) if ready else b""
-            if not block:
-                raise PitchpointError(f"the browser ({self.program}) does not answer")
-            self.rest += block
-        text, self.rest = self.rest.split(b"\0", 1)
-        return dict(json.loads(text))
-
-    def open(self, address: str) -> None:
-        """Load a page with a scene and wait until it shows it."""
-        made = self._say("Target.createTarget", url="about:blank")
-        attached = self._say("Target.attachToTarget", targetId=made["targetId"], flatten=True)
-        self.session = str(attached["sessionId"])
-        width, height = SIZE
-        self._say(
-            "Emulation.setDeviceMetricsOverride",
-            width=width,
-            height=height,
-            deviceScaleFactor=1,
-            mobile=False,
-        )
-        self._say("Page.navigate", url=address)
-        until = "new Promise((done) => { const look = () => { const found = %s; found ? done(found) : "
-        until += "setTimeout(look, 100); }; look(); })"
-        if self.ask(until % READY) != "scene":
-            raise PitchpointError("the browser cannot show this scene")
-
-    def ask(self, script: str) -> Any:
-        """Value of an expression in the page."""
-        answer = self._say("Runtime.evaluate", expression=script, awaitPromise=True, returnByValue=True)
-        return answer["result"].get("value")
-
-    def picture(self, time: float, kind: str) -> bytes:
-        """The page at an instant [s], as jpeg or png."""
-        self.ask(f"pitchpointViewer.seek({time!r}); pitchpointViewer.draw()")
-        quality = {"quality": 90} if kind == "jpeg" else {}
-        found = self._say("Page.captureScreenshot", format=kind, **quality)
-        return base64.b64decode(found["data"])
+def _picture(page: Page, time: float, kind: str) -> bytes:
+    """The page at an instant [s], as jpeg or png."""
+    page.evaluate(f"pitchpointViewer.seek({time!r}); pitchpointViewer.draw()")
+    if kind == "jpeg":
+        return page.screenshot(type="jpeg", quality=90)
+    return page.screenshot()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import shutil
 import subprocess
@@ -35,6 +36,22 @@ def test_missing_programs_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     monkeypatch.setattr(shutil, "which", lambda name: "/bin/true" if name == "chromium" else None)
     with pytest.raises(PitchpointError, match="needs ffmpeg, which is not installed.*apt install ffmpeg"):
         films.film_maker(tmp_path / "film.mp4")
+
+
+def test_missing_playwright_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(shutil, "which", lambda name: "/bin/true")
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
+    with pytest.raises(PitchpointError, match=r"needs Playwright.*pip install 'pitchpoint\[film\]'"):
+        films.film_maker(tmp_path / "film.mp4")
+
+
+def test_a_browser_that_fails_is_a_sentence(tmp_path: Path) -> None:
+    page = tmp_path / "page.html"
+    page.write_text("", encoding="utf-8")
+    maker = films.FilmMaker(tmp_path / "film.mp4", "/bin/false", "/bin/true", "mpeg4")
+    with pytest.raises(PitchpointError, match=r"the browser \(/bin/false\) fails: .+"):
+        films.film(page, maker)
+    assert not maker.target.exists()
 
 
 def test_an_ffmpeg_without_the_encoder_is_told_and_what_it_can_write(
