@@ -23,7 +23,6 @@ from pitchpoint.core.status import OK
 from pitchpoint.io.claim import is_held
 from pitchpoint.io.container import FAILED, FINISHED, Header, MemoryContainer
 from pitchpoint.io.csv_cells import plain_cell
-from pitchpoint.io.opening import DAMAGE
 from pitchpoint.io.reading import header_in
 from pitchpoint.io.target import (
     INDEX_HEAD,
@@ -33,6 +32,7 @@ from pitchpoint.io.target import (
     replacing,
     write_draft,
 )
+from pitchpoint.io.unmarked_file import DAMAGE
 
 CASES = "cases"
 DRAFT = ".draft-"

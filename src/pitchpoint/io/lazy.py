@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.io.opening import DAMAGE, damaged, dimensions_of, member, members
+from pitchpoint.io.opening import damaged, dimensions_of, member, members
+from pitchpoint.io.unmarked_file import DAMAGE
 
 if TYPE_CHECKING:
     import h5py

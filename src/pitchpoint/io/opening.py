@@ -11,7 +11,6 @@ looked through.
 from __future__ import annotations
 
 import contextlib
-import io
 import mmap
 import os
 import time
@@ -22,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.claim import share
 from pitchpoint.io.container import FORMAT, RUNNING, ResultError
-from pitchpoint.io.superblock import unmarked
+from pitchpoint.io.unmarked_file import DAMAGE, UnmarkedFile
 
 if TYPE_CHECKING:
     import h5py
@@ -32,21 +31,6 @@ PATIENCE = 5.0
 _PAUSE = 0.02
 _LOOKS = 3
 """A file that cannot be read and has not changed for so many looks is damaged, and not being written."""
-
-DAMAGE = (
-    OSError,
-    RuntimeError,
-    KeyError,
-    ValueError,
-    TypeError,
-    AttributeError,
-    LookupError,
-    ArithmeticError,
-    MemoryError,
-    StopIteration,
-    EOFError,
-)
-"""What HDF5 and its Python layer raise where a file contradicts itself."""
 
 _HEAP = b"GCOL\1\0\0\0"
 _TEXTS_END = 1 << 24
@@ -141,7 +125,7 @@ def open_file(path: str | os.PathLike[str]) -> h5py.File:
     until = time.monotonic() + PATIENCE
     while True:
         try:
-            return _open_still(name)
+            return _open_unmarked(name)
         except FileNotFoundError as error:
             raise ResultError(f"{name}: there is no such result file") from error
         except ResultError:
@@ -193,71 +177,19 @@ def heaps_end(data: Any, until: int | None = None) -> bool:
     return True
 
 
-class Still(io.RawIOBase):
-    """A file as it is, without the mark of a writer, with which HDF5 refuses it.
-
-    The library shares what two readers of one process open by name, and requires the same options of both;
-    files opened here are not shared.
-    """
-
-    def __init__(self, name: str) -> None:
-        self._file = open(name, "rb", buffering=0)  # noqa: SIM115, closed with this object
-        self._head = unmarked(self._file.read(48))
-
-    def readinto(self, buffer: Any) -> int:
-        """Fill a buffer; what lies behind the end of the file reads as zero."""
-        at, view = self._file.tell(), memoryview(buffer).cast("B")
-        count = 0
-        while count < len(view):
-            got = self._file.readinto(view[count:])
-            if not got:
-                break
-            count += got
-        view[count:] = bytes(len(view) - count)
-        if at < len(self._head):
-            part = self._head[at : at + len(view)]
-            view[: len(part)] = part
-        return len(view)
-
-    def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
-        """Go to a place."""
-        return self._file.seek(offset, whence)
-
-    def tell(self) -> int:
-        """Place in the file."""
-        return self._file.tell()
-
-    def readable(self) -> bool:
-        """Whether this can be read."""
-        return True
-
-    def seekable(self) -> bool:
-        """Whether this has places."""
-        return True
-
-    def fileno(self) -> int:
-        """Descriptor of the file."""
-        return self._file.fileno()
-
-    def close(self) -> None:
-        """Let go of the file."""
-        self._file.close()
-        super().close()
-
-
-def _open_still(name: str) -> h5py.File:
+def _open_unmarked(name: str) -> h5py.File:
     """Open without SWMR and check the present contents."""
     import h5py
 
-    still = Still(name)
+    unmarked = UnmarkedFile(name)
     try:
-        if not share(still.fileno()):
+        if not share(unmarked.fileno()):
             raise BlockingIOError
-        if not _texts_end(still.fileno()):
+        if not _texts_end(unmarked.fileno()):
             raise ValueError("texts do not fit where they are stored")
-        file = h5py.File(still, "r")
+        file = h5py.File(unmarked, "r")
     except BaseException:
-        still.close()
+        unmarked.close()
         raise
     try:
         if _text(file.attrs.get("format")) != FORMAT:
@@ -272,7 +204,7 @@ def _open_still(name: str) -> h5py.File:
         return file
     except BaseException:
         file.close()
-        still.close()
+        unmarked.close()
         raise
 
 

@@ -18,6 +18,7 @@ from pathlib import Path
 
 from pitchpoint.core.errors import Message, PitchpointError
 from pitchpoint.io.claim import is_held, share
+from pitchpoint.io.unmarked_file import DAMAGE, UnmarkedFile
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 HEAD = 1024
@@ -45,13 +46,11 @@ def _is_result(path: Path, head: bytes) -> bool:
         return True  # a run that was killed as it began
     import h5py
 
-    from pitchpoint.io.opening import DAMAGE, Still
-
     try:
-        with Still(os.fspath(path)) as still:
-            if not share(still.fileno()):
+        with UnmarkedFile(os.fspath(path)) as unmarked:
+            if not share(unmarked.fileno()):
                 raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
-            with h5py.File(still, "r") as file:
+            with h5py.File(unmarked, "r") as file:
                 return str(file.attrs.get("format", "")).startswith("pitchpoint")
     except (BlockingIOError, FileNotFoundError):
         raise  # another process has just begun to write it, or has taken it away

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.report.numbers import Row, pick
+from pitchpoint.report.rows import C_PRIME_B, MEAN, Row, pick
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
@@ -100,7 +100,6 @@ def bevel_cycles(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, f
     from pitchpoint.contact.bevel_cycle import bevel_cycle
     from pitchpoint.contact.mesh_cycle import phase_cycle
     from pitchpoint.contact.stiffness.description import PhaseStiffness
-    from pitchpoint.report.numbers import C_PRIME_B, MEAN
     from pitchpoint.system.rules.bevel_mesh import bevel_stiffness, square_mean
 
     cycles: dict[str, tuple[MeshCycle, str, float | None]] = {}

@@ -94,8 +94,9 @@ def collect(
 ) -> tuple[ReportResults, list[str]]:
     """Collect what a report shows: what follows from the model, the results given, and remarks."""
     from pitchpoint.io.opening import understood
-    from pitchpoint.report.numbers import C_PRIME_B, MEAN, cycles_of_model
+    from pitchpoint.report.numbers import cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
+    from pitchpoint.report.rows import C_PRIME_B, MEAN
     from pitchpoint.report.statics import linear_parts, rolled_meshes, with_rolls
 
     found = _Found()

@@ -9,17 +9,16 @@ signs ISO 21771 gives them inside the geometry (the hand is given next to the he
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
+
+from pitchpoint.report.bevel_numbers import bevel_cycles, bevel_gear_numbers, bevel_mesh_numbers
+from pitchpoint.report.rows import C_PRIME_B, MEAN, ONE_PAIR, Row, pick
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
     from pitchpoint.contact.stiffness.din3990 import SingleStiffness
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     from pitchpoint.model.model import Model
-
-Row = tuple[str, str, str]
-"""Identifier, meaning, dimension of `core.units`."""
 
 GEAR_ROWS: tuple[Row, ...] = (
     ("z", "number of teeth", "dimensionless"),
@@ -98,15 +97,6 @@ STIFFNESS_ROWS: tuple[Row, ...] = (
 )
 
 
-def pick(source: Any, rows: Sequence[Row], positive: set[str]) -> dict[str, Any]:
-    """Read the attributes that rows name; those in `positive` lose their sign."""
-    numbers = {}
-    for name, _, _ in rows:
-        value = getattr(source, name)
-        numbers[name] = abs(value) if name in positive else value
-    return numbers
-
-
 def gear_numbers(model: Model, name: str) -> dict[str, Any]:
     """Collect macro-geometry, mass and moments of inertia of a gear."""
     from pitchpoint.model.inertia import gear_inertia
@@ -162,11 +152,6 @@ def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
     return numbers | stiffness_numbers(single_stiffness_of(model, name))
 
 
-C_PRIME_B, MEAN, ONE_PAIR = "c' b", "the mean", "K of one pair"
-"""What a mesh cycle is relative to: single stiffness times common width, the mean of a prescribed wave, or
-the constant of a pair whose force is a power of its deflection."""
-
-
 def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float | None]]:
     """Compute the stiffness cycle of every mesh, what it is relative to, and the value of that [N/m].
 
@@ -174,7 +159,6 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
     """
     from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
     from pitchpoint.contact.stiffness.description import PairShape
-    from pitchpoint.report.bevel_numbers import bevel_cycles
     from pitchpoint.system.rules.stiffness import describe_stiffness
 
     cycles: dict[str, tuple[MeshCycle, str, float | None]] = {}
@@ -192,7 +176,6 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
 
 def geometry_of_model(model: Model) -> dict[str, Any]:
     """Collect everything that `gears --json` prints."""
-    from pitchpoint.report.bevel_numbers import bevel_gear_numbers, bevel_mesh_numbers
 
     return {
         "gears": {

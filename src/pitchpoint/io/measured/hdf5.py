@@ -27,7 +27,8 @@ from pitchpoint.io.measured.record import (
     key_of,
     refused,
 )
-from pitchpoint.io.opening import DAMAGE, dimensions_of, heaps_end, members
+from pitchpoint.io.opening import dimensions_of, heaps_end, members
+from pitchpoint.io.unmarked_file import DAMAGE
 
 if TYPE_CHECKING:
     import h5py
