@@ -30,8 +30,6 @@ HEAVY = (
 
 CIRCLES_LEFT = (
     {"geometry.bevel_gear", "geometry.bevel_pair", "geometry.bevel_problems", "geometry.bevel_tooth"},
-    {"geometry.solid_file", "geometry.step_file"},
-    {"solvers.cycle_means", "solvers.equilibrium", "solvers.unconstrained"},
     {"core.second_compiler", "core.compiler", "core.compiler_private", "core.kernel"},
 )
 """Groups of modules that import each other through imports inside functions; only to be shortened."""

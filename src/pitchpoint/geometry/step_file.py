@@ -18,7 +18,7 @@ from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.core.errors import GeometryError, MissingDependencyError
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.solid_file import SolidFile
+    from pitchpoint.geometry.solid_mass import SolidFile
 
 _MM = 1e-3
 _BEGIN, _END = b"ISO-10303-21;", b"END-ISO-10303-21;"
@@ -67,7 +67,7 @@ def read_step(file: str | Path) -> SolidFile:
     MissingDependencyError
         If OCC is not installed.
     """
-    from pitchpoint.geometry.solid_file import Solid, SolidFile
+    from pitchpoint.geometry.solid_mass import Solid, SolidFile
 
     found = ask("pitchpoint.geometry.step_file", file)
     solids = (Solid(n, v, tuple(c), tuple(m)) for n, v, c, m in found["solids"])
@@ -159,7 +159,7 @@ def named_solids(file: str) -> tuple[str, Iterator[tuple[str, Any]]]:
 
 def _answer(file: str) -> dict[str, Any]:
     """Unit, and name, volume, centre and moments of every solid."""
-    from pitchpoint.geometry.solid_file import solid_of
+    from pitchpoint.geometry.solid_mass import solid_of
 
     name = Path(file).name
     unit, shapes = named_solids(file)

@@ -8,7 +8,7 @@ other go through their cycles together.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,7 +19,7 @@ from pitchpoint.elements.mesh_pairs import MOST_SPLIT
 from pitchpoint.solvers.element_batches import Block, blocks_of, independent_batches, machines_of
 from pitchpoint.solvers.element_tangents import tangents
 from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.flanks import pressed_flanks
+from pitchpoint.solvers.flanks import shift_into_contact
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import (
     is_bevel,
@@ -33,8 +33,6 @@ from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
-TOUCH = 1e-9
-"""Penetration at which an unloaded flank is looked at [m]."""
 
 _GAUSS_X, _GAUSS_W = np.polynomial.legendre.leggauss(3)
 _MOVED = ("xi_0", "xi_b", "u0")
@@ -96,39 +94,6 @@ def _kinks(record: np.void, flank: int, pool: Array) -> Array:
 
 def _equal(n: int) -> tuple[Array, Array]:
     return (np.arange(n) + 0.5) / n, np.full(n, 1.0 / n)
-
-
-def touching(system: System, state: State) -> dict[str, int]:
-    """Bring the flanks of unloaded meshes into contact by shifting the assembly; gives them by mesh.
-
-    1 is the front flank and -1 the back: the one in contact already, else that which a small
-    torque through the train presses. Changes the records of the system: give it a copy.
-    """
-    touching: dict[int, int] = {}
-    loose = []
-    evaluate.residual(system, state)
-    for k, record in enumerate(mesh_records(system)):
-        now = record["now"]
-        depth = abs(now["u"] - now["e_t"]) - 0.5 * now["gap"] - record["sep_min"]
-        # without backlash round-off presses both flanks of an unloaded mesh
-        if depth < TOUCH:
-            loose.append(k)
-            if depth > 0.0 and now["gap"] > TOUCH:
-                touching[k] = -1 if now["u"] < now["e_t"] else 1
-    names, found = mesh_names(system), pressed_flanks(system, loose, touching)
-    _touch(system, state, found)
-    return {names[k]: found[k] for k in loose}
-
-
-def _touch(system: System, state: State, flanks: Mapping[int, int]) -> None:
-    """Shift the assembly of some meshes, by number, so that the given flank just touches."""
-    records = mesh_records(system)
-    for _ in range(2):  # the excitation follows the phase
-        evaluate.residual(system, state)
-        for k, flank in flanks.items():
-            record, now = records[k], records[k]["now"]
-            aim = flank * (0.5 * now["gap"] + record["sep_min"] + TOUCH)
-            record["u0"] += aim - (now["u"] - now["e_t"])
 
 
 @dataclass(frozen=True)
@@ -194,7 +159,7 @@ def _means_together(
                 _put_back(records[m], kept[m])
                 shift(records[m], cycle.flank * (float(cycle.phases[step]) - cycle.now))
             if loose:
-                _touch(system, at, {m: c.flank for m, c in active.items()})
+                shift_into_contact(system, at, {m: c.flank for m, c in active.items()})
             for _ in range(0 if loose else 2):  # the deflection there moves the phase a little
                 at = _rest_at(system, at, held, state, rates)
                 for m, (_, phase) in _observed(system, at, [*active]):

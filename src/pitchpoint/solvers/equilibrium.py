@@ -37,6 +37,7 @@ from pitchpoint.solvers.jump import Rest, observe_mean, rest_between, rest_on_su
 from pitchpoint.solvers.rest_unknowns import GROWTH, ROUNDING, inverse_of, rest_matrix, restless, step_on
 from pitchpoint.solvers.surfaces import Surface, crossed
 from pitchpoint.solvers.swinging import Tangent, resists
+from pitchpoint.solvers.unconstrained import advice, unconstrained
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.source import coordinate_source
@@ -143,8 +144,6 @@ def find_equilibrium(
     if words := broken_tooth(system, found.state):
         raise SolverError(words, DIVERGED, found.state)
     if failure:
-        from pitchpoint.solvers.unconstrained import advice, unconstrained  # which needs this module
-
         if names := unconstrained(system, state, free):
             where = coordinate_source(system, names[0]).removeprefix(names[0])
             raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)

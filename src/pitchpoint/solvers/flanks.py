@@ -20,10 +20,14 @@ from pitchpoint.solvers.gear_trains import driven_coordinates
 from pitchpoint.solvers.null_space import connected, null_space
 from pitchpoint.solvers.resistance import SAME, resisted_spins
 from pitchpoint.solvers.torque_paths import TorquePath, spins_of, torque_paths, turning
-from pitchpoint.system.meshes import mesh_places
-from pitchpoint.system.system import System
+from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import mesh_names, mesh_places, mesh_records
+from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
+
+TOUCH = 1e-9
+"""Penetration at which an unloaded flank is looked at [m]."""
 
 
 def pressed_flanks(system: System, loose: Sequence[int], touching: Mapping[int, int]) -> dict[int, int]:
@@ -124,3 +128,36 @@ def _add_signs(
         known = [m for m in pressed if m in found]
         sense = np.sign(pressed[known[0]]) * found[known[0]] if known else np.sign(pressed[new[0]])
         found.update({m: int(np.sign(pressed[m]) * sense) for m in new})
+
+
+def close_backlash(system: System, state: State) -> dict[str, int]:
+    """Bring the flanks of unloaded meshes into contact by shifting the assembly; gives them by mesh.
+
+    1 is the front flank and -1 the back: the one in contact already, else that which a small
+    torque through the train presses. Changes the records of the system: give it a copy.
+    """
+    flanks: dict[int, int] = {}
+    loose = []
+    evaluate.residual(system, state)
+    for k, record in enumerate(mesh_records(system)):
+        now = record["now"]
+        depth = abs(now["u"] - now["e_t"]) - 0.5 * now["gap"] - record["sep_min"]
+        # without backlash round-off presses both flanks of an unloaded mesh
+        if depth < TOUCH:
+            loose.append(k)
+            if depth > 0.0 and now["gap"] > TOUCH:
+                flanks[k] = -1 if now["u"] < now["e_t"] else 1
+    names, found = mesh_names(system), pressed_flanks(system, loose, flanks)
+    shift_into_contact(system, state, found)
+    return {names[k]: found[k] for k in loose}
+
+
+def shift_into_contact(system: System, state: State, flanks: Mapping[int, int]) -> None:
+    """Shift the assembly of some meshes, by number, so that the given flank is just in contact."""
+    records = mesh_records(system)
+    for _ in range(2):  # the excitation follows the phase
+        evaluate.residual(system, state)
+        for k, flank in flanks.items():
+            record, now = records[k], records[k]["now"]
+            aim = flank * (0.5 * now["gap"] + record["sep_min"] + TOUCH)
+            record["u0"] += aim - (now["u"] - now["e_t"])

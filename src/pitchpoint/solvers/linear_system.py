@@ -17,10 +17,11 @@ from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.solvers.cycle_means import TOUCH, shift, touching
+from pitchpoint.solvers.cycle_means import shift
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
 from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
 from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.flanks import TOUCH, close_backlash
 from pitchpoint.solvers.free_directions import free_directions
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
@@ -121,7 +122,7 @@ def linearise(
     own, state = point.system.copy(), point.state
     if phase is not None:
         state = _at_phase(own, state, phase, point.held)
-    loose = touching(own, state)
+    loose = close_backlash(own, state)
     notes = [*point.notes, *_of_one_position(own, state)]
     if loose:
         notes.append(_of_assumed_flanks(loose))

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.solvers.cycle_means import touching
+from pitchpoint.solvers.flanks import close_backlash
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -37,7 +37,7 @@ def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tupl
         Coordinates that are not kept.
     """
     own, at = system.copy(), state.copy()
-    touching(own, at)
+    close_backlash(own, at)
     weight = own.weight[free]
     stiffness = evaluate.matrix(own, at, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
     _, sizes, rows = np.linalg.svd(stiffness / np.outer(weight, weight))

@@ -15,7 +15,7 @@ from pitchpoint.geometry.bevel_gear import BevelGear
 from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
 from pitchpoint.geometry.bevel_sector import bevel_outline, bevel_sector, bevel_slices, bevel_solid
 from pitchpoint.geometry.bevel_tooth import bevel_tooth, placed
-from pitchpoint.geometry.solid_file import solid_of_triangles
+from pitchpoint.geometry.solid_mass import solid_of_triangles
 from pitchpoint.geometry.triangle_file import join_corners
 from tests.support.bevel_teeth import angles_inside
 

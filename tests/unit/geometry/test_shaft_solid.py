@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.shaft_solid import shaft_mass_properties, shaft_outline, shaft_solid
-from pitchpoint.geometry.solid_file import round_inertia, solid_of_triangles
+from pitchpoint.geometry.solid_mass import round_inertia, solid_of_triangles
 
 STEPPED = [(0.1, 0.04, 0.0), (0.05, 0.06, 0.01), (0.05, 0.06, 0.02), (0.1, 0.04, 0.02)]
 CLOSED_CAVITY = [(0.05, 0.04, 0.0), (0.05, 0.04, 0.01), (0.05, 0.04, 0.0)]

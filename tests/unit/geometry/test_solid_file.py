@@ -15,7 +15,8 @@ from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.mass_properties import gear_mass_properties
 from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.solid import gear_solid
-from pitchpoint.geometry.solid_file import Solid, SolidFile, read_solids, round_inertia, solid_of_triangles
+from pitchpoint.geometry.solid_file import read_solids
+from pitchpoint.geometry.solid_mass import Solid, SolidFile, round_inertia, solid_of_triangles
 from tests.support import stl
 
 FACES = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))

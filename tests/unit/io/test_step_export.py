@@ -13,7 +13,8 @@ from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.mass_properties import gear_mass_properties
 from pitchpoint.geometry.rack import BasicRack
 from pitchpoint.geometry.shaft_solid import shaft_mass_properties
-from pitchpoint.geometry.solid_file import read_solids, round_inertia
+from pitchpoint.geometry.solid_file import read_solids
+from pitchpoint.geometry.solid_mass import round_inertia
 from pitchpoint.io.gear_export import export_gear, export_shaft
 from pitchpoint.io.step_export import gear_step
 from pitchpoint.io.target import OutputError

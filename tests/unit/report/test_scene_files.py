@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import MissingDependencyError
-from pitchpoint.geometry.solid_file import solid_of_triangles
+from pitchpoint.geometry.solid_mass import solid_of_triangles
 from pitchpoint.geometry.step_triangles import step_triangles
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.report.scene.cad_files import MOST, fewer_triangles

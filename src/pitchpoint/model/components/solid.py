@@ -11,7 +11,7 @@ from pitchpoint.model.keys import component, key, positive, quantities, text
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.materials import Material
-    from pitchpoint.geometry.solid_file import RoundInertia, Solid
+    from pitchpoint.geometry.solid_mass import RoundInertia, Solid
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -56,6 +56,6 @@ class SolidReference:
 
     def about_axis(self) -> RoundInertia:
         """Its moments of inertia about the axis of a gear or a shaft, and across."""
-        from pitchpoint.geometry.solid_file import round_inertia
+        from pitchpoint.geometry.solid_mass import round_inertia
 
         return round_inertia(self.solid(), None if self.axes is None else self.axes.z)
