@@ -20,7 +20,6 @@ from pitchpoint.analysis.tooth_energy import ToothEnergy, tooth_energy
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts
 
 SURROGATES = 999
-SAMPLES_PER_TOOTH = 16
 MOMENTS = {
     "residual": {"kurtosis": 4},
     "difference": {"fm4": 4, "m6a": 6, "m8a": 8},
@@ -38,14 +37,12 @@ class MeanTurn:
         Shape (n,). Angle of the shaft from where the record counts [rad], in its sense of rotation.
     average, residual
         Shape (n,). Mean turn, and the same without mesh harmonics and the two lowest orders, in the unit of
-        the
-        signal.
+        the signal.
     averages
         Turns [-].
     indicators
         By name: value, value that 1 % of Gaussian signals with the same spectrum exceed, and part of them
-        that
-        exceeds this value [-].
+        that exceeds this value [-].
     energy
         Energy in the angle of one tooth.
     trains

@@ -2,11 +2,9 @@
 """Evidence for damage on one shaft in one spectrum over its orders: comb, lowest orders, sidebands.
 
 A local fault strikes once per turn: it raises all orders of its shaft. What is out of true (eccentric, bent,
-out
-of balance) changes slowly over the turn: it raises few orders and few sidebands of mesh lines. Points between
-the
-orders are the measure of both. With a whole ratio of shafts, all orders of the faster one are orders of the
-slower one too: the measure then also is the other orders of that one.
+out of balance) changes slowly over the turn: it raises few orders and few sidebands of mesh lines. Points
+between the orders are the measure of both. With a whole ratio of shafts, all orders of the faster one are
+orders of the slower one too: the measure then also is the other orders of that one.
 
 Source: van Elteren (1960) for the rank sum within blocks.
 """

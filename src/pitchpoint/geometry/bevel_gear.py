@@ -336,11 +336,6 @@ class BevelGear:
         return self.z / math.cos(self.delta)
 
     @property
-    def d_v(self) -> float:
-        """Reference diameter of the virtual gear d_m / cos δ [m]."""
-        return self.d_m / math.cos(self.delta)
-
-    @property
     def z_vn(self) -> float:
         """Virtual number of teeth in the normal section z_v / (cos² β_b cos β_m) [-], as for helices."""
         return self.z_v / (math.cos(self.beta_b) ** 2 * math.cos(self.beta_m))

@@ -174,16 +174,6 @@ class BevelPair:
         return self.gear1.sigma_a
 
     @property
-    def sigma_B(self) -> float:
-        """Start of the inner range, σ_E − σ_p [rad]."""
-        return self.sigma_E - self.sigma_p
-
-    @property
-    def sigma_D(self) -> float:
-        """End of the inner range, σ_A + σ_p [rad]."""
-        return self.sigma_A + self.sigma_p
-
-    @property
     def eps_alpha(self) -> float:
         """Transverse contact ratio (σ_E − σ_A) / σ_p [-]; zero if the flanks never meet."""
         return max(0.0, self.sigma_E - self.sigma_A) / self.sigma_p

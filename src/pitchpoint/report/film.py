@@ -7,6 +7,7 @@ is computed.
 
 from __future__ import annotations
 
+import base64
 import importlib.util
 import os
 import shutil
@@ -22,7 +23,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.target import check_place, make_folder, replacing
 
 if TYPE_CHECKING:
-    from playwright.sync_api import Page
+    from playwright.sync_api import CDPSession, Page
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LENGTH = 10.0
@@ -181,9 +182,10 @@ def film(page: str | os.PathLike[str], maker: FilmMaker, progress: Progress = si
         first, last = seen.evaluate("pitchpointViewer.state().window")
         if not last > first:
             raise PitchpointError("the scene has no motion over time, so there is no film of it")
+        camera = seen.context.new_cdp_session(seen)
         count = round(maker.kind.rate * LENGTH)
         times = (first + (last - first) * k / (count - 1) for k in range(count))
-        encode(maker, (_picture(seen, time, maker.kind.picture) for time in times), count, progress)
+        encode(maker, (_picture(seen, camera, time, maker.kind.picture) for time in times), count, progress)
     return maker.target
 
 
@@ -246,9 +248,9 @@ def _shown(program: str, address: str) -> Iterator[Page]:
         raise PitchpointError(f"the browser ({program}) fails: {error.message.splitlines()[0]}") from None
 
 
-def _picture(page: Page, time: float, kind: str) -> bytes:
+def _picture(page: Page, camera: CDPSession, time: float, kind: str) -> bytes:
     """The page at an instant [s], as jpeg or png."""
     page.evaluate(f"pitchpointViewer.seek({time!r}); pitchpointViewer.draw()")
-    if kind == "jpeg":
-        return page.screenshot(type="jpeg", quality=90)
-    return page.screenshot()
+    # Playwright's own screenshot takes a fifth longer
+    quality = {"quality": 90} if kind == "jpeg" else {}
+    return base64.b64decode(camera.send("Page.captureScreenshot", {"format": kind, **quality})["data"])

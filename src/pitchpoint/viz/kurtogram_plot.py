@@ -63,15 +63,9 @@ def plot_kurtogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
     )
     where = span(best[0], best[1])
     figure.update_layout(
-        title={
-            "text": f"kurtosis of the envelope, {channel}; largest {number(best[2], 3)} in {where}",
-            "font": {"size": 13},
-            "x": 0,
-            "xref": "paper",
-            "xanchor": "left",
-            "y": 0.98,
-            "yanchor": "top",
-        }
+        title=theme.title_above(
+            f"kurtosis of the envelope, {channel}; largest {number(best[2], 3)} in {where}"
+        )
     )
     widths = [_width(float(np.max((high - low)[level == at]))) for at in levels]
     figure.update_yaxes(

@@ -192,15 +192,9 @@ def amplitude_map(
         hovertemplate="%{x:.5g}, %{y:.5g}: %{z} dB<extra></extra>",
     )
     figure.update_layout(
-        title={
-            "text": f"{quantity}, 0 dB = {number(largest * shown.factor, 4)} {shown.unit}".rstrip(),
-            "font": {"size": 13},
-            "x": 0,
-            "xref": "paper",
-            "xanchor": "left",
-            "y": 0.98,
-            "yanchor": "top",
-        }
+        title=theme.title_above(
+            f"{quantity}, 0 dB = {number(largest * shown.factor, 4)} {shown.unit}".rstrip()
+        )
     )
     figure.update_xaxes(showgrid=False)
     figure.update_yaxes(showgrid=False)

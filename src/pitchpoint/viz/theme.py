@@ -111,3 +111,9 @@ def layout(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> dic
             look[key] | value if isinstance(look.get(key), dict) and isinstance(value, dict) else value
         )
     return look
+
+
+def title_above(text: str) -> dict[str, Any]:
+    """Title of a figure in small letters, above the left end of its axes."""
+    where = {"x": 0, "xref": "paper", "xanchor": "left", "y": 0.98, "yanchor": "top"}
+    return {"text": text, "font": {"size": 13}, **where}

@@ -18,9 +18,10 @@ from pitchpoint.model.frames import GROUND, axes_of, place_of, split
 from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.model.sections import groups_of
 from pitchpoint.report.scene import shapes
-from pitchpoint.report.scene.schematics import BAR, bar, link, piston, stand_in
+from pitchpoint.report.scene.places import placed_solid
+from pitchpoint.report.scene.schematics import BAR, bar, link, piston, stand_in, stretched
 from pitchpoint.report.scene.supports import LEAST, shaft_radius
-from pitchpoint.viz.scene.content import Between, SceneSolid
+from pitchpoint.viz.scene.content import SceneSolid
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -94,22 +95,11 @@ def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
     bore = radius + 0.5 * part.clearance
     sides = _round(part.clearance, radius)
     rings = (shapes.disc(radius, 1.3 * radius, 0.0, sides), shapes.disc(BUSH * bore, radius, bore, sides))
-    found = []
-    for end, (points, triangles), word in zip(part.ends, rings, ("journal", "bush"), strict=True):
-        number, origin, axes = at.end(end)
-        found.append(
-            SceneSolid(
-                name=f"bearing {name}, {word}",
-                kind="shaft" if word == "journal" else "bearing",
-                body=number,
-                points=points,
-                triangles=triangles,
-                place=origin,
-                axes=axes,
-                schematic=True,
-            )
-        )
-    return found
+    named = (("journal", "shaft"), ("bush", "bearing"))
+    return [
+        placed_solid(f"bearing {name}, {word}", kind, at.end(end), ring)
+        for end, ring, (word, kind) in zip(part.ends, rings, named, strict=True)
+    ]
 
 
 def _bushing(at: Places, name: str, part: Any) -> list[SceneSolid]:
@@ -243,7 +233,7 @@ def _coil(at: Places, name: str, part: Any) -> list[SceneSolid]:
     if abs(line.far - line.near) > radius:
         points, triangles = shapes.coil(radius, 0.12 * radius, WINDINGS)
         places = [at.at_world(b, p, np.eye(3)) for b, p in zip(bodies, ends, strict=True)]
-        return [_between(name, "spring", places, (points, triangles))]
+        return [stretched(name, "spring", places, (points, triangles))]
     spiral = shapes.tube(list(_spiral(radius)), 0.09 * radius)
     away = (-0.5 if len(bodies) == 1 else 0.5) * radius * line.direction
     surface = shapes.moved(spiral, ends[0] + away, shapes.across(line.direction))
@@ -263,27 +253,9 @@ def _across(at: Places, name: str, kind: str, bodies: tuple[str, ...], line: _Ax
     thin = 0.4 * BAR * at.size
     bar = shapes.turned_profile([(0.0, 0.0), (thin, 0.0), (thin, 1.0), (0.0, 1.0)], 12)
     surface = bar if kind == "body" else shapes.coil(2.5 * thin, 0.5 * thin)
-    ends = [
-        at.at_world(b, p, np.eye(3)) for b, p in zip(bodies, (line.origin, line.other_origin), strict=True)
-    ]
-    return [_between(name, kind, ends, surface)]
-
-
-def _between(
-    name: str, kind: str, ends: list[tuple[int, Array, Array]], surface: shapes.Surface
-) -> SceneSolid:
-    """Something that is stretched between two places of bodies of the scene."""
-    (a, first, _), (b, second, _) = ends
-    points, triangles = surface
-    return SceneSolid(
-        name=name,
-        kind=kind,
-        body=a,
-        points=points,
-        triangles=triangles,
-        between=Between((a, b), (first, second)),
-        schematic=True,
-    )
+    origins = (line.origin, line.other_origin)
+    ends = [at.at_world(b, p, np.eye(3)) for b, p in zip(bodies, origins, strict=True)]
+    return [stretched(name, kind, ends, surface)]
 
 
 def _spring(at: Places, name: str, part: Any) -> list[SceneSolid]:

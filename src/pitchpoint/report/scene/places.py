@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.model.frames import GROUND, axes_of, body_frame, joint_place, place_of, split
+from pitchpoint.report.scene.shapes import Surface
 from pitchpoint.system.rules.bodies import frame_at
+from pitchpoint.viz.scene.content import SceneSolid
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.joint import Joint
@@ -108,3 +110,33 @@ class Places:
         place = place_of(self.model, end)
         point = np.zeros(3) if place is None else place
         return self.at_world(body, point, axes_of(self.model, end))
+
+
+def placed_solid(
+    name: str, kind: str, seat: tuple[int, Array, Array], surface: Surface, *, schematic: bool = True
+) -> SceneSolid:
+    """A rigid surface at a place of a body.
+
+    Parameters
+    ----------
+    name, kind
+        Of the solid.
+    seat
+        Body of the scene, origin [m] and axes of the surface in its frame.
+    surface
+        Points and triangles.
+    schematic
+        Whether it only represents something whose shape is not known.
+    """
+    body, place, axes = seat
+    points, triangles = surface
+    return SceneSolid(
+        name=name,
+        kind=kind,
+        body=body,
+        points=points,
+        triangles=triangles,
+        place=place,
+        axes=axes,
+        schematic=schematic,
+    )

@@ -11,17 +11,20 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.model.components.actuator import Strut
 from pitchpoint.model.frames import body_frame, joint_axes, joint_place, split
 from pitchpoint.report.scene import shapes
 from pitchpoint.report.scene.contact_curves import contact_parts
+from pitchpoint.report.scene.places import placed_solid
 from pitchpoint.viz.scene.content import Between, SceneSolid
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.report.scene.places import Places
+
+Array = NDArray[np.float64]
 
 STEEL = 7850.0
 """Density of balls and discs that represent masses and inertias [kg/m^3]."""
@@ -61,19 +64,9 @@ def schematics(
     found += _guides(at)
     found += _struts(at)
     found += _unbalances(at)
-    for name, where, (points, triangles) in parts:
-        number, place, axes = at.end(where)
-        found.append(
-            SceneSolid(
-                name=name,
-                kind="body",
-                body=number,
-                points=points,
-                triangles=triangles,
-                place=place,
-                axes=axes,
-            )
-        )
+    found += [
+        placed_solid(name, "body", at.end(where), surface, schematic=False) for name, where, surface in parts
+    ]
     if bars:
         notes.append("bars, balls and discs represent bodies whose shape the model does not give")
     return found, notes
@@ -239,7 +232,14 @@ def link(at: Places, name: str, ends: Sequence[str], kind: str, surface: shapes.
     surface
         From 0 to 1 along z.
     """
-    (a, first, _), (b, second, _) = (at.end(end) for end in ends)
+    return stretched(name, kind, [at.end(end) for end in ends], surface)
+
+
+def stretched(
+    name: str, kind: str, ends: Sequence[tuple[int, Array, Array]], surface: shapes.Surface
+) -> SceneSolid:
+    """A surface of unit length between two places of bodies of the scene."""
+    (a, first, _), (b, second, _) = ends
     points, triangles = surface
     return SceneSolid(
         name=name,

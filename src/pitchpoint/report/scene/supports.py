@@ -15,6 +15,7 @@ from pitchpoint.model.frames import GROUND, joint_axes, joint_place, place_of, s
 from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene import shapes
 from pitchpoint.report.scene.gear_room import seated
+from pitchpoint.report.scene.places import placed_solid
 from pitchpoint.viz.scene.content import SceneSolid
 
 if TYPE_CHECKING:
@@ -79,23 +80,12 @@ def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
         radius = shaft_radius(model, part.body, part.position[2]) or LEAST * at.size
         for z in ring_places(model, name):
             for word, (low, high) in (("inner", INNER), ("outer", OUTER)):
-                number, place, axes = at.own(part.body, (0.0, 0.0, z))
+                seat = at.own(part.body, (0.0, 0.0, z))
                 if word == "outer":
                     origin, frame = at.world(part.body, (0.0, 0.0, z))
-                    number, place, axes = at.at_world(split(part.housing or GROUND)[0], origin, frame)
-                points, triangles = shapes.disc(high * radius, WIDE * radius, 1.002 * low * radius, 32)
-                found.append(
-                    SceneSolid(
-                        name=f"bearing {name}, {word} ring",
-                        kind="bearing",
-                        body=number,
-                        points=points,
-                        triangles=triangles,
-                        place=place,
-                        axes=axes,
-                        schematic=True,
-                    )
-                )
+                    seat = at.at_world(split(part.housing or GROUND)[0], origin, frame)
+                ring = shapes.disc(high * radius, WIDE * radius, 1.002 * low * radius, 32)
+                found.append(placed_solid(f"bearing {name}, {word} ring", "bearing", seat, ring))
     return found
 
 
@@ -143,20 +133,7 @@ def _carrier(model: Model, at: Places, name: str, pins: list[tuple[Joint, Array]
         start = np.array([place[0], place[1], bottom - thick])
         end = np.array([place[0], place[1], max(high) + 0.5 * thick])
         pieces.append(shapes.rod(start, end, 0.98 * radius, 24))
-    points, triangles = shapes.joined(pieces)
-    number, place, axes = at.own(name)
-    return [
-        SceneSolid(
-            name=f"{name} (carrier)",
-            kind="carrier",
-            body=number,
-            points=points,
-            triangles=triangles,
-            place=place,
-            axes=axes,
-            schematic=True,
-        )
-    ]
+    return [placed_solid(f"{name} (carrier)", "carrier", at.own(name), shapes.joined(pieces))]
 
 
 def covers(model: Model) -> dict[str, str]:
