@@ -9,7 +9,7 @@ import pytest
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.remarks import (
-    bushings_apart,
+    bushings_at_a_distance,
     gaps_in_contact,
     ignored_flanks,
     negative_backlash,
@@ -121,13 +121,13 @@ bushings:
 
 def test_a_bushing_whose_ends_are_drawn_apart_is_named():
     """0.3 m and 0.4 m at right angles: 500 mm. On ground it ends where the other end is drawn."""
-    (told,) = bushings_apart(loads_model(APART.replace("END", "far")))
+    (told,) = bushings_at_a_distance(loads_model(APART.replace("END", "far")))
     assert told == (
         "bushings.mount (line 8): casing.foot and far lie 500 mm apart as drawn, "
         "and the bushing pulls them together"
     )
     for end in ("wall.here", "ground"):
-        assert bushings_apart(loads_model(APART.replace("END", end))) == ()
+        assert bushings_at_a_distance(loads_model(APART.replace("END", end))) == ()
 
 
 @pytest.mark.parametrize(
