@@ -18,7 +18,7 @@ from pitchpoint.sweep.speed import run_sweep
 
 FOLDER = Path(__file__).parents[2] / "examples" / "backlash-oscillator"
 
-CASES = {  # file: natural frequency, jumps, greatest rms, greatest force, longest share without contact
+CASES = {  # file: natural frequency, jumps, maximum rms, maximum force, longest share without contact
     "model": (
         3173.7,
         [("up", 1387.5), ("up", 2662.5), ("down", 1637.5), ("down", 1237.5)],

@@ -305,7 +305,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
             )
 
 
-WORDS = ("rms of deflection", "greatest force", "contact lost")
+WORDS = ("rms of deflection", "maximum force", "contact loss")
 
 
 def is_roll(result: CaseResult) -> bool:

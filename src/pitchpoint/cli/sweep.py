@@ -154,5 +154,5 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
             ]
         )
     first = "mesh frequency" if sweep is None or per_speed is None else f"speed of {sweep.body}"
-    columns = [first, "points", "greatest rms of deflection", "at", "greatest mesh force"]
-    table(f"{title}, mesh {summary['mesh']}", [*columns, "contact lost, at most", "jumps at"], rows)
+    columns = [first, "points", "maximum rms of deflection", "at", "maximum mesh force"]
+    table(f"{title}, mesh {summary['mesh']}", [*columns, "maximum contact loss", "jumps at"], rows)

@@ -232,7 +232,7 @@ def _sweep(data: xr.Dataset) -> str:
     if not rows:
         return ""
     ends = f"mesh frequency {number(float(frequency[0]))} … {number(float(frequency[-1]))} Hz"
-    head = (ends, "greatest rms of deflection", "at [Hz]", "jumps at [Hz]")
+    head = (ends, "maximum rms of deflection", "at [Hz]", "jumps at [Hz]")
     return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>'
 
 

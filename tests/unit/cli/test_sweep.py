@@ -78,7 +78,7 @@ def test_people_get_a_table(
     for text in (
         "up, 1000 Hz to 5000 Hz",
         "mesh frequency",
-        "greatest rms of deflection",
+        "maximum rms of deflection",
         "jumps at",
         "4 points in",
         "model-sweep.h5",

@@ -121,7 +121,7 @@ scenarios: {run: {duration: 1 s}}
 
 
 def test_sweeps_show_where_they_vibrate_most_and_jump(tmp_path: Path) -> None:
-    """In memory and from its file: both directions, their greatest rms, all jumps."""
+    """In memory and from its file: both directions, their maximum rms, all jumps."""
     example = Path(__file__).parents[3] / "examples" / "backlash-oscillator" / "model.yaml"
     model = tmp_path / "model.yaml"
     model.write_text(

@@ -147,7 +147,7 @@ def test_text_of_users_is_escaped(text: str) -> None:
 
 
 def test_contact_and_statistics_appear(text: str) -> None:
-    assert "contact lost" in text
+    assert "maximum contact loss" in text
     assert "rms (alternating)" in text
     assert "Jumps: up at 2350, down at 1750 Hz mesh frequency." in text
 

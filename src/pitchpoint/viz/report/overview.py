@@ -28,8 +28,8 @@ def summary_section(counts: Sequence[tuple[str, str]], results: Any) -> Section:
     states = {source.name: "finished" if source.finished else source.sentence for source in results.sources}
     rows = [_run_row(name, run, states.get(name, ""), results.powers) for name, run in results.runs.items()]
     if rows:
-        head = ("time response", "status", "power put in", "greatest mesh force", "transmission error, p–p")
-        section.add(plain_table((*head, "contact lost, at most"), rows))
+        head = ("time response", "status", "input power", "maximum mesh force", "transmission error, p–p")
+        section.add(plain_table((*head, "maximum contact loss"), rows))
     others = [source for source in results.sources if source.name not in results.runs]
     items = "".join(
         f"<li>{escape(source.kind[:1].upper() + source.kind[1:])} <b>{escape(source.name)}</b>: "
