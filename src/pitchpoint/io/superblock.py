@@ -54,6 +54,18 @@ def unmarked(block: bytes) -> bytes:
     return _signed(block[:11] + b"\0" + block[12:44])
 
 
+def extended(block: bytes, size: int) -> bytes:
+    """Unmarked superblock (48 bytes) that ends at the size of its file, if it gives a smaller one [bytes].
+
+    A writer that is killed within a flush may have stored blocks, and references to them, behind the end that
+    the superblock still gives: without this HDF5 refuses the whole file.
+    """
+    plain = unmarked(block)
+    if not _is_sound(plain) or int.from_bytes(plain[_END], "little") >= size:
+        return plain
+    return _signed(plain[: _END.start] + size.to_bytes(8, "little") + plain[_END.stop : 44])
+
+
 def _is_sound(block: bytes) -> bool:
     """Whether these are a signature, a known version, addresses of 8 bytes and the right checksum."""
     return (

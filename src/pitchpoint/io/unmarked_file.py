@@ -7,7 +7,7 @@ import io
 import os
 from typing import Any
 
-from pitchpoint.io.superblock import unmarked
+from pitchpoint.io.superblock import SIZE, extended
 
 DAMAGE = (
     OSError,
@@ -26,7 +26,7 @@ DAMAGE = (
 
 
 class UnmarkedFile(io.RawIOBase):
-    """A file as it is, without the mark of a writer, with which HDF5 refuses it.
+    """A file as it is, without the mark of a writer, with which HDF5 refuses it, and with its true end.
 
     The library shares what two readers of one process open by name, and requires the same options of both;
     files opened here are not shared.
@@ -34,7 +34,7 @@ class UnmarkedFile(io.RawIOBase):
 
     def __init__(self, name: str) -> None:
         self._file = open(name, "rb", buffering=0)  # noqa: SIM115, closed with this object
-        self._head = unmarked(self._file.read(48))
+        self._head = extended(self._file.read(SIZE), os.fstat(self._file.fileno()).st_size)
 
     def readinto(self, buffer: Any) -> int:
         """Fill a buffer; what lies behind the end of the file reads as zero."""

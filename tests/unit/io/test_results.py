@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import signal
 import subprocess
 import sys
@@ -22,7 +23,7 @@ from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.io.container import Container, Header, MemoryContainer, ResultError
 from pitchpoint.io.reading import list_channels, open_result, read_blocks, read_channel, read_header
 from pitchpoint.io.results import Channel, ResultWriter, RunningStatistics
-from pitchpoint.io.superblock import clear_writer_flag, lookup3
+from pitchpoint.io.superblock import SIZE, clear_writer_flag, lookup3
 from pitchpoint.io.tables import Axis, Quantity, TableWriter, write_tables
 
 if TYPE_CHECKING:
@@ -467,3 +468,25 @@ def test_a_result_made_in_memory_is_one_on_disk(tmp_path: Path, made: type[Conta
         np.testing.assert_array_equal(data["force"].values, np.arange(5.0))
         assert data["force"].dims == ("time",)
         assert data["force"].attrs["units"] == "N"
+
+
+def test_blocks_behind_the_end_in_the_superblock_are_read(tmp_path: Path) -> None:
+    """A writer killed within a flush: blocks and references are stored, the new end of the file is not."""
+    path = tmp_path / "run.h5"
+    writer = ResultWriter(path, Header("time"), CHANNELS, block=64)
+    writer.append(*signals(64))
+    writer.flush()
+    before = path.read_bytes()[:SIZE]
+    for _ in range(20):
+        writer.append(*signals(64))
+    writer.flush()
+    data = path.read_bytes()
+    assert int.from_bytes(before[28:36], "little") < len(data)
+    killed = tmp_path / "killed.h5"
+    killed.write_bytes(before + data[SIZE:])
+    os.utime(killed, (0.0, 0.0))
+    with open_result(killed) as found:
+        assert found.attrs["status"] == "running"
+        assert found.sizes["time"] == 21 * 64
+        assert np.isfinite(found["angle[driver]"].values).all()
+    writer.finish()
