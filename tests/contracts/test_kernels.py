@@ -132,7 +132,7 @@ def test_the_door_uses_what_numba_documents_and_nothing_else():
 
 
 OF_THE_LAW = {"power_force", "low_load", "stored_energy", "series_energy", "static_dynamic"}
-OF_THE_LAW |= {"ramp", "linear_ramp", "damping_force"}
+OF_THE_LAW |= {"ramp", "linear_ramp"}
 STATUS_OF_THE_CONTROL = {"bad", "badkind"}
 
 

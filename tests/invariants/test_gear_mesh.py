@@ -8,14 +8,13 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
-from pitchpoint.contact.width_integral import width_moments
-from pitchpoint.contact.width_table import table_width_moments
 from pitchpoint.core.kernel import address
 from pitchpoint.elements.mesh_turning import turning
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.mesh_alone import moved, rotation
 from tests.support.one_mesh import OneMesh, make_pair
+from tests.support.width_moments import table_width_moments, width_moments
 
 PAIRS = {
     "spur": dict(beta=0.0),

@@ -12,11 +12,10 @@ from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
 from pitchpoint.contact.pair_shape import phase_stiffness
 from pitchpoint.contact.stiffness import law_function
 from pitchpoint.contact.stiffness.description import PhaseStiffness
-from pitchpoint.contact.width_integral import width_moments
-from pitchpoint.contact.width_table import table_width_moments
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.model.components.stiffness import LAWS, OF_PAIRS
+from tests.support.width_moments import table_width_moments, width_moments
 
 OPTIONS = {
     "din3990": [{}, {"T_R": 0.3}, {"S_R": 1.0}, {"c_prime": 14e9, "low_load": True}],

@@ -6,12 +6,12 @@ from __future__ import annotations
 import numpy as np
 
 from pitchpoint.elements import bushing
-from pitchpoint.elements.markers import set_markers
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.multibody.joints import FLOATING
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame, gear_rows
+from tests.support.markers import set_markers
 
 CARRIER_MASS, PLANET_MASS = 4.0, 0.6
 CARRIER_INERTIA, PLANET_INERTIA = (0.030, 0.020), (4e-4, 3e-4)

@@ -9,7 +9,6 @@ import numpy as np
 
 from pitchpoint.contact.stiffness.constant import constant
 from pitchpoint.elements import bushing, gear_mesh_record
-from pitchpoint.elements.markers import set_markers
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.bodies import PLANAR, TORSION, Body
@@ -17,6 +16,7 @@ from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings
+from tests.support.markers import set_markers
 
 SUN, CARRIER, RING, FIRST = 1, 2, 3, 4
 """Numbers of the bodies; planets follow from the first."""

@@ -12,6 +12,7 @@ damaged result files have studies of their own in `make validate` (`test_kills.p
 from __future__ import annotations
 
 import os
+import resource
 from collections import Counter
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
@@ -24,8 +25,15 @@ from tests.support.mutation import counted, counted_files
 
 CASES, PARTS, EVERY = 100_000, 40, 50
 FILES = 20_000
+MEMORY = 6 << 30
+"""Address space of a process that tries edited models [bytes]: one that takes more ends in an exception."""
 IN_PROCESS = ("csv", "mat", "plain.mat", "wav", "float.wav", "own.h5")
 """Other people's HDF5 is tried in a process of its own, half a second each: see `test_measured_fuzz.py`."""
+
+
+def bound_memory() -> None:
+    """Let the process have so much memory and no more."""
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
 @pytest.mark.study
@@ -33,7 +41,7 @@ def test_edited_models():
     words: Counter[str] = Counter()
     first = {}
     count = partial(counted, cases=CASES // PARTS, every=EVERY)
-    with ProcessPoolExecutor(os.cpu_count(), mp_context=get_context("spawn")) as pool:
+    with ProcessPoolExecutor(os.cpu_count(), get_context("spawn"), initializer=bound_memory) as pool:
         for found, faults in pool.map(count, range(1000, 1000 + PARTS)):
             words += found
             first |= faults

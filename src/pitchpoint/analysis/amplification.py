@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length
+from pitchpoint.analysis.sampled import Array, SignalError, as_signal
 
 
 @dataclass(frozen=True)
@@ -111,53 +111,3 @@ def load_factors(force: ArrayLike, static_force: float | None = None) -> LoadFac
         raise SignalError(f"static_force: {static} (limit: not zero); give the nominal force of the mesh")
     largest = float((data * np.sign(static)).max())
     return LoadFactors(largest / abs(static), float(data.std()) / abs(static))
-
-
-def amplification_curve(dynamic: ArrayLike, quasi_static: ArrayLike) -> Array:
-    """Amplification along a speed sweep: alternating response over the quasi-static one.
-
-    Parameters
-    ----------
-    dynamic
-        Rms of the alternating response at each speed, shape (n,), any unit.
-    quasi_static
-        Rms of the same quantity when the gears roll slowly, one value or shape (n,), same unit, > 0.
-
-    Returns
-    -------
-    NDArray
-        Ratio [-], shape (n,); tends to 1 at low speed.
-
-    Raises
-    ------
-    SignalError
-        If a quasi-static value is not positive, or the lengths differ.
-
-    Notes
-    -----
-    V_i = rms_i/rms_0,i [1]_. Valid where the quasi-static alternating part does not vanish (it does for a
-    helical pair with integer overlap ratio and no deviations).
-
-    References
-    ----------
-    .. [1] Ratio of dynamic to static transmission error as in H. N. Özgüven, D. R. Houser, Dynamic analysis
-    of high
-       speed gears by using loaded static transmission error, Journal of Sound and Vibration 125(1), 1988,
-       71-83.
-
-    Examples
-    --------
-    >>> amplification_curve([1.0, 4.0, 0.5], 0.5)
-    array([2., 8., 1.])
-    """
-    response = as_signal(dynamic, "dynamic", 1)
-    reference = np.asarray(quasi_static, dtype=np.float64)
-    reference = (
-        np.broadcast_to(reference, response.shape) if reference.ndim == 0 else as_signal(reference, minimum=1)
-    )
-    same_length(response, reference, "dynamic, quasi_static")
-    if not np.all(reference > 0.0):
-        raise SignalError(
-            "quasi_static: must be positive everywhere; a pair without excitation has no amplification"
-        )
-    return response / reference

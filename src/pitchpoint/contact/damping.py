@@ -49,19 +49,3 @@ def linear_ramp(u, s_0):
     if u >= s_0:
         return 1.0, 0.0
     return u / s_0, 1.0 / s_0
-
-
-@kernel
-def damping_force(u, w, d_in, d_out, s_0):
-    """Contact damping force at penetration u [m] and rate w [m/s], and its derivatives by u and by w.
-
-    F = ramp(u, s_0) d w with d = d_in for w > 0 (compression) and d_out otherwise [N s/m]. The force is
-    continuous at w = 0 whatever the two rates are. It is not clipped here: that elastic and damping force
-    together never pull is the business of the flank law.
-
-    >>> tuple(round(float(x), 9) for x in damping_force(2.0e-5, -0.1, 100.0, 50.0, 1.0e-5))
-    (-5.0, -0.0, 50.0)
-    """
-    share, slope = ramp(u, s_0)
-    d = d_in if w > 0.0 else d_out
-    return share * d * w, slope * d * w, share * d

@@ -91,36 +91,6 @@ def restitution_factor(e: float) -> float:
     return low
 
 
-def restitution_at(x: float, speed_ratio: float) -> float:
-    """Coefficient of restitution of a Hunt-Crossley contact at another speed than the one of its factor.
-
-    Parameters
-    ----------
-    x
-        Factor for the speed v.
-    speed_ratio
-        Speed of the impact over v.
-
-    Examples
-    --------
-    >>> round(restitution_at(restitution_factor(0.5), 1.0), 9), round(restitution_at(0.3, 0.1), 4)
-    (0.5, 0.9804)
-    """
-    y = x * speed_ratio
-    if y < 1e-9:
-        return 1.0
-    low, high = 0.0, min(1.0, 1.0 / y)
-    for _ in range(200):
-        middle = 0.5 * (low + high)
-        if not low < middle < high:
-            break
-        if middle * y < 1.0 and _balance(y, middle) < 0.0:
-            low = middle
-        else:
-            high = middle
-    return low
-
-
 def set_impact(record: np.void, k: float, power: float = 1.5, c: float = 0.0, ramp: float = 0.0) -> None:
     """Give a contact the impact function.
 

@@ -10,7 +10,7 @@ Derivation: docs/theory/stiffness.md, "The mesh".
 from __future__ import annotations
 
 from pitchpoint.contact.pair_shape import pair_table, pair_table_slope
-from pitchpoint.contact.width_integral import NODE, PARALLEL, first_pair, gauss_moments, last_pair
+from pitchpoint.contact.width_integral import NODE, PARALLEL, gauss_moments
 from pitchpoint.core.kernel import kernel
 
 
@@ -94,26 +94,4 @@ def table_pair_moments(p0, lam, b, eps_alpha, n, table, L, order):
             k0 -= rate
             k1 -= rate * z_E
             k2 -= rate * z_E * z_E
-    return k0, k1, k2
-
-
-@kernel
-def table_width_moments(psi, lam, b, eps_alpha, n, table, L, order):
-    """Sum of `table_pair_moments` over all pairs in contact at the mesh phase psi.
-
-    order 0: (K0, K1, K2) in m, m^2, m^3; order 1: their derivatives by psi.
-
-    >>> import numpy as np
-    >>> round(float(table_width_moments(0.1, 0.0, 0.02, 1.3, 2, np.ones(2), 0.0, 0)[0]), 12)
-    0.04
-    """
-    spread = 0.5 * abs(lam) * b
-    k0 = 0.0
-    k1 = 0.0
-    k2 = 0.0
-    for j in range(first_pair(psi, spread), last_pair(psi, spread, eps_alpha) + 1):
-        s0, s1, s2 = table_pair_moments(psi + j, lam, b, eps_alpha, n, table, L, order)
-        k0 += s0
-        k1 += s1
-        k2 += s2
     return k0, k1, k2

@@ -139,52 +139,6 @@ def craig_bampton(
     return _elastic(values, basis @ vectors)
 
 
-def free_modes(structure: Structure, count: int) -> Modes:
-    """Lowest elastic modes of the body, nothing held.
-
-    Parameters
-    ----------
-    structure
-        Matrices of the unsupported body.
-    count
-        Number of elastic modes.
-    """
-    from scipy.linalg import eigh
-    from scipy.sparse.linalg import eigsh
-
-    n = structure.size
-    if n <= DENSE or count + 6 >= n - 1:
-        values, vectors = eigh(structure.K.toarray(), structure.M.toarray())
-    else:
-        # a shift below zero keeps the rigid motions from making the factors singular
-        shift = -1e-4 * abs(structure.K.diagonal()).max() / abs(structure.M.diagonal()).max()
-        values, vectors = eigsh(structure.K, count + 6, structure.M, sigma=shift, which="LM", v0=np.ones(n))
-        order = np.argsort(values)
-        values, vectors = values[order], vectors[:, order]
-    return _elastic(values, vectors).select(count=count)
-
-
-def held_modes(structure: Structure, nodes: Sequence[int], count: int) -> Modes:
-    """Lowest modes of the body with some nodes held, as a blade on its hub.
-
-    Parameters
-    ----------
-    structure
-        Matrices of the unsupported body.
-    nodes
-        Nodes that do not move against the frame.
-    count
-        Number of modes.
-    """
-    free = np.flatnonzero(~np.isin(structure.node, list(nodes)))
-    shapes, frequency = _held_modes(
-        structure.K[free][:, free].tocsc(), structure.M[free][:, free].tocsc(), min(count, free.size)
-    )
-    shape = np.zeros((structure.size, frequency.size))
-    shape[free] = shapes
-    return Modes(frequency, shape, 0.0)
-
-
 def _held_below(K: Any, M: Any, limit: float) -> Array:
     """All modes with the interface held up to a frequency [Hz]; more are requested until one lies above."""
     count = 16

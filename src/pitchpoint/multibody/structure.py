@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finite-element matrices with the places of their nodes, and beams in a row as such matrices."""
+"""Finite-element matrices with the places of their nodes."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +10,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.multibody.beam_section import Beam
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_array
@@ -198,71 +196,6 @@ def check_speed(structure: Structure, frequency: float) -> None:
             f"{2.0 * size * frequency:.3g} m/s (limit {FASTEST:g} m/s); "
             "give K in N/m, M in kg and places in m"
         )
-
-
-def beam_line(beams: Sequence[Beam]) -> Structure:
-    """Beams in a row along the third axis, from the origin, as one structure of six displacements per node.
-
-    Parameters
-    ----------
-    beams
-        The elements in order; all need a density.
-    """
-    from scipy.sparse import coo_array
-
-    ends = np.concatenate([[0.0], np.cumsum([b.length for b in beams])])
-    n = 6 * ends.size
-    rows, columns, stiff, heavy = [], [], [], []
-    for k, beam in enumerate(beams):
-        at = 6 * k + np.arange(12)
-        rows.append(np.repeat(at, 12))
-        columns.append(np.tile(at, 12))
-        stiff.append(beam.stiffness().ravel())
-        heavy.append(beam.consistent_mass().ravel())
-    entries = np.concatenate(rows), np.concatenate(columns)
-    K = coo_array((np.concatenate(stiff), entries), (n, n))
-    M = coo_array((np.concatenate(heavy), entries), (n, n))
-    places = np.zeros((ends.size, 3))
-    places[:, 2] = ends
-    return make_structure(K, M, places)
-
-
-def axial_stiffening(beams: Sequence[Beam], structure: Structure, start: float = 0.0) -> Array:
-    """Stiffness by the tension that inertia loads put into a straight body, per unit of nine loads (9, n, n).
-
-    Loads are the components of the acceleration of the frame and the products xx, yy, zz, xy, yz, zx of
-    those of its angular velocity; the body is held at its first node and free at its last. Of them a_z
-    pulls by -m, and omega_x^2 and omega_y^2 by m z: a blade that turns.
-
-    Parameters
-    ----------
-    beams
-        The elements in order.
-    structure
-        What `beam_line` made of them.
-    start
-        Place of the first node along the axis, from the axis of rotation [m].
-
-    Notes
-    -----
-    Tension is constant in each element, the mean of what the mass beyond it and half of its own pull.
-    """
-    n = structure.size
-    found = np.zeros((9, n, n))
-    outer = np.array([b.mass for b in beams])
-    middle = start + np.cumsum([b.length for b in beams]) - 0.5 * np.array([b.length for b in beams])
-    for k, beam in enumerate(beams):
-        at = slice(6 * k, 6 * k + 12)
-        beyond = float(outer[k + 1 :].sum()) + 0.5 * beam.mass
-        pull = float((outer[k + 1 :] * middle[k + 1 :]).sum())
-        # integral of the pull of the own mass: rho A (z_2^2 - z^2)/2, mean over the element
-        first, last = middle[k] - 0.5 * beam.length, middle[k] + 0.5 * beam.length
-        pull += beam.rho * beam.section.A * (last**2 / 2.0 - (last**3 - first**3) / (6.0 * beam.length))
-        unit = beam.geometric()
-        found[2, at, at] -= beyond * unit
-        found[3, at, at] += pull * unit
-        found[4, at, at] += pull * unit
-    return found
 
 
 def turned_stiffening(stiffening: ArrayLike, axes: ArrayLike) -> Array:

@@ -8,22 +8,15 @@ cut joints are what an inverse dynamics wants to know.
 
 from __future__ import annotations
 
-import time
-from typing import TYPE_CHECKING
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.solvers.assembly import assemble_state
 from pitchpoint.solvers.sampling import Chunk, accumulate
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
-
-if TYPE_CHECKING:
-    import xarray as xr
 
 Array = NDArray[np.float64]
 
@@ -131,61 +124,3 @@ class KinematicRun:
     def state(self) -> State:
         """Copy of the state reached."""
         return self.here.copy()
-
-
-def solve_kinematics(
-    system: System, times: ArrayLike, state: State | None = None, *, progress: Progress = silent
-) -> xr.Dataset:
-    """Positions, rates, accelerations and forces of a driven mechanism.
-
-    Parameters
-    ----------
-    system
-        Compiled with the scenario that drives it; drives and loops must leave no freedom.
-    times
-        Times [s], shape (n,).
-    state
-        Where to begin; default the initial state.
-    progress
-        Called after every time.
-
-    Returns
-    -------
-    xarray.Dataset
-        All channels over `time`; position, rate and acceleration over `time` and `coordinate`. Torques of
-        drives and reactions of cut joints are those of the motion: its inverse dynamics.
-
-    Raises
-    ------
-    SolverError
-        If something is left free, or the drives lead where loops cannot follow.
-    """
-    from pitchpoint.solvers.dataset import attributes, channel_dataset
-
-    began = time.perf_counter()
-    at = np.asarray(times, float).reshape(-1)
-    here = (system.initial_state() if state is None else state).copy()
-    here.t = float(at[0]) if at.size else 0.0
-    rows = np.zeros((at.size, system.sizes["no"]))
-    motion = np.zeros((3, at.size, system.sizes["nd"]))
-    for k, t in enumerate(at):
-        here = moved_to(system, here, float(t))
-        rows[k] = evaluate.observe(system, here)
-        motion[:, k] = _unwrapped(system, here), here.v, here.a
-        progress(k + 1, at.size, "kinematics")
-    attrs = attributes(system, "kinematics", wall_s=time.perf_counter() - began)
-    found = channel_dataset(system, "time", at, rows, attrs)
-    dims = ("time", "coordinate")
-    for name, values, text in zip(
-        ("position", "rate", "acceleration"), motion, ("coordinate", "rate", "second rate"), strict=True
-    ):
-        found[name] = (dims, values, {"units": "SI", "long_name": text})
-    return found.assign_coords(coordinate=list(system.layout.coordinates))
-
-
-def _unwrapped(system: System, state: State) -> Array:
-    """Coordinates with the whole turns of the spins."""
-    q = state.q.copy()
-    for spin, body in system.program["spins"]:
-        q[spin] += 2.0 * np.pi * state.turns[body]
-    return q

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.analysis.amplification import amplification_curve, amplification_factor, load_factors
+from pitchpoint.analysis.amplification import amplification_factor, load_factors
 from pitchpoint.analysis.campbell import campbell_crossings
 from pitchpoint.analysis.sampled import SignalError
 
@@ -57,9 +57,3 @@ def test_load_factors_with_negative_mean() -> None:
     assert load_factors(force, 70.0).dynamic_factor == pytest.approx(2.0)
     with pytest.raises(SignalError, match="static_force"):
         load_factors([1.0, -1.0])
-
-
-def test_amplification_curve_input() -> None:
-    np.testing.assert_allclose(amplification_curve([2.0, 3.0], [1.0, 2.0]), [2.0, 1.5])
-    with pytest.raises(SignalError, match="positive"):
-        amplification_curve([1.0], 0.0)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pitchpoint.contact.damping import damping_force, ramp
+from pitchpoint.contact.damping import ramp
 from pitchpoint.contact.elastic import low_load
 from pitchpoint.contact.friction import coulomb
 from pitchpoint.contact.pair_shape import (
@@ -111,16 +111,6 @@ def test_ramp():
     assert ramp(1.0, 2.0)[0] == pytest.approx(0.5)
     assert ramp(3.0, 2.0) == (1.0, 0.0)
     assert ramp(0.7, 2.0)[1] == pytest.approx(slope_of(lambda u: ramp(u, 2.0)[0], 0.7), rel=1e-7)
-
-
-@pytest.mark.parametrize("w", [-0.2, 0.3])
-def test_damping_force_tangents(w):
-    force, by_u, by_w = damping_force(4e-6, w, 90.0, 40.0, 1e-5)
-    assert force == pytest.approx((90.0 if w > 0 else 40.0) * w * ramp(4e-6, 1e-5)[0])
-    assert by_u == pytest.approx(
-        slope_of(lambda u: damping_force(u, w, 90.0, 40.0, 1e-5)[0], 4e-6, 1e-10), rel=1e-5
-    )
-    assert by_w == pytest.approx(slope_of(lambda v: damping_force(4e-6, v, 90.0, 40.0, 1e-5)[0], w), rel=1e-7)
 
 
 @given(st.floats(-3.0, 3.0))

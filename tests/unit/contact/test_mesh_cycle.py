@@ -12,9 +12,8 @@ from hypothesis import strategies as st
 
 from pitchpoint.contact.mesh_cycle import mesh_cycle, pair_cycle, phase_cycle
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
-from pitchpoint.contact.width_integral import width_moments
-from pitchpoint.contact.width_table import table_width_moments
 from pitchpoint.core.errors import ModelError
+from tests.support.width_moments import table_width_moments, width_moments
 
 eps_alphas = st.floats(0.9, 3.5)
 eps_betas = st.one_of(st.just(0.0), st.floats(1e-3, 3.0))

@@ -17,7 +17,6 @@ from pitchpoint.elements import (
     spring_damper,
 )
 from pitchpoint.elements.gravity import gravity_records
-from pitchpoint.elements.markers import set_markers
 from pitchpoint.multibody.bodies import FREE, PLANAR, TORSION, Body
 from pitchpoint.multibody.joints import (
     CYLINDRICAL,
@@ -32,6 +31,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame, positive
 from tests.support.forces import check_balance, check_matrices, moved_world, moving, swapped, wrenches
+from tests.support.markers import set_markers
 
 JOINTS = {
     "fixed": FIXED,

@@ -12,12 +12,12 @@ from pitchpoint.elements.beam import beam_row
 from pitchpoint.elements.flexible_body import flexible_row, modal_bodies
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.multibody.craig_bampton import free_modes
 from pitchpoint.multibody.joints import FLOATING
 from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.solvers.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
+from tests.support.beam_line import free_modes
 from tests.support.floating import truss
 
 

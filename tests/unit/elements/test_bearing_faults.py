@@ -13,7 +13,6 @@ from scipy.optimize import brentq
 from pitchpoint.contact.spall import spall_drop
 from pitchpoint.elements import rolling_bearing
 from pitchpoint.elements.bearing_fault import ELEMENT, INNER, OUTER, spall_shape
-from pitchpoint.elements.markers import set_markers
 from pitchpoint.elements.rolling_bearing import roll_angle
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
@@ -30,6 +29,7 @@ from tests.support.forces import (
     power,
     wrenches,
 )
+from tests.support.markers import set_markers
 
 SPALLS = [
     (OUTER, -1, 0.3, 0.5, 0.4, 0.05),

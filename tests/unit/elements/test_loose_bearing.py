@@ -10,7 +10,6 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.elements import loose_bearing
-from pitchpoint.elements.markers import set_markers
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.solvers.equilibrium import solve_equilibrium
@@ -22,6 +21,7 @@ from pitchpoint.system.rules.loose_bearing import TILTS
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings, frame, positive
 from tests.support.forces import ENDS, check_balance, check_matrices, mechanism, moving, power, wrenches
+from tests.support.markers import set_markers
 
 
 def loose(bodies, i, j, place=(0.0, 0.0, 0.0), axes=None, **numbers):

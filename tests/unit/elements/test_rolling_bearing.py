@@ -12,7 +12,6 @@ from scipy.optimize import brentq
 
 from pitchpoint.contact.rolling import ball_bearing_stiffness
 from pitchpoint.elements import clearance_bearing, rolling_bearing
-from pitchpoint.elements.markers import set_markers
 from pitchpoint.elements.rolling_bearing import cage_angle
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.system import evaluate
@@ -30,6 +29,7 @@ from tests.support.forces import (
     power,
     wrenches,
 )
+from tests.support.markers import set_markers
 
 STEEL = 2.0 * 0.91 / 207e9
 

@@ -224,3 +224,12 @@ def test_formulas_that_yaml_does_not_cut() -> None:
 def test_an_open_bracket_is_not_taken_for_a_comma() -> None:
     (problem,) = problems(pair(gear("a"), gear("b"), "backlash: min(t")[:-2] + "}\n")
     assert "quotes" not in problem.text
+
+
+def test_numbers_of_rolling_elements_without_bound():
+    """A cage fault of 1e9 elements took 7 GB for their angles before anything was refused."""
+    balls = (BALLS % "[0.52, 0.52]").replace("elements: 9", "elements: 1000000000")
+    worn = "faults: {worn: {type: cage, element: 1, widening: 1 deg}}"
+    problem = only(ROTOR % 0 + f"rolling_bearings:\n  p: {{ends: [r.m, ground], {balls}, {worn}}}\n")
+    assert problem.where == "rolling_bearings.p.elements"
+    assert problem.limit == ">= 2 and <= 10000"

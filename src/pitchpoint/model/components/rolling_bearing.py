@@ -19,7 +19,7 @@ class RollingBearing:
 
     ends: tuple[str, str] = key("ends", RINGS, length=(2, 2))
     type: str = choice(("ball", "roller"), "ball: point contact; roller: line contact", "ball")
-    elements: int = integer("number of rolling elements of one row", minimum=2.0)
+    elements: int = integer("number of rolling elements of one row", minimum=2, maximum=10000)
     element_diameter: float = positive("length", "diameter of a rolling element")
     pitch_diameter: float = positive("length", "diameter of the circle of their centres")
     contact_angle: float = quantity(

@@ -87,7 +87,7 @@ def elastic_parts(
     name
         Name of the body; its frame has this name, too.
     structure, modes
-        Its matrices and at most thirty modes, of `craig_bampton`, or of `held_modes` if a joint holds a node.
+        Its matrices and at most thirty modes: of `craig_bampton`, or with the nodes held that a joint holds.
     nodes
         Nodes for joints, forces and constraints, by name.
     first
@@ -100,8 +100,9 @@ def elastic_parts(
     damping_ratio
         Of every mode [-].
     stiffening
-        Stiffness of the displacements of the structure by each of nine loads, sparse or dense or None, see
-        `axial_stiffening`.
+        Stiffness of the displacements of the structure by each of nine loads, sparse or dense or None: the
+        components of the acceleration of the frame, and the products xx, yy, zz, xy, yz, zx of those of its
+        angular velocity.
     gravity
         World axes [m/s^2].
 
