@@ -284,12 +284,7 @@ def test_exact_width_integral_of_a_table_has_pieces_between_its_points(table, be
         m.frames["phi"] = [phi, -phi * m.row["r_b1"] / m.row["r_b2"]]
         m.press(8e-6, flank)
         eps, L = m.row["now"]["eps"], T_R * (m.row["now"]["eps"] % 1.0)
-        K = (
-            table_width_moments(m.row["now"]["psi"], m.row["now"]["lam"], b, eps, values.size, values, L, 0)[
-                0
-            ]
-            * 14e9
-        )
+        K = table_width_moments(m.row["now"]["psi"], m.row["now"]["lam"], b, eps, values, L)[0] * 14e9
         assert m.get("mesh_stiffness") == pytest.approx(K, rel=1e-11)
         assert flank * m.get("mesh_force") == pytest.approx(K * 8e-6, rel=1e-8)
 
@@ -307,9 +302,9 @@ def test_smooth_tables_of_many_points_are_close_without_such_pieces(points, limi
             m.press(8e-6)
             found.append(m.get("mesh_stiffness") / 14e9)
             row = m.row
-            K = table_width_moments(
-                row["now"]["psi"], row["now"]["lam"], b, row["now"]["eps"], points, values, 0.0, 0
-            )[0]
+            K = table_width_moments(row["now"]["psi"], row["now"]["lam"], b, row["now"]["eps"], values, 0.0)[
+                0
+            ]
             exact.append(K)
         assert np.abs(np.subtract(found, exact)).max() < limit * np.mean(exact)
 

@@ -72,16 +72,6 @@ def _with_ramp(p, p_rate, eps_alpha, eps_rate, L, L_rate, c, rate):
 
 
 @kernel
-def pair_shape_slope(p, eps_alpha, S_R, L):
-    """Derivative of `pair_shape` with respect to p (per base pitch); see `pair_shape_rate`.
-
-    >>> round(float(pair_shape_slope(0.325, 1.3, 0.8, 0.0)), 12)
-    0.307692307692
-    """
-    return pair_shape_rate(p, 1.0, eps_alpha, 0.0, S_R, L, 0.0)
-
-
-@kernel
 def pair_table(p, eps_alpha, n, table, L):
     """Stiffness of one pair relative to c' from n values at equal steps from A to E, times the ramp.
 
@@ -117,17 +107,6 @@ def pair_table_rate(p, p_rate, eps_alpha, eps_rate, n, table, L, L_rate):
     step = table[i + 1] - table[i]
     rate = step * (n - 1) * (p_rate - p * eps_rate / eps_alpha) / eps_alpha
     return _with_ramp(p, p_rate, eps_alpha, eps_rate, L, L_rate, table[i] + step * (s - i), rate)
-
-
-@kernel
-def pair_table_slope(p, eps_alpha, n, table, L):
-    """Derivative of `pair_table` with respect to p (per base pitch), zero outside the path.
-
-    >>> import numpy as np
-    >>> round(float(pair_table_slope(0.3, 1.2, 3, np.array([0.6, 1.0, 0.8]), 0.0)), 12)
-    0.666666666667
-    """
-    return pair_table_rate(p, 1.0, eps_alpha, 0.0, n, table, L, 0.0)
 
 
 @kernel

@@ -18,9 +18,9 @@ from pitchpoint.contact.pair_shape import (
     RECTANGULAR,
     TABLE,
     pair_shape,
-    pair_shape_slope,
+    pair_shape_rate,
     pair_table,
-    pair_table_slope,
+    pair_table_rate,
     phase_stiffness,
 )
 from pitchpoint.contact.stiffness.description import PhaseStiffness
@@ -50,10 +50,10 @@ def test_pair_slopes(share, eps_alpha, S_R, T_R):
     kinks = [L, eps_alpha - L, eps_alpha / 2, eps_alpha / 3, 2 * eps_alpha / 3]
     if min(abs(p - k) for k in kinks) < 1e-5 or 0 < L < 1e-3:
         return
-    assert pair_shape_slope(p, eps_alpha, S_R, L) == pytest.approx(
+    assert pair_shape_rate(p, 1.0, eps_alpha, 0.0, S_R, L, 0.0) == pytest.approx(
         slope_of(lambda q: pair_shape(q, eps_alpha, S_R, L), p), rel=1e-5, abs=1e-6
     )
-    assert pair_table_slope(p, eps_alpha, 4, table, L) == pytest.approx(
+    assert pair_table_rate(p, 1.0, eps_alpha, 0.0, 4, table, L, 0.0) == pytest.approx(
         slope_of(lambda q: pair_table(q, eps_alpha, 4, table, L), p), rel=1e-5, abs=1e-6
     )
 
