@@ -27,14 +27,6 @@ def set_markers(
         Place in world axes, shape (3,) [m].
     axes
         Axes of the markers in world axes, columns, shape (3, 3); those of the world if omitted.
-
-    Examples
-    --------
-    >>> record = np.zeros(1, [("i", "i8"), ("j", "i8"), ("p_i", "f8", 3), ("p_j", "f8", 3)])[0]
-    >>> record["i"] = 1
-    >>> set_markers(record, [Body(position=(0.0, 0.0, 1.0))], (0.0, 0.5, 3.0))
-    >>> record["p_i"], record["p_j"]
-    (array([0. , 0.5, 2. ]), array([0. , 0.5, 3. ]))
     """
     turned = np.eye(3) if axes is None else np.asarray(axes, float)
     for end in "ij":
