@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finite-element matrices with the places of their nodes."""
+"""Finite-element matrices with the positions of their nodes, and straight beams as such matrices."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import CompileError
+from pitchpoint.multibody.beam_section import Beam
 
 if TYPE_CHECKING:
     from scipy.sparse import csc_array
@@ -196,6 +198,33 @@ def check_speed(structure: Structure, frequency: float) -> None:
             f"{2.0 * size * frequency:.3g} m/s (limit {FASTEST:g} m/s); "
             "give K in N/m, M in kg and places in m"
         )
+
+
+def beam_line(beams: Sequence[Beam]) -> Structure:
+    """Beams in series along the third axis, from the origin, as one structure of six displacements per node.
+
+    Parameters
+    ----------
+    beams
+        The elements in order; all require a density.
+    """
+    from scipy.sparse import coo_array
+
+    ends = np.concatenate([[0.0], np.cumsum([b.length for b in beams])])
+    n = 6 * ends.size
+    rows, columns, stiff, heavy = [], [], [], []
+    for k, beam in enumerate(beams):
+        at = 6 * k + np.arange(12)
+        rows.append(np.repeat(at, 12))
+        columns.append(np.tile(at, 12))
+        stiff.append(beam.stiffness().ravel())
+        heavy.append(beam.consistent_mass().ravel())
+    entries = np.concatenate(rows), np.concatenate(columns)
+    K = coo_array((np.concatenate(stiff), entries), (n, n))
+    M = coo_array((np.concatenate(heavy), entries), (n, n))
+    places = np.zeros((ends.size, 3))
+    places[:, 2] = ends
+    return make_structure(K, M, places)
 
 
 def turned_stiffening(stiffening: ArrayLike, axes: ArrayLike) -> Array:

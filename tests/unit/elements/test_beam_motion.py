@@ -17,7 +17,7 @@ from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.solvers.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from tests.support.beam_line import free_modes
+from tests.support.beam_modes import free_modes
 from tests.support.floating import truss
 
 

@@ -18,9 +18,10 @@ from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import craig_bampton
 from pitchpoint.multibody.joints import FLOATING, GUIDED
 from pitchpoint.multibody.mass_invariants import mass_invariants
+from pitchpoint.multibody.structure import beam_line
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from tests.support.beam_line import axial_stiffening, beam_line, free_modes, held_modes
+from tests.support.beam_modes import axial_stiffening, free_modes, held_modes
 from tests.support.engine import differences, frame
 from tests.support.floating import reference_forces, truss
 

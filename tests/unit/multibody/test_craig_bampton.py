@@ -14,8 +14,8 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.multibody.beam_section import Beam, rectangle, tube
 from pitchpoint.multibody.craig_bampton import craig_bampton, modal_damping
 from pitchpoint.multibody.mass_invariants import mass_invariants
-from pitchpoint.multibody.structure import make_structure
-from tests.support.beam_line import beam_line, free_modes
+from pitchpoint.multibody.structure import beam_line, make_structure
+from tests.support.beam_modes import free_modes
 from tests.support.floating import truss
 
 STEEL = {"E": 2.1e11, "G": 8.1e10, "rho": 7850.0}

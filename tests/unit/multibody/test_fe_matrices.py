@@ -17,7 +17,7 @@ from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.craig_bampton import craig_bampton
 from pitchpoint.multibody.fe_matrices import read_dmig, read_npz, structure_from_dmig
 from pitchpoint.multibody.matrix_market import read_matrix_market, read_parts, read_places
-from tests.support.beam_line import beam_line
+from pitchpoint.multibody.structure import beam_line
 
 LINE = beam_line([Beam(section=tube(0.05), length=0.3, E=2.1e11, G=8.1e10, rho=7850.0)] * 2)
 

@@ -11,11 +11,12 @@ from scipy.sparse import csc_array
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.multibody.beam_section import Beam, Section
+from pitchpoint.multibody.structure import beam_line
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from tests.support.beam_line import axial_stiffening, beam_line
+from tests.support.beam_modes import axial_stiffening
 
 PIECES, STEP = 16, 2e-3
 BLADE = """\

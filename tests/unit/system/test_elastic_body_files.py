@@ -15,11 +15,11 @@ from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.write import plain
 from pitchpoint.multibody.beam_section import Beam, rectangle
+from pitchpoint.multibody.structure import beam_line
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from tests.support.beam_line import beam_line
 from tests.support.floating import truss
 
 LENGTH, PIECES = 0.3, 6

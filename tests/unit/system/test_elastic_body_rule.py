@@ -15,12 +15,12 @@ from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.craig_bampton import craig_bampton
 from pitchpoint.multibody.joints import FLOATING
-from pitchpoint.multibody.structure import turned_stiffening
+from pitchpoint.multibody.structure import beam_line, turned_stiffening
 from pitchpoint.solvers.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.elastic_body import elastic_parts
 from pitchpoint.system.system import assemble
-from tests.support.beam_line import axial_stiffening, beam_line, held_modes
+from tests.support.beam_modes import axial_stiffening, held_modes
 
 N, LENGTH = 6, 0.9
 ROD = Beam(section=rectangle(0.01, 0.02), length=LENGTH / N, E=2e9, G=8e8, rho=1500.0)

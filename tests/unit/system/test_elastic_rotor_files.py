@@ -10,12 +10,12 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.shafts import nearest_station
 from pitchpoint.multibody.beam_section import Beam, tube
+from pitchpoint.multibody.structure import beam_line
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from tests.support.beam_line import beam_line
 
 GEARS = """\
 gears:

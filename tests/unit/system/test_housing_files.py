@@ -15,6 +15,7 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.multibody.joints import FIXED, FLOATING
+from pitchpoint.multibody.structure import beam_line
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.node_shapes import node_shapes
 from pitchpoint.solvers.start import prepare_start
@@ -22,7 +23,6 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import assemble
-from tests.support.beam_line import beam_line
 from tests.support.engine import bearings, differences, frame, positive
 
 LENGTH, SIDE, E, NU = 0.3, 0.03, 2.1e11, 0.3

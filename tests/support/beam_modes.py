@@ -1,39 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Beams in a row as finite-element matrices, their modes and how tension stiffens them."""
+"""Modes of beams as finite-element matrices, and the stiffening of their tension."""
 
 from __future__ import annotations
 
 import numpy as np
 from scipy.linalg import eigh
-from scipy.sparse import coo_array
 
 from pitchpoint.multibody.craig_bampton import Modes
-from pitchpoint.multibody.structure import make_structure
-
-
-def beam_line(beams):
-    """Beams in a row along the third axis, from the origin, as one structure of six displacements per node.
-
-    Parameters
-    ----------
-    beams
-        The elements in order; all need a density.
-    """
-    ends = np.concatenate([[0.0], np.cumsum([b.length for b in beams])])
-    n = 6 * ends.size
-    rows, columns, stiff, heavy = [], [], [], []
-    for k, beam in enumerate(beams):
-        at = 6 * k + np.arange(12)
-        rows.append(np.repeat(at, 12))
-        columns.append(np.tile(at, 12))
-        stiff.append(beam.stiffness().ravel())
-        heavy.append(beam.consistent_mass().ravel())
-    entries = np.concatenate(rows), np.concatenate(columns)
-    K = coo_array((np.concatenate(stiff), entries), (n, n))
-    M = coo_array((np.concatenate(heavy), entries), (n, n))
-    places = np.zeros((ends.size, 3))
-    places[:, 2] = ends
-    return make_structure(K, M, places)
 
 
 def free_modes(structure, count):
