@@ -180,7 +180,8 @@ def stages(n: int) -> Any:
     shaft of the next one.
     """
     from pitchpoint.contact.stiffness.constant import constant
-    from pitchpoint.elements import gear_mesh_record, torque
+    from pitchpoint.elements import torque
+    from pitchpoint.elements.mesh.record import RECORD
     from pitchpoint.elements.shaft_beam import shaft_row
     from pitchpoint.elements.signal import Pool
     from pitchpoint.geometry import CylindricalGear, GearPair
@@ -228,7 +229,7 @@ def stages(n: int) -> Any:
     loads["value"] = 50.0, -50.0 * (-1.0) ** (n // 10)
     banks = {
         "bearing": supports,
-        "gear_mesh": np.array(rows, gear_mesh_record.RECORD),
+        "gear_mesh": np.array(rows, RECORD),
         "shaft_beam": np.concatenate(beams),
         "torque": loads,
     }

@@ -24,7 +24,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.core.formula import Formula, FormulaError
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.elements import registry
-from pitchpoint.elements.gear_mesh_record import N_OUT
+from pitchpoint.elements.mesh.record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.geometry.bevel_tooth import placed

@@ -137,7 +137,11 @@ STATUS_OF_THE_CONTROL = {"bad", "badkind"}
 
 
 def test_meshes_take_the_law_of_their_flanks_from_one_place() -> None:
-    meshes = [path for path in python_files("src/pitchpoint/elements") if "mesh" in path.stem]
+    meshes = [
+        path
+        for path in python_files("src/pitchpoint/elements")
+        if "mesh" in path.stem or "mesh" in path.parts
+    ]
     assert len(meshes) > 10
     for path in meshes:
         imported = {

@@ -85,7 +85,7 @@ def test_every_file_with_an_entry_is_a_registered_kind():
     listed = {name.rpartition(".")[2] for name in modules if name.startswith("pitchpoint.")}
     entries = {
         path.stem
-        for path in (PACKAGE / "elements").glob("*.py")
+        for path in (PACKAGE / "elements").rglob("*.py")
         if any(name == "entry" and is_kernel(function) for name, function in functions(path))
     }
     assert entries == listed

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
-from pitchpoint.elements.bevel_mesh_record import N_OUT
+from pitchpoint.elements.mesh.bevel.record import N_OUT
 from pitchpoint.geometry.bevel_gear import BevelGear
 from pitchpoint.geometry.bevel_pair import BevelPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws

@@ -11,9 +11,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pitchpoint.core.kernel import address
-from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.elements.bevel_mesh import entry
-from pitchpoint.elements.bevel_mesh_turning import turning
+from pitchpoint.elements.mesh.bevel import record as layout
+from pitchpoint.elements.mesh.bevel.exact_tangent import turning
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.bevel_gear import BevelGear
 from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bevel mesh: force of two bevel gears on each other, from their frames alone.
 
-Frame channel. `bevel_mesh_place` finds where the flanks are and along which rows of a wrench basis they push,
-`bevel_mesh_sums` adds up what they do along their contact lines, this file turns the sums into wrenches,
-tangents and observations. Straight and spiral teeth, any shaft angle, all pairs in contact, both flanks, open
-along a part of the width where axes are tilted.
+Frame channel. `mesh.bevel.plane_of_action` finds where the flanks are and along which rows of a wrench basis
+they push, `mesh.bevel.flank_forces` adds up what they do along their contact lines, this file turns the sums
+into wrenches, tangents and observations. Straight and spiral teeth, any shaft angle, all pairs in contact,
+both flanks, open along a part of the width where axes are tilted.
 
 Tangents hold at frozen mesh phase and frozen plane of action, exact ones follow the plane of action
-(`bevel_mesh_turning`). Quantities along the base tangent are those at the mean cone distance: mesh_force
-times a base radius there is the torque, its slope over the travel is the stiffness.
+(`mesh.bevel.exact_tangent`). Quantities along the base tangent are those at the mean cone distance:
+mesh_force times a base radius there is the torque, its slope over the travel is the stiffness.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ import numpy as np
 
 from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.bevel_mesh_place import (
+from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
+from pitchpoint.elements.mesh.bevel.exact_tangent import turning
+from pitchpoint.elements.mesh.bevel.flank_forces import sum_flank
+from pitchpoint.elements.mesh.bevel.plane_of_action import (
     axes_of_action,
     friction_rows,
     normal_rows,
     place_flanks,
     rates_of_place,
 )
-from pitchpoint.elements.bevel_mesh_record import EVENTS, N_OUT, OUTPUTS, PHASE, RECORD, ROWS, mesh_outputs
-from pitchpoint.elements.bevel_mesh_sums import sum_flank
-from pitchpoint.elements.bevel_mesh_turning import turning
-from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
-from pitchpoint.elements.mesh_line import begin_flank, countable, flank_phase
-from pitchpoint.elements.mesh_observed import (
+from pitchpoint.elements.mesh.bevel.record import EVENTS, N_OUT, OUTPUTS, PHASE, RECORD, ROWS, mesh_outputs
+from pitchpoint.elements.mesh.line_of_action import begin_flank, countable, flank_phase
+from pitchpoint.elements.mesh.observations import (
     add_flank,
     add_friction_torques,
     clear,
@@ -39,8 +39,15 @@ from pitchpoint.elements.mesh_observed import (
     write_events,
     write_mesh,
 )
-from pitchpoint.elements.mesh_sums import begin_ask, begin_damping, begin_sums, end_damping
-from pitchpoint.elements.mesh_wrench import mesh_damper, push, rate_of_row
+from pitchpoint.elements.mesh.sums import (
+    begin_ask,
+    begin_damping,
+    begin_sums,
+    end_damping,
+    mesh_damper,
+    push,
+    rate_of_row,
+)
 from pitchpoint.multibody.channels import frame_args
 from pitchpoint.multibody.vectors import add, dot, times, triple
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gear mesh: force of two toothed bodies on each other, from their frames alone.
 
-Frame channel. `mesh_line` finds where the flanks are, `mesh_pairs` sums what they do along their contact
-lines, this file turns the sums into wrenches, tangents and observations. Forces act along the normal in the
-transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of base-tangent
-force.
+Frame channel. `mesh.line_of_action` finds where the flanks are, `mesh.tooth_pairs` sums what they do along
+their contact lines, this file turns the sums into wrenches, tangents and observations. Forces act along the
+normal in the transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of
+base-tangent force.
 
 Tangents hold at frozen mesh phase and frozen line of action: what the Newton iteration and static equilibrium
-need. Exact ones, for modes about an operating point, follow the line of action too (`mesh_turning`). The
-change of the stiffness with the phase shows up as parametric power.
+need. Exact ones, for modes about an operating point, follow the line of action too (`mesh.exact_tangent`).
+The change of the stiffness with the phase shows up as parametric power.
 """
 
 from __future__ import annotations
@@ -20,7 +20,35 @@ import numpy as np
 from pitchpoint.contact.pair_shape import FOURIER, RECTANGULAR, phase_stiffness
 from pitchpoint.core.kernel import call, call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.gear_mesh_record import (
+from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
+from pitchpoint.elements.mesh.eccentricity import begin_displaced, damping_alone, end_displaced, whole
+from pitchpoint.elements.mesh.exact_tangent import turning
+from pitchpoint.elements.mesh.flank_deviations import (
+    add_roll_tangent,
+    begin_separation,
+    runs_damped,
+    spin_direction,
+)
+from pitchpoint.elements.mesh.force_directions import friction_directions, normal_directions, travel_direction
+from pitchpoint.elements.mesh.line_of_action import (
+    begin_flank,
+    excitation,
+    flank_phase,
+    line_of_action,
+    motion,
+    pooled,
+    spin_motion,
+)
+from pitchpoint.elements.mesh.nodes import phase_flank
+from pitchpoint.elements.mesh.observations import (
+    add_flank,
+    add_friction_torques,
+    clear,
+    contact_event,
+    write_events,
+    write_mesh,
+)
+from pitchpoint.elements.mesh.record import (
     EVENTS,
     N_OUT,
     OUTPUTS,
@@ -30,36 +58,18 @@ from pitchpoint.elements.gear_mesh_record import (
     USER,
     mesh_outputs,
 )
-from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
-from pitchpoint.elements.mesh_eccentric import begin_displaced, damping_alone, end_displaced, whole
-from pitchpoint.elements.mesh_gradient import friction_directions, normal_directions, travel_direction
-from pitchpoint.elements.mesh_line import begin_flank, excitation, flank_phase, line_of_action, pooled
-from pitchpoint.elements.mesh_motion import motion, spin_motion
-from pitchpoint.elements.mesh_nodes import phase_flank
-from pitchpoint.elements.mesh_observed import (
-    add_flank,
-    add_friction_torques,
-    clear,
-    contact_event,
-    write_events,
-    write_mesh,
-)
-from pitchpoint.elements.mesh_pairs import deviating_line, profile_flank
-from pitchpoint.elements.mesh_separation import (
-    add_roll_tangent,
-    begin_separation,
-    runs_damped,
-    spin_direction,
-)
-from pitchpoint.elements.mesh_sums import begin_ask, begin_damping, begin_sums, end_damping
-from pitchpoint.elements.mesh_turning import turning
-from pitchpoint.elements.mesh_wrench import (
+from pitchpoint.elements.mesh.sums import (
     add_spin_tangent,
     add_spin_torque,
+    begin_ask,
+    begin_damping,
+    begin_sums,
+    end_damping,
     mesh_damper,
     push,
     rate_of_row,
 )
+from pitchpoint.elements.mesh.tooth_pairs import deviating_line, profile_flank
 from pitchpoint.multibody.channels import F8, frame_args
 
 __all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
@@ -145,7 +155,7 @@ def _flank(b, f, g, flank, x_0, spins, rate):
 
 @kernel
 def _sum(b, watch, x_0):
-    """Sum the nodes of one flank; see `mesh_sums` for `watch`."""
+    """Sum the nodes of one flank; see `mesh.sums` for `watch`."""
     now = b["now"]
     now["tilt"] = now["kappa"]
     now["growth"] = 0.0

@@ -21,7 +21,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FREE, MOTION, Kind, Power
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.speed_pieces import fit_pieces
+from pitchpoint.elements.speed_profile import fit_pieces
 from pitchpoint.multibody.channels import F8, I8, motion_args
 
 LINEAR, PIECES, FORMULA = 0, 1, 2

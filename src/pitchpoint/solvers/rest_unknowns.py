@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.kind import SIGNAL
-from pitchpoint.elements.signal_record import SATURATION
+from pitchpoint.elements.signals.record import SATURATION
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System

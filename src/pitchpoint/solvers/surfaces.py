@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.gear_mesh_record import PHASE
+from pitchpoint.elements.mesh.record import PHASE
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import mesh_record, shared_width
 from pitchpoint.system.system import State, System

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import kind as traits
 from pitchpoint.elements import registry
-from pitchpoint.elements.signal_record import (
+from pitchpoint.elements.signals.record import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     CHANNEL,

@@ -13,7 +13,7 @@ from pitchpoint.contact.impact import set_friction, set_impact, set_restitution
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive
-from pitchpoint.elements.contact_record import new_records, set_marker
+from pitchpoint.elements.contacts.record import new_records, set_marker
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.point_curve import set_cam
 from pitchpoint.elements.point_surface import set_mesh, set_surface

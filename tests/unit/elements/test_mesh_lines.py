@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK
-from pitchpoint.elements.mesh_lines import LINES, answer
+from pitchpoint.elements.mesh.contact_lines import LINES, answer
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

@@ -12,7 +12,7 @@ from pitchpoint.contact.curve import Curve, chain, circle, polygon
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements import drive
 from pitchpoint.elements.ball_on_surface import set_surface
-from pitchpoint.elements.contact_record import new_records, set_marker
+from pitchpoint.elements.contacts.record import new_records, set_marker
 from pitchpoint.elements.curve_on_curve import set_held_curves
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.point_on_curve import RECORD as POINT

@@ -16,7 +16,7 @@ from pitchpoint import load_model
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.status import NOT_FINITE, OK, UNBOUNDED
-from pitchpoint.elements.mesh_line import countable
+from pitchpoint.elements.mesh.line_of_action import countable
 from pitchpoint.solvers import jump
 from pitchpoint.solvers.divergence import remedy
 from pitchpoint.solvers.sampling import GREATEST

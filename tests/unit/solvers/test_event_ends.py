@@ -9,7 +9,7 @@ import pytest
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK
 from pitchpoint.elements import gear_mesh
-from pitchpoint.elements.gear_mesh_record import EVENTS
+from pitchpoint.elements.mesh.record import EVENTS
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers import bdf, runge_kutta
 from pitchpoint.solvers.event_watch import EventWatch, bending

@@ -11,8 +11,8 @@ from scipy.linalg import expm
 
 from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.status import CONTROLLER, OK
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.solvers.start import Start

@@ -11,7 +11,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.elements import bearing, torque
-from pitchpoint.elements import gear_mesh_record as layout
+from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.signal import Pool, set_constant
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.build import build_model

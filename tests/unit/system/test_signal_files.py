@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.formula import Formula
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model.components.actuator import ACTUATORS
 from pitchpoint.model.components.block import BLOCKS

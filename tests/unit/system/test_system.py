@@ -16,7 +16,7 @@ from pitchpoint.core.nomenclature import unit
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive, torque
 from pitchpoint.elements.signal import OVER_ANGLE, OVER_SPEED, Pool, set_formula, set_law, set_table
-from pitchpoint.elements.speed_pieces import straight_pieces
+from pitchpoint.elements.speed_profile import straight_pieces
 from pitchpoint.multibody.bodies import FREE, PLANAR, Body
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.model_damping import modal_damping

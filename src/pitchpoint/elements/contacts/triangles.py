@@ -20,8 +20,8 @@ from pitchpoint.contact.triangle_search import (
     tree_of,
 )
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import act
-from pitchpoint.elements.surface_place import curvature_in_world, local, point_place
+from pitchpoint.elements.contacts.surface_place import curvature_in_world, local, point_place
+from pitchpoint.elements.contacts.wrench import act
 from pitchpoint.multibody.vectors import into_world, plus, triple
 
 

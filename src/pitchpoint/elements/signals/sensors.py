@@ -17,7 +17,7 @@ import math
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.line import COINCIDENT
-from pitchpoint.elements.signal_record import (
+from pitchpoint.elements.signals.record import (
     ANGLE,
     ANGULAR_ACCELERATION,
     ANGULAR_VELOCITY,
@@ -27,7 +27,7 @@ from pitchpoint.elements.signal_record import (
     ROW,
     VELOCITY,
 )
-from pitchpoint.elements.turning import sense_of, turn_between
+from pitchpoint.elements.torsion import sense_of, turn_between
 from pitchpoint.elements.wrench import origin
 from pitchpoint.multibody.vectors import add, cross, dot, less, moved_axis, times, triple, unit
 

@@ -21,9 +21,9 @@ import math
 
 from pitchpoint.contact.surface import PLANE, gap_of_length, of_length
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import act
-from pitchpoint.elements.rod_place import rim_place
-from pitchpoint.elements.surface_place import curvature_in_world, point_place
+from pitchpoint.elements.contacts.crossed_cylinders import rim_place
+from pitchpoint.elements.contacts.surface_place import curvature_in_world, point_place
+from pitchpoint.elements.contacts.wrench import act
 from pitchpoint.multibody.vectors import column, into_world, plus, triple
 
 GOLDEN = 0.3819660112501051

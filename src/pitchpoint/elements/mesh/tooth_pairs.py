@@ -5,9 +5,9 @@ A contact line is straight in path and width: p(z) = p_0 + lam z. Along it the s
 piecewise cubic, the penetration of tilted gears is linear, and the lever arms are linear, so three Gauss
 points on every piece between kinks (start and end of contact, ends of the relief ramp, lift-off line, pitch
 point where sliding turns, points of a table) integrate force, moments and tangent exactly. Pairs with a tooth
-that has grids of its own (`mesh_separation`) get more pieces: between the stations of the grids, at the edge
-of what is broken out, and where the flanks lift off. Slices are the same sum with one node in the middle of
-each slice; gears with modified flanks are computed so.
+that has grids of its own (`mesh.flank_deviations`) get more pieces: between the stations of the grids, at the
+edge of what is broken out, and where the flanks lift off. Slices are the same sum with one node in the middle
+of each slice; gears with modified flanks are computed so.
 
 `deviating` is 1 for a pair with such a tooth, None for a nominal pair, whose kernels are compiled without it;
 the former are summed through an address (`deviating_line`), compiled only where a mesh has such teeth.
@@ -23,11 +23,7 @@ from pitchpoint.contact.lift_off import MOST_STEPS, narrowed, secant
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.gear_mesh_record import N_OUT, RECORD
-from pitchpoint.elements.mesh_line import pooled
-from pitchpoint.elements.mesh_nodes import GAUSS, drift, line_rate, nearer, set_levers
-from pitchpoint.elements.mesh_observed import add_pair_force
-from pitchpoint.elements.mesh_separation import (
+from pitchpoint.elements.mesh.flank_deviations import (
     find_rows,
     gap_at,
     has_level,
@@ -37,7 +33,11 @@ from pitchpoint.elements.mesh_separation import (
     runs_damped,
     softening_at,
 )
-from pitchpoint.elements.mesh_sums import add_node
+from pitchpoint.elements.mesh.line_of_action import pooled
+from pitchpoint.elements.mesh.nodes import GAUSS, drift, line_rate, nearer, set_levers
+from pitchpoint.elements.mesh.observations import add_pair_force
+from pitchpoint.elements.mesh.record import N_OUT, RECORD
+from pitchpoint.elements.mesh.sums import add_node
 from pitchpoint.multibody.channels import F8
 
 MOST_SPLIT = 64

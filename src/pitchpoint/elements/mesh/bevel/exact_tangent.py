@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the forces of a bevel mesh turn with its plane of action: what exact tangents add.
 
-As in `mesh_turning` for cylindrical gears: the rows of the basis are closed forms of the frames, and their
-change is a difference of fourth order. Mesh phase and contact lines stay frozen.
+As in `mesh.exact_tangent` for cylindrical gears: the rows of the basis are closed forms of the frames, and
+their change is a difference of fourth order. Mesh phase and contact lines stay frozen.
 """
 
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.bevel_mesh_place import axes_of_action, normal_rows
-from pitchpoint.elements.bevel_mesh_record import RECORD
-from pitchpoint.elements.mesh_sums import asked_arrays
+from pitchpoint.elements.mesh.bevel.plane_of_action import axes_of_action, normal_rows
+from pitchpoint.elements.mesh.bevel.record import RECORD
+from pitchpoint.elements.mesh.sums import asked_arrays
 from pitchpoint.multibody.vectors import column, cross, triple, unit
 
 STEP = 2e-4

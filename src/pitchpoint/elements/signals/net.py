@@ -21,8 +21,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_graph import LOADS, Node, make_records, unit_code
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.graph import LOADS, Node, make_records, unit_code
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import AXES, DISPLACEMENTS, TORSION
 
@@ -91,7 +91,7 @@ class SignalNet:
         Parameters
         ----------
         name, quantity
-            Name of the signal; POSITION to ANGULAR_ACCELERATION of `signal_record`.
+            Name of the signal; POSITION to ANGULAR_ACCELERATION of `signals.record`.
         i, j
             Body that is sensed, and body from which it is seen (0 = ground).
         axis

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What one bevel mesh is to the compiled core: its numbers, its outputs, its scratch.
 
-Lengths in m, angles in rad. Fields that solvers and pages read have the names of `gear_mesh_record` and mean
+Lengths in m, angles in rad. Fields that solvers and pages read have the names of `mesh.record` and mean
 the same at the mean cone distance R_m: r_b1 = R_m sin(delta_b1) and so on. Numbers of teeth and base radii of
 a gear whose cone opens towards the -z of its body are negative, so that sums over spins of the bodies hold.
 """
@@ -11,9 +11,9 @@ from __future__ import annotations
 import numpy as np
 
 from pitchpoint.contact.flank_law import FLANK_LAW
-from pitchpoint.elements.gear_mesh_record import EVENTS, PHASE, PROFILE, mesh_outputs
-from pitchpoint.elements.gear_mesh_record import OUTPUTS as OF_MESHES
-from pitchpoint.elements.mesh_sums import scratch_of_sums
+from pitchpoint.elements.mesh.record import EVENTS, PHASE, PROFILE, mesh_outputs
+from pitchpoint.elements.mesh.record import OUTPUTS as OF_MESHES
+from pitchpoint.elements.mesh.sums import scratch_of_sums
 
 __all__ = ["EVENTS", "N_OUT", "N_OWN", "OUTPUTS", "PHASE", "PROFILE", "RECORD", "mesh_outputs"]
 
@@ -67,7 +67,7 @@ _LAW = [
     ("k_step", "f8"),
     ("contact", FLANK_LAW),  # power 1
     ("d_gap", "f8"),
-    ("turning", "i8"),  # address of `bevel_mesh_turning.turning`, where exact tangents are required
+    ("turning", "i8"),  # address of `mesh.bevel.exact_tangent.turning`, where exact tangents are required
 ]
 
 #: Scratch: filled and read within one call, carries nothing from call to call.

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.line import line_between, pull, tension_tangent
-from pitchpoint.elements.signal_record import BODY_I, BODY_J, RATE, STRUT, TORQUE
-from pitchpoint.elements.turning import add_torque, common_axis, sense_of, torque_tangent
+from pitchpoint.elements.signals.record import BODY_I, BODY_J, RATE, STRUT, TORQUE
+from pitchpoint.elements.torsion import add_torque, common_axis, sense_of, torque_tangent
 from pitchpoint.elements.wrench import origin, push, put, spin_axis
 from pitchpoint.multibody.vectors import add, cross, into_world, less, moved_axis, times, triple, unit
 

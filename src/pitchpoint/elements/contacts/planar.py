@@ -19,8 +19,8 @@ from pitchpoint.contact.curve_point import WIDTH, arc_length, point_of
 from pitchpoint.contact.surface import SPHERE
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK, REFUSED
-from pitchpoint.elements.contact_record import RECORD
-from pitchpoint.elements.contact_wrench import act, begin, finish, moved, put, put_3, turned
+from pitchpoint.elements.contacts.record import RECORD
+from pitchpoint.elements.contacts.wrench import act, begin, finish, moved, put, put_3, turned
 from pitchpoint.multibody.channels import F8, frame_args
 from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 

@@ -14,7 +14,7 @@ lambda of the row turns with n, and its place runs with Q.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.contact_wrench import change, moved
+from pitchpoint.elements.contacts.wrench import change, moved
 from pitchpoint.multibody.channels import F8
 from pitchpoint.multibody.vectors import cross, dot, plus, triple
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the wrenches of a beam change: one motion of one body at a time, through every step of `beam_forces`.
+"""How the wrenches of a beam change: one motion of one body at a time, through every step of `beams.forces`.
 
 A motion is a displacement by ck, a twist by cd and an acceleration by cm along one of six directions; all
 changes are linear, so one pass gives the column of ck K + cd D + cm M.
@@ -8,7 +8,7 @@ changes are linear, so one pass gives the column of ck K + cd D + cm M.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.beam_forces import PI, PJ, TI, TJ, XI, XJ, E, _row, _set
+from pitchpoint.elements.beams.forces import PI, PJ, TI, TJ, XI, XJ, E, _row, _set
 from pitchpoint.multibody.vectors import add, cross, dot, less, times, triple, unit
 
 

@@ -13,8 +13,8 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.gear_mesh_record import N_ROW
-from pitchpoint.elements.mesh_line import pooled
+from pitchpoint.elements.mesh.line_of_action import pooled
+from pitchpoint.elements.mesh.record import N_ROW
 from pitchpoint.multibody.channels import F8
 
 _NEAR = 1e-9

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the forces of a mesh turn with the line of action: what an exact linearisation adds to the tangent.
 
-The tangent of `mesh_wrench` holds at frozen line of action. Bodies that move also turn the directions of the
+The tangent of `mesh.sums` holds at frozen line of action. Bodies that move also turn the directions of the
 forces (terms of the size force over centre distance) and, at speed, the directions along which dampers
 measure (damping times speed): without them a damper would seem to drive a gear out of its place. Mesh phase
 and contact lines stay frozen (docs/decisions/0006-frozen-phase-tangents.md).
@@ -14,10 +14,10 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.gear_mesh_record import RECORD
-from pitchpoint.elements.mesh_gradient import normal_directions, offset_direction, travel_direction
-from pitchpoint.elements.mesh_line import line_of_action
-from pitchpoint.elements.mesh_sums import asked_arrays
+from pitchpoint.elements.mesh.force_directions import normal_directions, offset_direction, travel_direction
+from pitchpoint.elements.mesh.line_of_action import line_of_action
+from pitchpoint.elements.mesh.record import RECORD
+from pitchpoint.elements.mesh.sums import asked_arrays
 
 STEP = 2e-4
 """Distance of the points of a difference: turn [rad], or translation over centre distance."""

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.nearest import hint
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.signal_record import (
+from pitchpoint.elements.signals.record import (
     CHANNEL,
     LINEAR,
     LINK,
@@ -41,7 +41,7 @@ class Node:
     name
         Name of the signal.
     op
-        What it does, see `signal_record`.
+        What it does, see `signals.record`.
     inputs
         Names of the signals it is made of; "t" is the time where a formula takes it.
     fields

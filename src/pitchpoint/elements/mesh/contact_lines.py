@@ -2,7 +2,7 @@
 """Contact lines of one flank of a mesh: where they lie and what they carry, for pictures.
 
 Solvers do not use them. The mesh was observed before, so its record holds the line of action; loads come from
-the nodes that `mesh_pairs` sums, one by one. With the bodies at rest they are the elastic part.
+the nodes that `mesh.tooth_pairs` sums, one by one. With the bodies at rest they are the elastic part.
 
 A pair of teeth keeps its number N while in mesh: its contact line is p(z) = phase - N + lam z from
 the start A of the path, in base pitches. Slot N mod n_pair is that of its channel `pair_force`.
@@ -16,12 +16,12 @@ import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.gear_mesh_record import PROFILE, RECORD, ROWS
-from pitchpoint.elements.mesh_gradient import flank_tilt
-from pitchpoint.elements.mesh_line import begin_flank, countable
-from pitchpoint.elements.mesh_pairs import pair_line, pair_node, pair_teeth
-from pitchpoint.elements.mesh_separation import begin_separation, find_rows
-from pitchpoint.elements.mesh_sums import begin_sums
+from pitchpoint.elements.mesh.flank_deviations import begin_separation, find_rows
+from pitchpoint.elements.mesh.force_directions import flank_tilt
+from pitchpoint.elements.mesh.line_of_action import begin_flank, countable
+from pitchpoint.elements.mesh.record import PROFILE, RECORD, ROWS
+from pitchpoint.elements.mesh.sums import begin_sums
+from pitchpoint.elements.mesh.tooth_pairs import pair_line, pair_node, pair_teeth
 from pitchpoint.multibody.channels import F8
 
 #: One question about one flank, and its answer.

@@ -25,8 +25,8 @@ import math
 import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.mesh_line import line_of_action, pooled
-from pitchpoint.elements.mesh_observed import observed
+from pitchpoint.elements.mesh.line_of_action import line_of_action, pooled
+from pitchpoint.elements.mesh.observations import observed
 from pitchpoint.elements.wrench import angular_velocity
 from pitchpoint.multibody.channels import F8, FRAME
 from pitchpoint.multibody.vectors import add, column, cross, dot, times, triple, unit

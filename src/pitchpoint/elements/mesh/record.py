@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from pitchpoint.contact.flank_law import FLANK_LAW
-from pitchpoint.elements.mesh_sums import scratch_of_sums
+from pitchpoint.elements.mesh.sums import scratch_of_sums
 
 #: Sources of the stiffness, field `source`.
 PROFILE = 0  # one tooth pair over its path of contact, superposed over all pairs (parabola or table)
@@ -34,7 +34,7 @@ _GEOMETRY = [
     ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
     ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both are on one base
     ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body
-    ("seats", "i8"),  # where the gears sit on their bodies, offset in the pool; see `mesh_eccentric`
+    ("seats", "i8"),  # where the gears sit on their bodies, offset in the pool; see `mesh.eccentricity`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
     ("r_b1", "f8"),
@@ -75,8 +75,8 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
-    ("deviating", "i8"),  # address of `mesh_pairs.deviating_line`, where some teeth have grids of their own
-    ("turning", "i8"),  # address of `mesh_turning.turning`, where exact tangents are required
+    ("deviating", "i8"),  # `tooth_pairs.deviating_line`, where some teeth have grids of their own
+    ("turning", "i8"),  # address of `mesh.exact_tangent.turning`, where exact tangents are required
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
@@ -98,7 +98,7 @@ _EXCITATION = [
     ("e2", "i8"),
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
-    ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh_separation`
+    ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh.flank_deviations`
     ("n_t", "i8", 2),  # teeth that the tables of both gears distinguish
     ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
     ("n_sz", "i8", 4),

@@ -9,7 +9,7 @@ eliminated in W.
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import moved, put, put_3, turned
+from pitchpoint.elements.contacts.wrench import moved, put, put_3, turned
 from pitchpoint.multibody.vectors import column, dot, plus, row, triple
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Nodes of one flank of a cylindrical mesh: levers and rates of a place, and a prescribed total stiffness.
 
-`mesh_pairs` places the nodes of single tooth pairs; `mesh_sums.add_node` applies the flank law to a node.
-The normal force at (z, xi) has the moment y tau about the pitch point, y = z + f tan(beta_b) xi: axial force
-times path and transverse force times width turn the gears about the same axis tau = m x n_f. Penetration and
-its rate therefore change with y too.
+`mesh.tooth_pairs` places the nodes of single tooth pairs; `mesh.sums.add_node` applies the flank law to a
+node. The normal force at (z, xi) has the moment y tau about the pitch point, y = z + f tan(beta_b) xi: axial
+force times path and transverse force times width turn the gears about the same axis tau = m x n_f.
+Penetration and its rate therefore change with y too.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.mesh_sums import add_node
+from pitchpoint.elements.mesh.sums import add_node
 
 GAUSS = math.sqrt(0.6)
 """Place of the outer ones of three Gauss points, from the middle to the ends of a piece."""

@@ -14,9 +14,9 @@ import math
 import numpy as np
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.gear_mesh_record import EVENTS, OUTPUTS
-from pitchpoint.elements.mesh_line import flank_phase
-from pitchpoint.elements.mesh_sums import FRICTION_ROWS
+from pitchpoint.elements.mesh.line_of_action import flank_phase
+from pitchpoint.elements.mesh.record import EVENTS, OUTPUTS
+from pitchpoint.elements.mesh.sums import FRICTION_ROWS
 from pitchpoint.multibody.channels import F8, bounded
 
 #: Observations that every mesh has, first in its row.
@@ -121,7 +121,7 @@ def _nearest_pitch(psi):
 
 @kernel
 def write_events(b, x, front, back, leaves):
-    """Event functions at the deflection x [m]; those of contact are known. See `gear_mesh_record`.
+    """Event functions at the deflection x [m]; those of contact are known. See `mesh.record`.
 
     `leaves`: path position at which a pair leaves [base pitches].
     """

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_wrench import moved, put, put_3, turned
+from pitchpoint.elements.contacts.wrench import moved, put, put_3, turned
 from pitchpoint.multibody.vectors import column, dot, plus, triple
 
 FLAT = 1e-9

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of one flank of a bevel mesh: where its nodes lie; `mesh_sums.add_node` is what each of them does.
+"""Forces of one flank of a bevel mesh: where its nodes lie; `mesh.sums.add_node` is what each of them does.
 
 Along a contact line the path position is p = p_0 + lam ln(R/R_m) base pitches, so straight teeth touch along
 rays. Five Gauss points on every piece between kinks (start and end of contact, ends of the ramps, where the
@@ -17,9 +17,9 @@ from pitchpoint.contact.flank_law import flank_energy
 from pitchpoint.contact.lift_off import MOST_STEPS, narrowed, secant
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.bevel_mesh_record import N_OUT, N_OWN, PHASE
-from pitchpoint.elements.mesh_observed import add_pair_force
-from pitchpoint.elements.mesh_sums import across, add_node
+from pitchpoint.elements.mesh.bevel.record import N_OUT, N_OWN, PHASE
+from pitchpoint.elements.mesh.observations import add_pair_force
+from pitchpoint.elements.mesh.sums import across, add_node
 from pitchpoint.multibody.channels import F8
 
 _PLACES = (-0.906179845938664, -0.5384693101056831, 0.0, 0.5384693101056831, 0.906179845938664)
