@@ -42,9 +42,9 @@ from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FREE as SHAFT
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.report.scene.bevel_gears import bevel_axes
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate

@@ -49,7 +49,7 @@ ENTRIES = (
     "pitchpoint.elements.gear_mesh:entry",
     "pitchpoint.elements.torque:entry",
     "pitchpoint.system.perform:perform",
-    "pitchpoint.solvers.generalized_alpha:entry",
+    "pitchpoint.solvers.implicit.generalized_alpha:entry",
 )
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
-    from pitchpoint.solvers.start import Start
+    from pitchpoint.solvers.initial_state.start import Start
     from pitchpoint.system.system import System
 
 
@@ -223,8 +223,8 @@ def compute(
 
 def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
     """Where a scenario starts with the linear parts condensed for frequencies up to a limit [Hz]."""
-    from pitchpoint.solvers.reduction import lost_channels, reduce_system
-    from pitchpoint.solvers.start import Start
+    from pitchpoint.solvers.initial_state.start import Start
+    from pitchpoint.solvers.reduction.reduce import lost_channels, reduce_system
 
     found = reduce_system(system, scenario, limit=limit)
     lost = lost_channels(found.full, found.system)

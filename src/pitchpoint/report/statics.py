@@ -56,7 +56,7 @@ def with_rolls(
         points_per_period,
         points_to_roll,
     )
-    from pitchpoint.solvers.quasistatic import roll_through
+    from pitchpoint.solvers.quasistatic.roll import roll_through
     from pitchpoint.system.compile import compile_model
 
     plain = {name: data for name, (data, _) in cycles.items()}

@@ -15,10 +15,10 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
-from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
 from pitchpoint.solvers.linear_system import (
     Linearised,

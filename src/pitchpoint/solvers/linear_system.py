@@ -17,18 +17,17 @@ from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.cycle_means import shift
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
-from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
-from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.flanks import TOUCH, close_backlash
-from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of, without_friction
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
-from pitchpoint.solvers.switched_off import without_friction
+from pitchpoint.solvers.unloaded_flanks import TOUCH, close_backlash
 from pitchpoint.system import evaluate
 from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records

@@ -14,16 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.damping import KIND
-from pitchpoint.solvers.constrained_rest import is_looped
+from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.eigen import symmetric, undamped
-from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.element_tangents import without_friction, without_loads
+from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.gear_trains import (
     driven_coordinates,
     driven_rotations,
     rates_through_loops,
     rigid_rotations,
 )
-from pitchpoint.solvers.switched_off import without_friction, without_loads
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 

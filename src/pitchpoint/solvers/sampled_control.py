@@ -15,7 +15,7 @@ from typing import Any
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import CONTROLLER, NOT_FINITE, OK
-from pitchpoint.solvers.explicit import SLOPE_AT
+from pitchpoint.solvers.explicit.derivative import SLOPE_AT
 from pitchpoint.solvers.step_choice import divided
 from pitchpoint.system import evaluate, signals
 from pitchpoint.system.perform import RESIDUAL, ask

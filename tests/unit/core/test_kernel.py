@@ -76,7 +76,7 @@ def test_closure_follows_absolute_and_relative_imports_and_stays_inside_the_pack
 
 
 def test_driver_reaches_the_core_but_no_kind():
-    from pitchpoint.solvers import generalized_alpha
+    from pitchpoint.solvers.implicit import generalized_alpha
 
     names = {p.name for p in import_closure(generalized_alpha.__file__)}
     assert {"residual.py", "block_lu.py", "kinematics.py", "channels.py", "kernel.py"} <= names

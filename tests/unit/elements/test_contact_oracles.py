@@ -29,7 +29,8 @@ from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.model.components.contact import ContactLaw
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers import generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.contacts import ball, box, read

@@ -15,7 +15,7 @@ from pitchpoint.elements import signal as sig
 from pitchpoint.elements.friction_clutch import BRISTLE, REGULARISED
 from pitchpoint.elements.ratio import SPIN
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.forces import check_balance, check_matrices, moving, power, shafts

@@ -13,8 +13,9 @@ from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers import generalized_alpha, runge_kutta
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 

@@ -20,7 +20,7 @@ from pitchpoint.elements.point_on_curve import set_point_on_curve
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.closures import row_over_time

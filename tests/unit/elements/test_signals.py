@@ -14,7 +14,9 @@ from pitchpoint.elements.signals import record as sr
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import CYLINDRICAL, PRISMATIC, SCREW, SPHERICAL
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system import evaluate
 from pitchpoint.system.signals import assemble_controlled
 from pitchpoint.system.system import assemble

@@ -13,9 +13,9 @@ from pitchpoint.elements import signal as sig
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.generalized_alpha import start
-from pitchpoint.solvers.runge_kutta import start_classical
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
+from pitchpoint.solvers.explicit.runge_kutta import start_classical
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.forces import (

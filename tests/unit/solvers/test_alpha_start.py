@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import couplings

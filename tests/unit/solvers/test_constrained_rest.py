@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.elements.force import RECORD as FORCE
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.system import evaluate
 from tests.support.engine import torques
 from tests.support.mechanisms import four_bar, slider_crank

@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 from pitchpoint.elements import gravity
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.multibody.bodies import TORSION, Body
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.system import evaluate
 from pitchpoint.system.signals import assemble_controlled
 

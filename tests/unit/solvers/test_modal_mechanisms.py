@@ -16,8 +16,8 @@ from pitchpoint.multibody.beam_section import Beam, Section
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import GUIDED, PRISMATIC
 from pitchpoint.multibody.mass_invariants import mass_invariants
-from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.campbell import follow_modes
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.modal import find_modes, solve_modal
 from pitchpoint.system.system import assemble
 from tests.support.beam_line import axial_stiffening, beam_line, held_modes

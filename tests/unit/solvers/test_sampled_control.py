@@ -15,7 +15,7 @@ from pitchpoint.elements.signals import record as sr
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.start import Start
+from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.controller import SampledController, sampled_pid

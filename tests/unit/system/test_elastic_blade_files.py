@@ -11,8 +11,8 @@ from scipy.sparse import csc_array
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.multibody.beam_section import Beam, Section
-from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.beam_line import axial_stiffening, beam_line

@@ -20,9 +20,9 @@ from pitchpoint.model.inertia import gear_inertia
 from pitchpoint.model.model import Model
 from pitchpoint.model.read import Reader
 from pitchpoint.model.write import plain
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.evaluate import observe
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row

@@ -16,7 +16,7 @@ from pitchpoint.model.components.actuator import ACTUATORS
 from pitchpoint.model.components.block import BLOCKS
 from pitchpoint.model.components.controller import CONTROLLERS
 from pitchpoint.model.components.sensor import QUANTITIES, SENSORS
-from pitchpoint.solvers.start import Start
+from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate

@@ -18,7 +18,7 @@ from pitchpoint.elements import drive, torque
 from pitchpoint.elements.signal import OVER_ANGLE, OVER_SPEED, Pool, set_formula, set_law, set_table
 from pitchpoint.elements.speed_profile import straight_pieces
 from pitchpoint.multibody.bodies import FREE, PLANAR, Body
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.model_damping import modal_damping
 from pitchpoint.system import evaluate
 from pitchpoint.system.layout import group
