@@ -21,13 +21,13 @@ from pitchpoint.cli.output import NOTHING, plain, shown
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.core import status
 from pitchpoint.core.errors import ModelError
-from pitchpoint.core.formula import Formula, FormulaError
+from pitchpoint.core.formula.formula import Formula, FormulaError
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.elements import registry
 from pitchpoint.elements.mesh.record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
-from pitchpoint.geometry.bevel_tooth import placed
+from pitchpoint.geometry.bevel.tooth import placed
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.modifications import roll_length
 from pitchpoint.geometry.shaft_solid import shaft_solid

@@ -27,17 +27,17 @@ CHECKED = {
     "din3990": {
         "model/components/gear.py",  # factor of the gear blank
         "model/components/mesh.py",  # law if none is given
-        "model/keys_without_effect.py",  # keys without effect
+        "model/remarks/keys_without_effect.py",  # keys without effect
         "system/rules/bevel_mesh.py",  # of bevel meshes
         "system/rules/stiffness.py",  # single stiffness of every mesh
     },
-    "energy": {"model/keys_without_effect.py"},  # keys without effect
-    "fourier": {"model/mesh_check.py"},  # range that depends on several keys
+    "energy": {"model/remarks/keys_without_effect.py"},  # keys without effect
+    "fourier": {"model/checks/gears.py"},  # range that depends on several keys
     "hertz": {
-        "model/keys_without_effect.py",
-        "model/mesh_check.py",
+        "model/remarks/keys_without_effect.py",
+        "model/checks/gears.py",
     },  # keys without effect, keys that go together
-    "rectangular": {"model/mesh_check.py"},  # range that depends on several keys
+    "rectangular": {"model/checks/gears.py"},  # range that depends on several keys
     "table": {"contact/stiffness/user.py"},  # becomes one
     "user": {  # runs code
         "system/rules/gear_mesh.py",

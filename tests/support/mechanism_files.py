@@ -8,7 +8,7 @@ import copy
 import numpy as np
 
 from pitchpoint.model.build import build_model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.engine import frame

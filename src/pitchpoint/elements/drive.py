@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.core.formula_kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_slope
 from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import CONSTRAINT, DRIVE, FREE, Kind, Power

@@ -16,7 +16,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.core.formula_kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_slope
 from pitchpoint.core.kernel import call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FRAME, FREE, SIGNAL, Kind, Power

@@ -44,7 +44,7 @@ SHARES = ("contact_loss_share", "back_contact_share")
 def describe(model: Model) -> ReportModel:
     """Collect the contents of a report about a model."""
     from pitchpoint.core.provenance import content_hash, package_version
-    from pitchpoint.model.signal_words import signal_lines
+    from pitchpoint.model.signals import signal_lines
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.flanks import flank_lines, idle_faults
     from pitchpoint.report.numbers import geometry_of_model

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import defaults_of, keys_of
-from pitchpoint.model.remarks import follows_flanks
+from pitchpoint.model.remarks.collect import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.model.sections import groups_of
 from pitchpoint.model.shafts import own_bodies

@@ -9,7 +9,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.elements.kind import SIGNAL
 from pitchpoint.elements.signals.graph import LOADS
-from pitchpoint.model.signal_names import rates_behind
+from pitchpoint.model.signals import rates_behind
 from pitchpoint.system.source import source
 
 if TYPE_CHECKING:

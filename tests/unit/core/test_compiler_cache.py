@@ -11,7 +11,7 @@ import pytest
 from pitchpoint.core.kernel import COMPILING
 
 if COMPILING:
-    from pitchpoint.core.compiler_cache import KernelFiles
+    from pitchpoint.core.compiler.cache import KernelFiles
 
 pytestmark = pytest.mark.skipif(not COMPILING, reason="needs the compiler")
 

@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-from pitchpoint.core.compiling import unhindered
+from pitchpoint.core.compiler.interpreter import unhindered
 from pitchpoint.core.kernel import COMPILING
 
 
@@ -83,13 +83,13 @@ def fit(a, b, n):
 """
 CALL = """
 from outsider.kind import allocating, fit, raising
-from pitchpoint.core import compiler_parts, machine_code
+from pitchpoint.core.compiler import machine_code, parts
 from pitchpoint.core.kernel import invoke
 from outsider import helper
 print(*(invoke(f, 1, 0, n) for f, n in ((raising, 1), (raising, 2), (allocating, 7), (fit, 6))))
 print(*(machine_code.is_refused(f.py_func) for f in (raising, allocating, fit)))
 kernels = [helper.refuse, helper.total, helper.double, helper.fourfold]
-print(*(isinstance(r.library, compiler_parts.Part) for k in kernels for r in k.dispatcher.overloads.values()))
+print(*(isinstance(r.library, parts.Part) for k in kernels for r in k.dispatcher.overloads.values()))
 """
 
 

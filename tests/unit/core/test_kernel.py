@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.core import kernel as door
-from pitchpoint.core import machine_code, notices
-from pitchpoint.core.import_closure import import_closure
+from pitchpoint.core import notices
+from pitchpoint.core.compiler import machine_code
+from pitchpoint.core.compiler.import_closure import import_closure
 from pitchpoint.core.kernel import COMPILING, call_law, kernel, law_address
 from tests.support.cli_files import TORSION
 

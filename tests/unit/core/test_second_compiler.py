@@ -8,26 +8,27 @@ import subprocess
 import sys
 import textwrap
 
-from pitchpoint.core import machine_code, notices, second_compiler
+from pitchpoint.core import notices
+from pitchpoint.core.compiler import machine_code, second_process
 
 
 def test_an_entry_that_nobody_was_asked_for_is_not_waited_for():
-    second_compiler.await_entry("somewhere:entry")
+    second_process.await_entry("somewhere:entry")
 
 
 def test_a_failing_second_process_does_no_harm(monkeypatch):
-    monkeypatch.setattr(second_compiler, "cores", lambda: 2)
-    second_compiler.delegate(["pitchpoint.no_such_module:entry", "pitchpoint.neither:entry"])
-    second_compiler.await_entry("pitchpoint.neither:entry")
-    assert not second_compiler._pending
+    monkeypatch.setattr(second_process, "cores", lambda: 2)
+    second_process.delegate(["pitchpoint.no_such_module:entry", "pitchpoint.neither:entry"])
+    second_process.await_entry("pitchpoint.neither:entry")
+    assert not second_process._pending
 
 
 def test_the_first_start_is_explained_once(monkeypatch):
     heard = []
     monkeypatch.setattr(notices, "_listeners", [])
     notices.listen(heard.append)
-    second_compiler.announce()
-    second_compiler.announce()
+    second_process.announce()
+    second_process.announce()
     assert len(heard) == 1
     assert "once" in heard[0]
 
@@ -63,12 +64,12 @@ def test_killed_processes_leave_no_drafts(tmp_path, monkeypatch):
 
 
 def test_a_killed_second_process_leaves_no_drafts(tmp_path, monkeypatch):
-    monkeypatch.setattr(second_compiler, "cores", lambda: 2)
+    monkeypatch.setattr(second_process, "cores", lambda: 2)
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
-    second_compiler.delegate(["pitchpoint.no_such_module:entry"])
-    (process,) = second_compiler._pending.values()
+    second_process.delegate(["pitchpoint.no_such_module:entry"])
+    (process,) = second_process._pending.values()
     draft = machine_code._folder() / f"draft-{process.pid}-x"
     draft.mkdir(parents=True)
     (draft / "half.code").touch()
-    second_compiler.await_entry("pitchpoint.no_such_module:entry")
+    second_process.await_entry("pitchpoint.no_such_module:entry")
     assert not draft.exists()

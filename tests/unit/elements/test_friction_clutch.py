@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pitchpoint.contact.bristle import bristle_rate, stribeck
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import coupling, drive, friction_clutch, torque
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements.friction_clutch import BRISTLE, REGULARISED

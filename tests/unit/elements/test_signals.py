@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pitchpoint.core.errors import CompileError, SolverError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import gravity, registry
 from pitchpoint.elements.signals import record as sr
 from pitchpoint.elements.signals.net import SignalNet

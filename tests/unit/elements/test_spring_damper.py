@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import maxwell, spring_damper
 from pitchpoint.elements import signal as sig

@@ -9,7 +9,7 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.beam_remarks import ends_left_behind
+from pitchpoint.model.remarks.beams import ends_left_behind
 from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system.compile import compile_model
 

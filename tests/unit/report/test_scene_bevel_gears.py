@@ -9,8 +9,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pitchpoint.geometry.bevel_blank import bevel_mass
-from pitchpoint.geometry.bevel_tooth import placed
+from pitchpoint.geometry.bevel.blank import bevel_mass
+from pitchpoint.geometry.bevel.tooth import placed
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.bevel_places import apex_of
 from pitchpoint.model.frames import body_frame

@@ -8,7 +8,7 @@ import pytest
 from scipy.integrate import quad
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import drive, speed_profile
 from pitchpoint.elements.signal import Pool
 from pitchpoint.elements.speed_profile import fit_pieces, straight_pieces

@@ -12,7 +12,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.build import build_model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system.compile import compile_model
 from tests.support.machines import pair

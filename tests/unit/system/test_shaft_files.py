@@ -18,7 +18,7 @@ from pitchpoint.model.build import build_model
 from pitchpoint.model.components.shaft import Shaft, ShaftSection
 from pitchpoint.model.inertia import gear_inertia
 from pitchpoint.model.model import Model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.write import plain
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import prepare_start

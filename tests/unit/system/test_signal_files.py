@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements.signals import record as sr
 from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.nomenclature import unit
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive, torque

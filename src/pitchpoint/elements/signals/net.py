@@ -212,7 +212,7 @@ class SignalNet:
         self._add(Node(name, sr.TABLE, (x,), {"n": a.size}, np.concatenate([a, b])))
 
     def formula(self, name: str, formula: Any, inputs: Sequence[str], unit: str = "1") -> None:
-        """A `core.formula.Formula` of up to three signals, or of two and the time "t", in its order."""
+        """A `Formula` of up to three signals, or of two and the time "t", in its order."""
         if len(inputs) != len(formula.variables):
             raise CompileError(f"signal {name!r}: its formula takes {len(formula.variables)} inputs")
         numbers = np.concatenate([formula.ops.view(np.float64), formula.workspace()])

@@ -16,6 +16,10 @@ from pitchpoint.system.remarks import DEEPEST
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
 HELD = 1e-12
 """Stiffness over the largest, all weighted as lengths, up to which a direction counts as not held."""
 LOADED = 1e-6
@@ -72,11 +76,6 @@ def advice(names: tuple[str, ...]) -> str:
     bearing = "a bearing" if len({name.rpartition(".")[0] for name in names}) == 1 else "bearings"
     listed = " and ".join([", ".join(kinds[:-1]), kinds[-1]] if len(kinds) > 1 else kinds)
     return f"nothing holds {', '.join(names)}: add {bearing} with {listed} stiffness"
-
-
-if TYPE_CHECKING:
-    from pitchpoint.model.model import Model
-    from pitchpoint.system.system import State, System
 
 
 def broken_tooth(system: System, state: State) -> str:

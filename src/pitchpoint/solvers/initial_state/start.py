@@ -32,7 +32,11 @@ from pitchpoint.solvers.model_damping import with_damping
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
+
 
 SAME = 1e-6
 """Difference from a given value up to which it counts as held [m, rad, m/s, rad/s], as in closing loops."""
@@ -73,7 +77,7 @@ def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[
         Where the run begins.
     driven
         Coordinates whose motion is prescribed; what they cannot begin with is known without a run
-        (`model.keys_without_effect`).
+        (`model.remarks.keys_without_effect`).
     """
     model = system.model
     if model is None:
@@ -109,11 +113,6 @@ def _tumbled(system: System, state: State, name: str) -> bool:
     chart = int(system.program["body"]["chart"][number])
     return chart >= 0 and not np.allclose(state.charts[chart], np.eye(3))
 
-
-if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
-
-    from pitchpoint.model.scenario import Scenario
 
 UNBALANCED = "the loads do not balance"
 """How the remark begins that the speed will drift."""

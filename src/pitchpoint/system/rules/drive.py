@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import CompileError, SolverError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import drive as element
 from pitchpoint.elements.ratio import SPIN

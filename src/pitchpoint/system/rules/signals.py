@@ -12,7 +12,7 @@ import numpy as np
 
 from pitchpoint.core import nomenclature
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.user_law import load_function
 from pitchpoint.elements.signals import record as sr
 from pitchpoint.elements.signals.graph import unit_code
@@ -23,7 +23,7 @@ from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import Actuator, ForceActuator, TorqueActuator
 from pitchpoint.model.components.controller import Controller, PythonController
 from pitchpoint.model.components.sensor import AXES, FrameSensor, JointSensor, Listener, LoadSensor, Sensor
-from pitchpoint.model.signal_names import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
+from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.system.controller import SampledController, sampled_pid
