@@ -28,15 +28,7 @@ HEAVY = (
 )
 
 
-CIRCLES_LEFT = (
-    {"geometry.bevel.gear", "geometry.bevel.pair", "geometry.bevel.problems", "geometry.bevel.tooth"},
-    {
-        "core.compiler.second_process",
-        "core.compiler.public_numba",
-        "core.compiler.private_numba",
-        "core.kernel",
-    },
-)
+CIRCLES_LEFT = ({"core.compiler.public_numba", "core.compiler.private_numba", "core.kernel"},)
 """Groups of modules that import each other through imports inside functions; only to be shortened."""
 
 

@@ -8,15 +8,13 @@ report is compiled here.
 
 from __future__ import annotations
 
-import importlib
 import logging
 import os
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from pitchpoint.core.child import python_command, python_environment
-from pitchpoint.core.compiler.interpreter import unhindered
 from pitchpoint.core.compiler.machine_code import clear_drafts, is_stock
 from pitchpoint.core.notices import notice
 
@@ -46,7 +44,7 @@ def delegate(entries: Sequence[str]) -> None:
         return
     try:
         process = subprocess.Popen(
-            python_command("-m", __name__, *wanted),
+            python_command("-m", "pitchpoint.core.compiler.entries", *wanted),
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -77,19 +75,3 @@ def await_entry(entry: str) -> None:
 def withdraw(entry: str) -> None:
     """Stop waiting for an entry: it is compiled here, and perhaps by the second process too."""
     _pending.pop(entry, None)
-
-
-def main(entries: Sequence[str]) -> None:
-    """Compile entries and report each on stdout; the work of the second process."""
-    from pitchpoint.core.kernel import address
-
-    for entry in entries:
-        module, _, name = entry.partition(":")
-        kind: Any = getattr(importlib.import_module(module), name)
-        address(kind)
-        sys.stdout.write(entry + "\n")
-        sys.stdout.flush()
-
-
-if __name__ == "__main__":
-    unhindered(lambda: main(sys.argv[1:]))

@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.geometry.bevel.cones import spherical_involute
 from pitchpoint.geometry.involute import transverse_pressure_angle
 from pitchpoint.geometry.rack import BasicRack
 
@@ -24,36 +25,6 @@ def _number(where: str, value: object, low: float, high: float, limit: str) -> N
         raise GeometryError(
             "is not possible", where=where, value=f"{value!r}", limit=limit, remedy="give a number within"
         )
-
-
-def spherical_involute(sigma: float, delta_b: float) -> float:
-    """Azimuth of a point of a spherical involute, counted from its foot on the base cone.
-
-    Parameters
-    ----------
-    sigma
-        Arc rolled off the base cone, seen from the apex [rad], 0 to π.
-    delta_b
-        Base cone angle [rad].
-
-    Returns
-    -------
-    float
-        θ = σ / sin δ_b − atan(tan σ / sin δ_b) [rad].
-
-    Notes
-    -----
-    A great circle rolls on the base circle without slip: its touching point has gone on by σ / sin δ_b, and
-    the point lies the arc σ behind it (right spherical triangle). With δ_b → 0 and σ = δ_b tan α it is the
-    involute function inv α of ISO 21771.
-
-    Examples
-    --------
-    >>> round(spherical_involute(1e-6 * math.tan(math.radians(20.0)), 1e-6), 9)
-    0.014904384
-    """
-    s = math.sin(delta_b)
-    return sigma / s - math.atan2(math.sin(sigma), math.cos(sigma) * s)
 
 
 @dataclass(frozen=True, kw_only=True)

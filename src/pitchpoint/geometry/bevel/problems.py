@@ -11,6 +11,8 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message
+from pitchpoint.geometry.bevel.cones import pitch_angles
+from pitchpoint.geometry.bevel.tooth import crown_tool
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
     Found,
@@ -148,8 +150,6 @@ def bevel_gear_warnings(gear: BevelGear, where: str = "") -> list[Message]:
     pinion.face_width: 23 mm is a wide face for a bevel gear (limit 22.3607 mm, a third of the outer cone \
 distance); reduce it, or use more teeth or a larger module
     """
-    from pitchpoint.geometry.bevel.tooth import crown_tool
-
     if gear.problems():
         return []
     limits = (
@@ -208,8 +208,6 @@ b 40.107 deg); correct pitch_cone_angle or shaft_angle
 
 def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Message]:
     """Two gears that cannot belong together."""
-    from pitchpoint.geometry.bevel.pair import pitch_angles
-
     one, two = pair.gear1, pair.gear2
     right = pitch_angles(one.z, two.z, pair.Sigma)
     found = []
@@ -296,7 +294,8 @@ def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> 
     Examples
     --------
     >>> from pitchpoint.geometry.bevel.gear import BevelGear
-    >>> from pitchpoint.geometry.bevel.pair import BevelPair, pitch_angles
+    >>> from pitchpoint.geometry.bevel.cones import pitch_angles
+    >>> from pitchpoint.geometry.bevel.pair import BevelPair
     >>> gears = [
     ...     BevelGear.of_outer_module(z=z, m_et=3e-3, delta=delta, b=9e-3)
     ...     for z, delta in zip((13, 40), pitch_angles(13, 40, math.pi / 2))]

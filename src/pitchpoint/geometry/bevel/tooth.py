@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.bevel.gear import spherical_involute
+from pitchpoint.geometry.bevel.cones import spherical_involute
 from pitchpoint.geometry.bisection import bisect
 
 if TYPE_CHECKING:

@@ -157,7 +157,7 @@ class BevelGear:
         """Pitch cone angle [rad], given or from the teeth of the mate."""
         if self.pitch_cone_angle is not None or self.mate_teeth is None:
             return self.pitch_cone_angle or 0.0
-        from pitchpoint.geometry.bevel.pair import pitch_angles
+        from pitchpoint.geometry.bevel.cones import pitch_angles
 
         return pitch_angles(self.number_of_teeth, self.mate_teeth, self.shaft_angle)[0]
 

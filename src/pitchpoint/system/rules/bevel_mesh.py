@@ -16,7 +16,7 @@ from pitchpoint.contact.stiffness.description import Description, PairShape, Pha
 from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, SingleStiffness, VirtualTooth, stiffness_of_teeth
 from pitchpoint.elements.mesh.bevel import record as layout
 from pitchpoint.elements.signal import Pool
-from pitchpoint.geometry.bevel.gear import spherical_involute
+from pitchpoint.geometry.bevel.cones import spherical_involute
 from pitchpoint.geometry.tooth_faults import displaced_gap
 from pitchpoint.model.bevel_places import pitch_ray, turned_to
 from pitchpoint.model.carried_trains import carrying

@@ -44,7 +44,7 @@ def test_killed_processes_leave_no_drafts(tmp_path, monkeypatch):
     code = """
         import os, pathlib, signal
         from pitchpoint.core import machine_code
-        from tests.unit.core.test_second_compiler import entry
+        from tests.unit.core.test_second_process import entry
         pathlib.Path.write_bytes = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
         machine_code.save(entry, b"code", [])
     """
