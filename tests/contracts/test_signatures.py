@@ -17,7 +17,7 @@ from numba.core.funcdesc import PythonFunctionDescriptor
 from numba.core.lowering import Environment
 from pitchpoint.core import kernel as door
 from pitchpoint.core.compiler import parts, private_numba, public_numba
-from pitchpoint.core.compiler.interpreter import unhindered
+from pitchpoint.core.compiler.interpreter import run_compiler
 from pitchpoint.core.kernel import Kernel
 
 def typed_only(self, state):
@@ -36,7 +36,7 @@ public_numba._ways[:] = [private_numba]  # the probe would need code
 for entry in sys.argv[1:]:
     module, name = entry.split(":")
     found = getattr(importlib.import_module(module), name)
-    unhindered(lambda: found.dispatcher.compile(private_numba.ENTRY.args))
+    run_compiler(lambda: found.dispatcher.compile(private_numba.ENTRY.args))
 for name, module in list(sys.modules.items()):
     if name.startswith("pitchpoint.") and module is not door:
         for key, value in vars(module).items():
@@ -49,7 +49,7 @@ for name, module in list(sys.modules.items()):
 ENTRIES = (
     "pitchpoint.elements.gear_mesh:entry",
     "pitchpoint.elements.torque:entry",
-    "pitchpoint.system.perform:perform",
+    "pitchpoint.system.requests:handle_request",
     "pitchpoint.solvers.implicit.generalized_alpha:entry",
 )
 

@@ -76,7 +76,7 @@ def run(
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
-        refuse_idle,
+        refuse_without_effect,
         result_path,
         statistics_table,
         unless_it_cannot_begin,
@@ -87,15 +87,15 @@ def run(
     stored = {"--channels": how["channels"] or None}
     name = choose_scenario(model, scenario, "time", "quasi_static")
     rolls = model.scenarios[name].kind == "quasi_static"
-    refuse_idle(
+    refuse_without_effect(
         "on a slow roll",
         {"--step": step, "--decimate": decimate, "--reduce": reduce, **stored} if rolls else {},
     )
-    refuse_idle(
+    refuse_without_effect(
         "with --vary, whose table has statistics only", {"--decimate": decimate, **stored} if vary else {}
     )
-    refuse_idle("with --vary", {"--reduce": reduce} if vary else {})
-    refuse_idle("without --vary", {} if vary else {"--jobs": jobs})
+    refuse_without_effect("with --vary", {"--reduce": reduce} if vary else {})
+    refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
     if how["channels"]:

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.core.compiler import machine_code
-from pitchpoint.core.compiler.interpreter import unhindered
+from pitchpoint.core.compiler.interpreter import run_compiler
 from pitchpoint.core.compiler.machine_code import cache_folder
 from pitchpoint.core.compiler.second_process import announce, await_entry, delegate, withdraw
 
@@ -141,7 +141,7 @@ def address(entry: Any) -> int:
             if where is None:
                 from pitchpoint.core.compiler import public_numba
 
-                where, needed = unhindered(lambda: public_numba.entry_address(entry))
+                where, needed = run_compiler(lambda: public_numba.entry_address(entry))
                 _kept.append(needed)
             _addresses[entry] = where
         return _addresses[entry]
@@ -182,7 +182,7 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
         announce()
     if missing and here and machine_code.can_save():
         delegate([label(e) for e in missing])
-    unhindered(lambda: _compile(here, missing))
+    run_compiler(lambda: _compile(here, missing))
 
 
 def _compile(here: Sequence[Any], there: list[Any]) -> None:

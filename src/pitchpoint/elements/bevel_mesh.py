@@ -40,8 +40,8 @@ from pitchpoint.elements.mesh.observations import (
     write_mesh,
 )
 from pitchpoint.elements.mesh.sums import (
-    begin_ask,
     begin_damping,
+    begin_request,
     begin_sums,
     end_damping,
     mesh_damper,
@@ -103,7 +103,7 @@ def _sum(b, f, g):
     for row in range(rows):
         b["rate"][row] = rate_of_row(b, f, g, row)
     begin_sums(b)
-    if b["ask"]["out"] != 0 or b["ask"]["ev"] != 0:
+    if b["request"]["out"] != 0 or b["request"]["ev"] != 0:
         sum_flank(b, 1)
     else:
         sum_flank(b, None)
@@ -132,18 +132,18 @@ def _observe_flank(b, flank):
         dot(V, triple(now["axis"][1], 0)),
     )
     add_flank(b, flank, force[2] / b["R_m"], parts, 0.0)
-    out = view(b["ask"]["out"], 1, OBSERVED)[0]
+    out = view(b["request"]["out"], 1, OBSERVED)[0]
     out["radial_force_1"] += dot(V, triple(now["away"][0], 0))
     out["axial_force_1"] -= dot(V, triple(now["axis"][0], 0))
 
 
 @kernel
 def _one_mesh(b, fr, kk):
-    """Wrenches, tangents and observations of one mesh, as its `ask` requires."""
+    """Wrenches, tangents and observations of one mesh, as its `request` requires."""
     now = b["now"]
-    ask = b["ask"]
-    f = fr[ask["i"]]
-    g = fr[ask["j"]]
+    request = b["request"]
+    f = fr[request["i"]]
+    g = fr[request["j"]]
     status = axes_of_action(b, f, g)
     if status != OK:
         return status
@@ -151,12 +151,12 @@ def _one_mesh(b, fr, kk):
     status = countable(now["u"], now["travel"], b["p_bt"], now["eps"])
     if status != OK:
         return status
-    watch = ask["out"] != 0
-    if watch or ask["ev"] != 0:
+    watch = request["out"] != 0
+    if watch or request["ev"] != 0:
         rates_of_place(b, f, g)
     if watch:
         clear(b, N_OUT)
-    exact = ask["jac"] == 2 and ask["ck"] != 0.0
+    exact = request["jac"] == 2 and request["ck"] != 0.0
     x = now["u"]
     front = contact_event(x - 0.5 * now["gap"] - b["sep_min"], 0.0)
     back = contact_event(-x - 0.5 * now["gap"] - b["sep_min"], 0.0)
@@ -186,7 +186,7 @@ def _one_mesh(b, fr, kk):
     if watch:
         psi = flank_phase(b, 1)
         write_mesh(b, 0.0, psi - math.floor(psi), force, rate)
-    if ask["ev"] != 0:
+    if request["ev"] != 0:
         write_events(b, x, front, back, now["eps"])
     return OK
 
@@ -196,7 +196,7 @@ def bevel_mesh(rec, ctl, fr, kk):
     """Wrenches, tangents and observations of all bevel meshes; see the module text."""
     for r in range(rec.size):
         b = rec[r]
-        begin_ask(b, ctl[0])
+        begin_request(b, ctl[0])
         status = _one_mesh(b, fr, kk)
         if status != OK:
             ctl[0]["bad"] = r

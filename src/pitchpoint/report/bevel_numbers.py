@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.report.rows import C_PRIME_B, MEAN, Row, pick
+from pitchpoint.report.number_rows import C_PRIME_B, MEAN, Row, pick
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle

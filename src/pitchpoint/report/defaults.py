@@ -43,7 +43,7 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     for group in groups_of(model):
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
-            idle = _idle(part)
+            idle = _keys_without_effect(part)
             if group == "meshes" and follows_flanks(model, name):
                 idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral
             for key, value in _unset(part):
@@ -55,7 +55,7 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
                     yield group, name, key, value
 
 
-def _idle(part: Any) -> set[str]:
+def _keys_without_effect(part: Any) -> set[str]:
     """Name the keys that have no effect on this component as it is described."""
     idle = (
         {"inertia_tensor"}

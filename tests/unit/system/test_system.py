@@ -22,7 +22,7 @@ from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.model_damping import modal_damping
 from pitchpoint.system import evaluate
 from pitchpoint.system.layout import group
-from pitchpoint.system.perform import WRAP, ask
+from pitchpoint.system.requests import WRAP, send_request
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings, chain, couplings, damping_records, differences, rattle, torques
 
@@ -223,10 +223,10 @@ def test_a_spin_that_runs_away_cannot_stop_the_wrapping(spin):
     evaluate.prepare(system)
     evaluate.load(system, system.initial_state())
     system.workspace.q[0] = spin
-    ask(system.workspace, WRAP)
+    send_request(system.workspace, WRAP)
     assert system.workspace.q[0] == pytest.approx(spin, nan_ok=True)
     system.workspace.q[0] = 1e6 + 0.25
-    ask(system.workspace, WRAP)
+    send_request(system.workspace, WRAP)
     assert abs(system.workspace.q[0]) <= math.pi
     turns = int(system.workspace.fr["turns"][1])
     assert system.workspace.q[0] + 2.0 * math.pi * turns == pytest.approx(1e6 + 0.25, rel=1e-12)

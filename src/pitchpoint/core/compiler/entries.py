@@ -8,7 +8,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from pitchpoint.core.compiler.interpreter import unhindered
+from pitchpoint.core.compiler.interpreter import run_compiler
 from pitchpoint.core.kernel import address
 
 
@@ -23,4 +23,4 @@ def main(entries: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    unhindered(lambda: main(sys.argv[1:]))
+    run_compiler(lambda: main(sys.argv[1:]))

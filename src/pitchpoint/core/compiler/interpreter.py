@@ -28,7 +28,7 @@ def _with_room(function: Callable[[], T]) -> T:
 _with_room.__code__ = _with_room.__code__.replace(co_stacksize=_WORDS)
 
 
-def unhindered(function: Callable[[], T]) -> T:
+def run_compiler(function: Callable[[], T]) -> T:
     """Call a function that compiles, without garbage collection and with room for its frames.
 
     Parameters

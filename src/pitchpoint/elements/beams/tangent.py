@@ -27,7 +27,7 @@ def _fixed(b, k, o, e, cm, cd, ck, turn):
 
 
 @kernel
-def _still(b, k):
+def _no_motion(b, k):
     nothing = (0.0, 0.0, 0.0)
     _set(b["dw"], k, nothing)
     _set(b["dw1"], k, nothing)
@@ -55,9 +55,9 @@ def _move(b, side, c, cm, cd, ck):
     _set(b["dw2"], XI + side, add(second, times(cm, add(shift, about))))
     _fixed(b, TI + side, o, e, cm, cd, ck, turn)
     _fixed(b, PI + side, o, e, cm, cd, ck, turn)
-    _still(b, XI + other)
-    _still(b, TI + other)
-    _still(b, PI + other)
+    _no_motion(b, XI + other)
+    _no_motion(b, TI + other)
+    _no_motion(b, PI + other)
     _set(b["d_theta"], side, times(ck, turn))
     _set(b["d_omega"], side, times(cd, turn))
     _set(b["d_alpha"], side, times(cm, turn))

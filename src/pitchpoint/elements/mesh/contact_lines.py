@@ -55,7 +55,7 @@ def _begin(b, flank, deflection):
     now["growth"] = 0.0
     for k in range(ROWS):
         b["rate"][k] = 0.0
-    b["ask"]["jac"] = 0
+    b["request"]["jac"] = 0
     begin_sums(b)
     if b["n_sep"] > 0:
         begin_separation(b)

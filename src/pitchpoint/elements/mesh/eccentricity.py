@@ -91,35 +91,35 @@ def _displace(f, own, zc, place, arms, side):
 @kernel
 def begin_displaced(b, fr):
     """Turn the evaluation of mesh `b` towards frames of its own, which it gives."""
-    ask = b["ask"]
+    request = b["request"]
     where = pooled(b, b["seats"])
     own = view(where + 8 * _FRAMES, 2, FRAME)
     place = view(where, PLACE, F8)
-    if ask["out"] != 0:
+    if request["out"] != 0:
         line_of_action(b, fr[b["i"]], fr[b["j"]])
         view(where + 8 * _TRAVEL, 1, F8)[0] = b["now"]["u"]
     arms = view(where + 8 * _ARMS, (2, 3), F8)
     _displace(fr[b["i"]], own[0], b["zc1"], place, arms, 0)
     _displace(fr[b["j"]], own[1], b["zc2"], place, arms, 1)
-    ask["i"] = 0
-    ask["j"] = 1
-    ask["ii"] = 0
-    ask["ij"] = 1
-    ask["ji"] = 2
-    ask["jj"] = 3
-    ask["fr"] = where + 8 * _FRAMES
-    ask["nb"] = 2
-    ask["np"] = 4
+    request["i"] = 0
+    request["j"] = 1
+    request["ii"] = 0
+    request["ij"] = 1
+    request["ji"] = 2
+    request["jj"] = 3
+    request["fr"] = where + 8 * _FRAMES
+    request["nb"] = 2
+    request["np"] = 4
     return own
 
 
 @kernel
 def _own_tangents(b, first):
     """Tangents of the displaced frames, set to zero, where the mesh finds them."""
-    ask = b["ask"]
-    ask["kk"] = pooled(b, b["seats"]) + 8 * first
-    kk = view(ask["kk"], (4, 6, 6), F8)
-    if ask["jac"] != 0:
+    request = b["request"]
+    request["kk"] = pooled(b, b["seats"]) + 8 * first
+    kk = view(request["kk"], (4, 6, 6), F8)
+    if request["jac"] != 0:
         for p in range(4):
             for r in range(6):
                 for k in range(6):
@@ -130,7 +130,7 @@ def _own_tangents(b, first):
 @kernel
 def damping_alone(b):
     """Where the next sum puts its tangents, which are those of the damping alone."""
-    b["ask"]["jac"] = 1
+    b["request"]["jac"] = 1
     return _own_tangents(b, _DAMPING)
 
 

@@ -17,7 +17,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.mesh.force_directions import normal_directions, offset_direction, travel_direction
 from pitchpoint.elements.mesh.line_of_action import line_of_action
 from pitchpoint.elements.mesh.record import RECORD
-from pitchpoint.elements.mesh.sums import asked_arrays
+from pitchpoint.elements.mesh.sums import requested_arrays
 
 STEP = 2e-4
 """Distance of the points of a difference: turn [rad], or translation over centre distance."""
@@ -122,15 +122,15 @@ def turning(record, flank, _):
     mesh damper. Compiled only where exact tangents are requested.
     """
     b = view(record, 1, RECORD)[0]
-    fr, kk = asked_arrays(b)
-    ck = b["ask"]["ck"]
-    f = fr[b["ask"]["i"]]
-    g = fr[b["ask"]["j"]]
-    _turn(b, f, g, f, 0, kk[b["ask"]["ii"]], kk[b["ask"]["ji"]], ck, flank)
-    _turn(b, f, g, g, 1, kk[b["ask"]["ij"]], kk[b["ask"]["jj"]], ck, flank)
+    fr, kk = requested_arrays(b)
+    ck = b["request"]["ck"]
+    f = fr[b["request"]["i"]]
+    g = fr[b["request"]["j"]]
+    _turn(b, f, g, f, 0, kk[b["request"]["ii"]], kk[b["request"]["ji"]], ck, flank)
+    _turn(b, f, g, g, 1, kk[b["request"]["ij"]], kk[b["request"]["jj"]], ck, flank)
     _directions(b, f, g, flank)
     if flank != 0:
         offset_direction(b, f, g)
-    _brake(b, b["basis_i"], 0, kk[b["ask"]["ii"]], kk[b["ask"]["ji"]], ck, flank)
-    _brake(b, b["basis_j"], 1, kk[b["ask"]["ij"]], kk[b["ask"]["jj"]], ck, flank)
+    _brake(b, b["basis_i"], 0, kk[b["request"]["ii"]], kk[b["request"]["ji"]], ck, flank)
+    _brake(b, b["basis_j"], 1, kk[b["request"]["ij"]], kk[b["request"]["jj"]], ck, flank)
     return OK

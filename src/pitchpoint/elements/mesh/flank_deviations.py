@@ -202,10 +202,10 @@ def add_roll_tangent(b, kk, rows):
             Bi = b["basis_i"][p, k]
             Bj = b["basis_j"][p, k]
             for n in range(3):
-                kk[b["ask"]["ii"], k, 3 + n] -= Bi * c1 * m[n]
-                kk[b["ask"]["ij"], k, 3 + n] += Bi * c2 * m[n]
-                kk[b["ask"]["ji"], k, 3 + n] -= Bj * c1 * m[n]
-                kk[b["ask"]["jj"], k, 3 + n] += Bj * c2 * m[n]
+                kk[b["request"]["ii"], k, 3 + n] -= Bi * c1 * m[n]
+                kk[b["request"]["ij"], k, 3 + n] += Bi * c2 * m[n]
+                kk[b["request"]["ji"], k, 3 + n] -= Bj * c1 * m[n]
+                kk[b["request"]["jj"], k, 3 + n] += Bj * c2 * m[n]
 
 
 @kernel

@@ -37,14 +37,14 @@ _AWAY = 10.0
 @kernel
 def observed(b):
     """Observations that every mesh has, as a record."""
-    return view(b["ask"]["out"], 1, OBSERVED)[0]
+    return view(b["request"]["out"], 1, OBSERVED)[0]
 
 
 @kernel
 def clear(b, n_out):
     """Set all observations of a mesh to zero; `n_out` of its kind come before those of its pairs."""
     n = n_out + b["n_pair"] + 2 * b["rubs"]
-    out = view(b["ask"]["out"], n, F8)
+    out = view(b["request"]["out"], n, F8)
     for k in range(n):
         out[k] = 0.0
 
@@ -90,7 +90,7 @@ def write_mesh(b, e_rate, psi, damper, rate):
 @kernel
 def add_pair_force(b, n_out, slot, force):
     """Add a force of a tooth pair, front flank positive [N]."""
-    view(b["ask"]["out"] + 8 * n_out, b["n_pair"], F8)[slot] += force
+    view(b["request"]["out"] + 8 * n_out, b["n_pair"], F8)[slot] += force
 
 
 @kernel
@@ -98,7 +98,7 @@ def add_friction_torques(b, n_out, f, g):
     """Add the torques of friction, the last rows of the basis, where the mesh shows them."""
     if b["rubs"] == 0 or b["contact"]["mu"] == 0.0:
         return
-    out = view(b["ask"]["out"] + 8 * (n_out + b["n_pair"]), 2, F8)
+    out = view(b["request"]["out"] + 8 * (n_out + b["n_pair"]), 2, F8)
     rows = b["lever"].size
     for p in range(rows - FRICTION_ROWS, rows):
         s = b["sums"]["force"][p]
@@ -126,7 +126,7 @@ def write_events(b, x, front, back, leaves):
     `leaves`: path position at which a pair leaves [base pitches].
     """
     now = b["now"]
-    where = b["ask"]["ev"]
+    where = b["request"]["ev"]
     ev = view(where, 1, EVENT_ROW)[0]
     ev["front_gap"] = front
     ev["back_gap"] = back

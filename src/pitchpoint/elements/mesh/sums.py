@@ -23,7 +23,7 @@ FRICTION_ROWS = 3
 """Rows of friction in a wrench basis, the last ones."""
 
 #: What an evaluation of a mesh is for: a copy of what it needs of the control record.
-ASK = np.dtype(
+REQUEST = np.dtype(
     [
         ("t", "f8"),
         ("ck", "f8"),
@@ -61,7 +61,7 @@ def scratch_of_sums(rows: int) -> list[tuple]:
         ("nearest", "f8"),  # largest force over stiffness of a node [m], below zero where it is open
     ]
     return [
-        ("ask", ASK),
+        ("request", REQUEST),
         ("rate", "f8", rows),  # rates of both bodies along the rows
         ("lever", "f8", rows),  # of one node
         ("sums", np.dtype(sums, align=True)),
@@ -75,51 +75,51 @@ NOWHERE = -0.1
 
 
 @kernel
-def begin_ask(b, c):
+def begin_request(b, c):
     """Take over what the control record `c` asks of a mesh."""
-    ask = b["ask"]
-    ask["t"] = c["t"]
-    ask["ck"] = c["ck"]
-    ask["cd"] = c["cd"]
-    ask["jac"] = c["jac"]
-    ask["out"] = c["out"] + 8 * b["out"] if c["out"] != 0 else 0
-    ask["ev"] = c["ev"] + 8 * b["ev"] if c["ev"] != 0 else 0
-    ask["i"] = b["i"]
-    ask["j"] = b["j"]
-    ask["ii"] = b["ii"]
-    ask["ij"] = b["ij"]
-    ask["ji"] = b["ji"]
-    ask["jj"] = b["jj"]
-    ask["fr"] = c["fr"]
-    ask["nb"] = c["nb"]
-    ask["kk"] = c["kk"]
-    ask["np"] = c["np"]
+    request = b["request"]
+    request["t"] = c["t"]
+    request["ck"] = c["ck"]
+    request["cd"] = c["cd"]
+    request["jac"] = c["jac"]
+    request["out"] = c["out"] + 8 * b["out"] if c["out"] != 0 else 0
+    request["ev"] = c["ev"] + 8 * b["ev"] if c["ev"] != 0 else 0
+    request["i"] = b["i"]
+    request["j"] = b["j"]
+    request["ii"] = b["ii"]
+    request["ij"] = b["ij"]
+    request["ji"] = b["ji"]
+    request["jj"] = b["jj"]
+    request["fr"] = c["fr"]
+    request["nb"] = c["nb"]
+    request["kk"] = c["kk"]
+    request["np"] = c["np"]
 
 
 @kernel
-def asked_arrays(b):
+def requested_arrays(b):
     """Frames [nb] and pair tangents [np, 6, 6] of an evaluation."""
-    ask = b["ask"]
-    return view(ask["fr"], ask["nb"], FRAME), view(ask["kk"], (ask["np"], 6, 6), F8)
+    request = b["request"]
+    return view(request["fr"], request["nb"], FRAME), view(request["kk"], (request["np"], 6, 6), F8)
 
 
 @kernel
 def begin_damping(b):
     """Make the next sums those of the damping coefficients alone, without observations; see `end_damping`."""
-    ask = b["ask"]
-    kept = (ask["ck"], ask["cd"], ask["out"], ask["ev"])
-    ask["ck"] = 0.0
-    ask["cd"] = 1.0
-    ask["out"] = 0
-    ask["ev"] = 0
+    request = b["request"]
+    kept = (request["ck"], request["cd"], request["out"], request["ev"])
+    request["ck"] = 0.0
+    request["cd"] = 1.0
+    request["out"] = 0
+    request["ev"] = 0
     return kept
 
 
 @kernel
 def end_damping(b, kept):
     """Restore what `begin_damping` gave."""
-    ask = b["ask"]
-    ask["ck"], ask["cd"], ask["out"], ask["ev"] = kept
+    request = b["request"]
+    request["ck"], request["cd"], request["out"], request["ev"] = kept
 
 
 @kernel
@@ -188,11 +188,11 @@ def add_node(b, watch, x, k, limit, feed, own, size):
             sums["stiffness"] += stiffness * size
     if f == 0.0:
         return 0.0
-    c = b["ask"]["ck"] * by_x + b["ask"]["cd"] * by_w
+    c = b["request"]["ck"] * by_x + b["request"]["cd"] * by_w
     _add_normal(b, f, c)
     by_f = _add_friction(b, watch, f, c) if law["mu"] > 0.0 else 0.0
     if own is not None:
-        _add_roll(b, by_f, b["ask"]["cd"] * by_w * own[1])
+        _add_roll(b, by_f, b["request"]["cd"] * by_w * own[1])
     return f
 
 
@@ -204,7 +204,7 @@ def _add_normal(b, f, c):
     normal = lever.size - FRICTION_ROWS
     for p in range(normal):
         sums["force"][p] += f * lever[p]
-    if b["ask"]["jac"] != 0:
+    if b["request"]["jac"] != 0:
         for p in range(normal):
             for q in range(normal):
                 sums["tangent"][p, q] += c * lever[p] * lever[q]
@@ -225,8 +225,8 @@ def _add_friction(b, watch, f, c):
         sums["force"][p] += force * lever[p]
     if watch is not None:
         sums["friction_power"] += force * v
-    if b["ask"]["jac"] != 0:
-        by_v *= b["ask"]["cd"]
+    if b["request"]["jac"] != 0:
+        by_v *= b["request"]["cd"]
         for p in range(normal, rows):
             for q in range(normal):
                 sums["tangent"][p, q] += by_f * c * lever[p] * lever[q]
@@ -265,7 +265,7 @@ def push(b, f, g, kk, rows):
         for k in range(6):
             f["F"][k] += s * b["basis_i"][p, k]
             g["F"][k] += s * b["basis_j"][p, k]
-    if b["ask"]["jac"] == 0:
+    if b["request"]["jac"] == 0:
         return
     for p in range(rows):
         for q in range(rows):
@@ -276,10 +276,10 @@ def push(b, f, g, kk, rows):
                 one = c * b["basis_i"][p, k]
                 two = c * b["basis_j"][p, k]
                 for n in range(6):
-                    kk[b["ask"]["ii"], k, n] += one * b["basis_i"][q, n]
-                    kk[b["ask"]["ij"], k, n] += one * b["basis_j"][q, n]
-                    kk[b["ask"]["ji"], k, n] += two * b["basis_i"][q, n]
-                    kk[b["ask"]["jj"], k, n] += two * b["basis_j"][q, n]
+                    kk[b["request"]["ii"], k, n] += one * b["basis_i"][q, n]
+                    kk[b["request"]["ij"], k, n] += one * b["basis_j"][q, n]
+                    kk[b["request"]["ji"], k, n] += two * b["basis_i"][q, n]
+                    kk[b["request"]["jj"], k, n] += two * b["basis_j"][q, n]
 
 
 @kernel
@@ -292,7 +292,7 @@ def mesh_damper(b, f, g, kk, e_rate):
     force = b["d_gap"] * rate
     begin_sums(b)
     b["sums"]["force"][0] = force
-    b["sums"]["tangent"][0, 0] = b["ask"]["cd"] * b["d_gap"]
+    b["sums"]["tangent"][0, 0] = b["request"]["cd"] * b["d_gap"]
     push(b, f, g, kk, 1)
     b["sums"]["tangent"][0, 0] = b["d_gap"]
     return force, rate
@@ -318,7 +318,7 @@ def add_spin_tangent(b, kk, c):
     for k in range(3):
         for n in range(3):
             s = c * m[k] * m[n]
-            kk[b["ask"]["ii"], 3 + k, 3 + n] += r1 * r1 * s
-            kk[b["ask"]["ij"], 3 + k, 3 + n] += r1 * r2 * s
-            kk[b["ask"]["ji"], 3 + k, 3 + n] += r1 * r2 * s
-            kk[b["ask"]["jj"], 3 + k, 3 + n] += r2 * r2 * s
+            kk[b["request"]["ii"], 3 + k, 3 + n] += r1 * r1 * s
+            kk[b["request"]["ij"], 3 + k, 3 + n] += r1 * r2 * s
+            kk[b["request"]["ji"], 3 + k, 3 + n] += r1 * r2 * s
+            kk[b["request"]["jj"], 3 + k, 3 + n] += r2 * r2 * s

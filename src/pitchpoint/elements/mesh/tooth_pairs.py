@@ -343,6 +343,6 @@ def profile_flank(b, watch, x_0):
             f = now["line"][2]
         else:
             f = pair_line(b, watch, p_0, x_q, None)
-        if watch is not None and b["ask"]["out"] != 0 and b["n_pair"] > 0:
+        if watch is not None and b["request"]["out"] != 0 and b["n_pair"] > 0:
             add_pair_force(b, N_OUT, (now["tooth"] - int(q)) % b["n_pair"], now["flank"] * f)
         q += 1.0

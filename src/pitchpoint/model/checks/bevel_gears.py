@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.model.bevel_places import apex_of, assemble_bevels, bevel_gap, bevel_pair, tooth_phases
-from pitchpoint.model.checks.gear_pairs import OFFSET_TOLERANCE, told_shape
+from pitchpoint.model.checks.gear_pairs import OFFSET_TOLERANCE, impossible_shape
 from pitchpoint.model.checks.tooth_faults import check_faults
 from pitchpoint.model.keys import Place
 
@@ -42,7 +42,7 @@ def check_bevel_gears(parts: Parts, report: Reader) -> None:
         if len(report.problems) > before or at in report.tainted:
             parts.misshapen.add(name)
             continue
-        if not told_shape(parts, at, partial(_impossible, gear), report):
+        if not impossible_shape(parts, at, partial(_impossible, gear), report):
             check_faults(gear, (*at, "faults"), report)
 
 

@@ -34,14 +34,14 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
         """What makes it impossible, at the keys of the file."""
         return [at_tip_diameter(gear, problem) for problem in gear.geometry.problems()]
 
-    if not told_shape(parts, ("gears", name), problems, report):
+    if not impossible_shape(parts, ("gears", name), problems, report):
         _check_modifications(gear, ("gears", name, "modifications"), report)
         _check_deviations(gear, ("gears", name, "deviations"), report)
         check_faults(gear, ("gears", name, "faults"), report)
         _check_wheel_body(gear, ("gears", name), report)
 
 
-def told_shape(parts: Parts, at: Place, find: Callable[[], list[Message]], report: Reader) -> bool:
+def impossible_shape(parts: Parts, at: Place, find: Callable[[], list[Message]], report: Reader) -> bool:
     """Whether something makes the shape of the gear at a place impossible; it is reported and noted there.
 
     Parameters

@@ -30,7 +30,7 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return reader.number(NUMBER, data, path)
     if not isinstance(data, str):
         return reader.problem(
-            path, "is empty" if data is None else "is not a number", value=_said(data), remedy=REMEDY
+            path, "is empty" if data is None else "is not a number", value=_text_of(data), remedy=REMEDY
         )
     try:
         return float(Formula.parse(data, ())())
@@ -38,7 +38,7 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return reader.problem(path, f"cannot be read: {error}", remedy=REMEDY)
 
 
-def _said(data: Any) -> str | None:
+def _text_of(data: Any) -> str | None:
     return None if data is None else shown(data)
 
 

@@ -127,10 +127,10 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
 
 def _closed(system: System, state: State, kept: tuple[int, ...], drawn: bool = False) -> State:
     """The same state with its loops closed; rates stay as they are."""
-    still = state.copy()
-    still.v[:] = 0.0
-    still.v[system.states] = state.v[system.states]
-    found = close_loops(system, still, kept, drawn=drawn)
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    stopped.v[system.states] = state.v[system.states]
+    found = close_loops(system, stopped, kept, drawn=drawn)
     found.v[:] = state.v
     return found
 

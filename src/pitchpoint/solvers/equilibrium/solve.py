@@ -46,8 +46,8 @@ from pitchpoint.solvers.equilibrium.unknowns import (
     ROUNDING,
     inverse_of,
     rest_matrix,
-    restless,
     step_on,
+    unsettled_states,
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
 from pitchpoint.system import evaluate
@@ -144,7 +144,7 @@ def find_equilibrium(
     kept = free_spins(system) if held is None else tuple(held)
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
-    idle = restless(system, state, free)
+    idle = unsettled_states(system, state, free)
     free = np.setdiff1d(free, idle)
     if is_looped(system):
         mechanism = rest_of_mechanism(system, state, (*kept, *map(int, idle)), tolerance)

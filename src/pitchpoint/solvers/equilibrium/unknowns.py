@@ -117,7 +117,7 @@ def signal_states(system: System) -> NDArray[np.int64]:
     return np.array(found, np.int64)
 
 
-def restless(system: System, state: State, free: NDArray[np.int64]) -> NDArray[np.int64]:
+def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> NDArray[np.int64]:
     """States of signals whose rates do not depend on free coordinates, such as the integral of a speed error.
 
     They cannot be brought to rest and keep their values. Limits do not count: an integral that comes to rest

@@ -27,7 +27,7 @@ from pitchpoint.solvers.explicit.derivative import (
     keep_state,
     slope,
 )
-from pitchpoint.solvers.sampling import harvest_at, samples_up_to, take
+from pitchpoint.solvers.sampling import recorder_at, samples_up_to, take
 from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
@@ -125,7 +125,7 @@ def _stop(at, status):
 
 
 @kernel(inline=True)
-def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, harvest):
+def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, recorder):
     """Go from t to t_end with step control; `pair` holds the coefficients (`explicit.coefficients.Pair`).
 
     tol: see the places above. grid: time of sample 0, distance of samples (0: none); rows are stored and
@@ -143,10 +143,10 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, harvest):
     A = pair.A
     last_stage = pair.E.shape[1] - 1
     dense = 0
-    found = harvest.found
-    done = harvest.done
+    found = recorder.found
+    done = recorder.done
     rate = tol[RATE]
-    measure = 1 if harvest.sums.shape[0] > 0 else 0
+    measure = 1 if recorder.sums.shape[0] > 0 else 0
     watch = ne > 0 and found.shape[0] > 0
     restart = ends[0]
     real[TIME] = t
@@ -204,7 +204,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, harvest):
                 interpolate(at, (s - t) / h, dense)
                 status = solve_acceleration(at, s, rate)
                 if status == OK:
-                    status = take(at, s, harvest, measure, 1)
+                    status = take(at, s, recorder, measure, 1)
                 if status != OK:
                     return _stop(at, status)
                 clock[VALID] = 1
@@ -253,7 +253,7 @@ ORDER = np.dtype(
 
 
 @kernel
-def entry(at, order, harvest):
+def entry(at, order, recorder):
     """Carry out an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     n = o["stages"]
@@ -267,7 +267,7 @@ def entry(at, order, harvest):
     grid = (o["sample_zero"], o["sample"])
     tol = view(o["tol"], LARGEST + 1, F8)
     ends = (o["restart"], o["wanted"])
-    return advance_adaptive(at, o["t"], o["t_end"], pair, tol, grid, o["most"], ends, harvest_at(harvest))
+    return advance_adaptive(at, o["t"], o["t_end"], pair, tol, grid, o["most"], ends, recorder_at(recorder))
 
 
 def adaptive_order(

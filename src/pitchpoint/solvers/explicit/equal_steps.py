@@ -19,7 +19,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.solvers.explicit.derivative import OLD, ROWS, SLOPE_AT, bring_state, keep_state, slope
-from pitchpoint.solvers.sampling import due, harvest_at, keep, record_events
+from pitchpoint.solvers.sampling import due, keep, record_events, recorder_at
 from pitchpoint.system.residual import ALL, SOONER, observe, observe_bodies, observe_later, wrap
 from pitchpoint.system.workspace import MACH, RECHARTED, STEPS
 
@@ -104,7 +104,7 @@ def _age(at):
 
 
 @kernel(inline=True)
-def advance_equal(at, t0, first, n, h, rate, method, harvest):
+def advance_equal(at, t0, first, n, h, rate, method, recorder):
     """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back.
 
     Where a row is due, elements write their observations while their forces are summed for the next slope:
@@ -130,7 +130,7 @@ def advance_equal(at, t0, first, n, h, rate, method, harvest):
             status = _classical(at, before, h, rate)
             wrap(at)
         _age(at)
-        measure, sample = due(first + k, harvest)
+        measure, sample = due(first + k, recorder)
         asked = measure != 0 or sample != 0
         shared = asked and m["shares"] != 0
         if status == OK:
@@ -156,19 +156,19 @@ def advance_equal(at, t0, first, n, h, rate, method, harvest):
             if several:
                 real[SLOPE_AT] = math.nan
         clock[STEPS] += 1
-        harvest.done[0] = k
+        recorder.done[0] = k
         if asked:
             observe_bodies(at, m["row"])
-            keep(at, t, harvest, measure, sample)
-        status = record_events(at, t, h, harvest)
+            keep(at, t, recorder, measure, sample)
+        status = record_events(at, t, h, recorder)
         if status != OK:
             return status
     return OK
 
 
 @kernel
-def entry(at, order, harvest):
+def entry(at, order, recorder):
     """Take the steps of an ORDER; both are addresses of records."""
     o = view(order, 1, ORDER)[0]
-    found = harvest_at(harvest)
+    found = recorder_at(recorder)
     return advance_equal(at, o["t0"], o["first"], o["n"], o["h"], o["rate"], o["method"], found)

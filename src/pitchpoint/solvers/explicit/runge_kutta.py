@@ -27,7 +27,7 @@ from pitchpoint.solvers.explicit.dormand_prince import (
 )
 from pitchpoint.solvers.explicit.dormand_prince import entry as adaptive_entry
 from pitchpoint.solvers.explicit.equal_steps import ADAMS, CLASSICAL, ORDER, PAST, entry
-from pitchpoint.solvers.sampling import Chunk, advance_into, new_harvest
+from pitchpoint.solvers.sampling import Chunk, advance_into, new_recorder
 from pitchpoint.system import evaluate
 from pitchpoint.system.link import heard
 from pitchpoint.system.system import State, System
@@ -85,7 +85,7 @@ class ExplicitRun:
         The samples hold the channels `picked` alone, if any are.
         """
         room = n // every + 1 if every else 0
-        harvest = new_harvest(
+        recorder = new_recorder(
             self.system.sizes["no"],
             every=every,
             stride=stride,
@@ -97,7 +97,7 @@ class ExplicitRun:
         order = np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n, self.method)], ORDER)
         asked = picked if statistics is None else None
         with heard(self.system.workspace, self.system.records, asked):
-            done = advance_into(entry, self.system.workspace.at, order, harvest)
+            done = advance_into(entry, self.system.workspace.at, order, recorder)
         self.steps += done.steps
         self.t = self.t0 + self.steps * self.h
         return self._checked(done)
@@ -139,13 +139,13 @@ class ExplicitRun:
         """
         reach = min(t_end - self.t, most * float(self.tolerances[LARGEST]))
         room = int(reach / sample) + 2 if sample > 0.0 else 0
-        harvest = new_harvest(self.system.sizes["no"], rows=room, sums=statistics, events=events)
+        recorder = new_recorder(self.system.sizes["no"], rows=room, sums=statistics, events=events)
         w = self.system.workspace
         w.clock[VALID] = 0
         times = (self.t, float(t_end), self.t0, sample)
         ends = (restart, self.counts.ctypes.data if len(self.counts) else 0)
         order = adaptive_order(times, self.pair, self.tolerances, most, ends)
-        done = advance_into(adaptive_entry, w.at, order, harvest)
+        done = advance_into(adaptive_entry, w.at, order, recorder)
         self.t = float(w.arrays["real"][TIME])
         self.steps += done.steps
         return self._checked(done)

@@ -25,7 +25,7 @@ from pitchpoint.multibody.channels import CTL, I8
 from pitchpoint.solvers.implicit.constrained_newton import iterate, new_iteration
 from pitchpoint.solvers.implicit.start_values import first_slopes, shift_rates
 from pitchpoint.solvers.implicit.step import alpha_step, bring_step, divided_step
-from pitchpoint.solvers.sampling import Chunk, advance_into, harvest_at, new_harvest, record_step
+from pitchpoint.solvers.sampling import Chunk, advance_into, new_recorder, record_step, recorder_at
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
@@ -41,7 +41,7 @@ position is a force in the multipliers, over the square of a short step, and add
 
 
 @kernel(inline=True)
-def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
+def advance(at, t0, first, n, h, rho, tol, iteration, code, recorder):
     """Take n steps; t of step k is t0 + (first + k) h; a step that fails leaves the state before it.
 
     Where Newton's iteration fails the step is divided; nothing is recorded in between.
@@ -61,8 +61,8 @@ def advance(at, t0, first, n, h, rho, tol, iteration, code, harvest):
             return status
         wrap(at)
         clock[STEPS] += 1
-        harvest.done[0] = k
-        status = record_step(at, t, h, first + k, harvest)
+        recorder.done[0] = k
+        status = record_step(at, t, h, first + k, recorder)
         if status != OK:
             return status
     return OK
@@ -79,7 +79,7 @@ ORDER = np.dtype(
 
 
 @kernel
-def entry(at, order, harvest):
+def entry(at, order, recorder):
     """Take the steps of an ORDER; both are addresses of records."""
     o = view(order, 1, ORDER)[0]
     return advance(
@@ -92,7 +92,7 @@ def entry(at, order, harvest):
         o["tol"],
         o["iteration"],
         o["code"],
-        harvest_at(harvest),
+        recorder_at(recorder),
     )
 
 
@@ -148,7 +148,7 @@ class Run:
             Most events to record.
         """
         room = n // every + 1 if every else 0
-        harvest = new_harvest(
+        recorder = new_recorder(
             self.system.sizes["no"], every=every, stride=stride, rows=room, sums=statistics, events=events
         )
         order = np.array([(self.t0, self.h, self.rho_inf, self.left(), self.steps, n, 0, 0)], ORDER)
@@ -156,7 +156,7 @@ class Run:
             per_q = self.iteration[1][0]
             per_q[:] = 1.0 / np.maximum(self.left() / self.system.workspace.arrays["weight"], ROUND_OFF)
             order[0]["iteration"], order[0]["code"] = self.iteration[0].ctypes.data, address(iterate)
-        done = advance_into(entry, self.system.workspace.at, order, harvest)
+        done = advance_into(entry, self.system.workspace.at, order, recorder)
         self.steps += done.steps
         return done
 

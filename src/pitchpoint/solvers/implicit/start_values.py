@@ -19,7 +19,7 @@ from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK
 from pitchpoint.solvers.taylor import APART, DISAGREEMENT, forward_derivatives
 from pitchpoint.system.linear import solve_entry
-from pitchpoint.system.perform import ACCELERATE, ask
+from pitchpoint.system.requests import ACCELERATE, send_request
 from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
@@ -49,10 +49,10 @@ def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | No
     for s in (d, 2.0 * d):
         w.q[:], w.v[:] = q + s * v + 0.5 * s * s * a, v + s * a
         w.a[:], w.lam[:] = a, lam
-        if ask(w, ACCELERATE, t + s) == OK:
+        if send_request(w, ACCELERATE, t + s) == OK:
             found.append((w.a.copy(), w.lam.copy()))
     w.q[:], w.v[:] = q, v
-    status = ask(w, ACCELERATE, t)
+    status = send_request(w, ACCELERATE, t)
     w.a[:], w.lam[:] = a, lam
     w.ctl[0]["bad"], w.ctl[0]["badkind"] = bad, kind
     if status != OK or len(found) < 2:

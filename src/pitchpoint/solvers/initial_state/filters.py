@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.equilibrium.solve import Equilibrium, find_equilibrium
-from pitchpoint.solvers.equilibrium.unknowns import STATE, restless, signal_states
+from pitchpoint.solvers.equilibrium.unknowns import STATE, signal_states, unsettled_states
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.system import State, System
@@ -88,7 +88,7 @@ def _balanced(
 ) -> tuple[Equilibrium, tuple[str, ...]]:
     """Let integrals that may have any value take the loads that are left over on spins."""
     free = np.setdiff1d(np.arange(system.sizes["nd"]), held)
-    idle = restless(system, found.state, free)
+    idle = unsettled_states(system, found.state, free)
     moving = _moving(system, found.state, idle)
     notes = tuple(
         f"{_name(system, k)} is not at rest: it begins at {found.state.v[k]:.6g}" for k in idle[moving]
@@ -162,7 +162,7 @@ def states_of_inputs(system: System, state: State) -> State:
 def _settled(system: System, state: State) -> State | None:
     """The same; None if the states do not come to rest with their inputs as they are."""
     states = signal_states(system)
-    free = np.setdiff1d(states, restless(system, state, states))
+    free = np.setdiff1d(states, unsettled_states(system, state, states))
     found = state.copy()
     if not free.size:
         return found

@@ -110,20 +110,20 @@ def prepare_events(at, where, h, n):
 
 
 @kernel
-def leave_behind(at, where, grid, watch, harvest):
+def leave_behind(at, where, grid, watch, recorder):
     """Samples, statistics and events of the last step; the state after it is in the workspace again."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
     h = b["used"]
     t = b["t"]
-    done = harvest.done
-    measure = 1 if harvest.sums.shape[0] > 0 else 0
+    done = recorder.done
+    measure = 1 if recorder.sums.shape[0] > 0 else 0
     n = min(b["points"] - 1, b["next_k"] + 1)
     keep_accelerations(at)
     if watch:
         dense = prepare_events(at, where, h, n)
-        done[2], share = find_events(at, t - h, h, dense, harvest.found, done[2], b["wanted"])
+        done[2], share = find_events(at, t - h, h, dense, recorder.found, done[2], b["wanted"])
         if share < 0.0:
             return NOT_FINITE
     if grid[1] > 0.0:
@@ -133,7 +133,7 @@ def leave_behind(at, where, grid, watch, harvest):
                 go_back(at, where)
             else:
                 _look_back(at, where, s - t, n)
-            status = take(at, s, harvest, measure, 1)
+            status = take(at, s, recorder, measure, 1)
             if status != OK:
                 return status
     go_back(at, where)

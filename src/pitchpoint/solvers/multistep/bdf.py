@@ -25,7 +25,7 @@ from pitchpoint.solvers.multistep.history import DEPTH
 from pitchpoint.solvers.multistep.order_control import CONSTANT, FIXED, LARGEST, LEADING, PAST, VARIABLE
 from pitchpoint.solvers.multistep.restart import resume
 from pitchpoint.solvers.multistep.step import ORDER, entry, step
-from pitchpoint.solvers.sampling import Chunk, advance_into, new_harvest
+from pitchpoint.solvers.sampling import Chunk, advance_into, new_recorder
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
@@ -98,9 +98,9 @@ class StiffRun:
         """
         reach = min(t_end - self.t, most * self.longest)
         room = int(reach / sample) + 2 if sample > 0.0 else 0
-        harvest = new_harvest(self.system.sizes["no"], rows=room, sums=statistics, events=events)
+        recorder = new_recorder(self.system.sizes["no"], rows=room, sums=statistics, events=events)
         order = np.array([(t_end, self.t0, sample, self.past.ctypes.data, most, restart)], ORDER)
-        done = advance_into(entry, self.system.workspace.at, order, harvest)
+        done = advance_into(entry, self.system.workspace.at, order, recorder)
         self.steps += done.steps
         return replace(done, status=rows_agree(self.system, self.t)) if done.status == OK else done
 

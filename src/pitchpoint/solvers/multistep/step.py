@@ -47,7 +47,7 @@ from pitchpoint.solvers.multistep.order_control import (
     set_allowed,
     shrink,
 )
-from pitchpoint.solvers.sampling import harvest_at
+from pitchpoint.solvers.sampling import recorder_at
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.workspace import MACH, RECHARTED, REJECTED, STEPS, VALID
 
@@ -311,7 +311,7 @@ def _follow_turns(at, where, nominal, reach):
 
 
 @kernel(inline=True)
-def advance_multistep(at, where, t_end, grid, most, restart, harvest):
+def advance_multistep(at, where, t_end, grid, most, restart, recorder):
     """Continue to t_end, at most `most` steps; grid: time of sample 0, distance of samples (0: none).
 
     restart != 0: steps end at events, and the method continues from there with a new history.
@@ -320,8 +320,8 @@ def advance_multistep(at, where, t_end, grid, most, restart, harvest):
     b = view(where, 1, PAST)[0]
     clock = view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)
     nominal = view(b["tol"], LARGEST + 1, F8)[LARGEST]
-    watch = c["ne"] > 0 and harvest.found.shape[0] > 0
-    done = harvest.done
+    watch = c["ne"] > 0 and recorder.found.shape[0] > 0
+    done = recorder.done
     anew = b["t"]
     if b["k"] == 0:
         begin(at, where, nominal, t_end - b["t"])
@@ -341,7 +341,7 @@ def advance_multistep(at, where, t_end, grid, most, restart, harvest):
             status = call(b["step"], at, where, 0)
         if status != OK:
             return status
-        status = leave_behind(at, where, grid, watch and (b["event"] != 0 or not seek), harvest)
+        status = leave_behind(at, where, grid, watch and (b["event"] != 0 or not seek), recorder)
         if status != OK:
             return status
         _follow_turns(at, where, nominal, max(t_end - b["t"], b["used"]))
@@ -364,8 +364,8 @@ ORDER = np.dtype(
 
 
 @kernel
-def entry(at, order, harvest):
+def entry(at, order, recorder):
     """Carry out an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     grid = (o["sample_zero"], o["sample"])
-    return advance_multistep(at, o["past"], o["t_end"], grid, o["most"], o["restart"], harvest_at(harvest))
+    return advance_multistep(at, o["past"], o["t_end"], grid, o["most"], o["restart"], recorder_at(recorder))

@@ -305,16 +305,16 @@ def coordinates_of(system: System, bodies: Sequence[int]) -> list[int]:
     return [int(body[b]["dof"]) + k for b in bodies for k in range(int(body[b]["n"]))]
 
 
-def sum_over(system: System, condensed: Choice, ask: Callable[[], Array]) -> Array:
-    """What `ask` gives with the condensed records alone, all bodies in place."""
+def sum_over(system: System, condensed: Choice, request: Callable[[], Array]) -> Array:
+    """What `request` gives with the condensed records alone, all bodies in place."""
     runs = {
         kind: [(int(r[0]), int(r[-1]) + 1) for r in np.split(k, np.flatnonzero(np.diff(k) > 1) + 1) if r.size]
         for kind, k in condensed.items()
     }
     with switched(system, {}):
-        bare = ask()
+        bare = request()
     total = bare.copy()
     for n in range(max((len(r) for r in runs.values()), default=0)):
         with switched(system, {kind: slice(*r[n]) for kind, r in runs.items() if n < len(r)}):
-            total += ask() - bare
+            total += request() - bare
     return np.asarray(total)

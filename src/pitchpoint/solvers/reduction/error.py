@@ -104,12 +104,12 @@ def _restricted(turns: Array, full: System, reduced: System) -> Array:
 
 def _frequencies(system: System, state: State, rigid: Array, limit: float) -> Array:
     """Natural frequencies [Hz] at the speeds of a state, ascending, all up to a limit at least."""
-    still = state.copy()
-    still.v[:] = 0.0
-    M, K = (evaluate.matrix(system, still, *f) for f in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    M, K = (evaluate.matrix(system, stopped, *f) for f in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
     if state.v.any():
-        K = K + symmetric(inertial_stiffness(system, state, still))
-    basis = free_directions(system, still)
+        K = K + symmetric(inertial_stiffness(system, state, stopped))
+    basis = free_directions(system, stopped)
     if not isinstance(basis, np.ndarray):
         count = FIRST
         while count < SPARSE * basis.shape[1]:

@@ -11,7 +11,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.mesh.bevel.plane_of_action import axes_of_action, normal_rows
 from pitchpoint.elements.mesh.bevel.record import RECORD
-from pitchpoint.elements.mesh.sums import asked_arrays
+from pitchpoint.elements.mesh.sums import requested_arrays
 from pitchpoint.multibody.vectors import column, cross, triple, unit
 
 STEP = 2e-4
@@ -64,10 +64,10 @@ def _turn_of_forces(b, f, g, kk, ck, flank):
             for k in range(6):
                 one = now["moved"][row, k]
                 two = now["moved"][row, 6 + k]
-                kk[b["ask"]["ii"] if side == 0 else b["ask"]["ij"], k, motion % 6] -= (
+                kk[b["request"]["ii"] if side == 0 else b["request"]["ij"], k, motion % 6] -= (
                     ck * b["sums"]["force"][row] * one
                 )
-                kk[b["ask"]["ji"] if side == 0 else b["ask"]["jj"], k, motion % 6] -= (
+                kk[b["request"]["ji"] if side == 0 else b["request"]["jj"], k, motion % 6] -= (
                     ck * b["sums"]["force"][row] * two
                 )
                 s -= one * f["tw"][k] + two * g["tw"][k]
@@ -82,10 +82,10 @@ def turning(record, flank, _):
     damper. Compiled only where exact tangents are requested.
     """
     b = view(record, 1, RECORD)[0]
-    fr, kk = asked_arrays(b)
-    ck = b["ask"]["ck"]
-    f = fr[b["ask"]["i"]]
-    g = fr[b["ask"]["j"]]
+    fr, kk = requested_arrays(b)
+    ck = b["request"]["ck"]
+    f = fr[b["request"]["i"]]
+    g = fr[b["request"]["j"]]
     _turn_of_forces(b, f, g, kk, ck, flank)
     axes_of_action(b, f, g)
     normal_rows(b, flank)
@@ -97,10 +97,10 @@ def turning(record, flank, _):
             for q in range(rows):
                 s += b["sums"]["tangent"][row, q] * b["now"]["slope"][q, motion]
             for k in range(6):
-                kk[b["ask"]["ii"] if side == 0 else b["ask"]["ij"], k, motion % 6] -= (
+                kk[b["request"]["ii"] if side == 0 else b["request"]["ij"], k, motion % 6] -= (
                     ck * s * b["basis_i"][row, k]
                 )
-                kk[b["ask"]["ji"] if side == 0 else b["ask"]["jj"], k, motion % 6] -= (
+                kk[b["request"]["ji"] if side == 0 else b["request"]["jj"], k, motion % 6] -= (
                     ck * s * b["basis_j"][row, k]
                 )
     return OK

@@ -252,6 +252,6 @@ def sum_flank(b, watch):
             _nominal(b)
             _own(b, q)
         f = _pair(b, watch, now["psi"] + q)
-        if watch is not None and b["ask"]["out"] != 0 and b["n_pair"] > 0:
+        if watch is not None and b["request"]["out"] != 0 and b["n_pair"] > 0:
             add_pair_force(b, N_OUT, (now["tooth"] - int(q)) % b["n_pair"], now["flank"] * f)
         q += 1.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All questions that Python asks about one state, behind one kernel.
+"""All requests of Python about one state, behind one kernel.
 
 Time and factors travel in the control record, so the kernel has the signature of an entry and needs no
 wrapper of its own.
@@ -21,13 +21,13 @@ from pitchpoint.system.workspace import MACH
 if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
 
-#: Questions.
+#: Requests.
 REST, RESIDUAL, OBSERVE, EVENTS, ACCELERATE, WRAP = range(6)
 
 
 @kernel
-def perform(at, question, where):
-    """Answer one question about the state in the workspace, at the time and with the factors in the control.
+def handle_request(at, request, where):
+    """Serve one request about the state in the workspace, at the time and with the factors in the control.
 
     REST: write what never changes. RESIDUAL: residual and matrix (jac, cm, cd, ck). OBSERVE, EVENTS: fill the
     array at `where`. ACCELERATE: accelerations and multipliers (ck = rate that pulls constraints back).
@@ -35,15 +35,15 @@ def perform(at, question, where):
     """
     c = view(at, 1, CTL)[0]
     t = c["t"]
-    if question == RESIDUAL:
+    if request == RESIDUAL:
         return residual(at, t, c["jac"], c["cm"], c["cd"], c["ck"])
-    if question == OBSERVE:
+    if request == OBSERVE:
         return observe(at, t, where)
-    if question == EVENTS:
+    if request == EVENTS:
         return evaluate_events(at, t, where)
-    if question == ACCELERATE:
+    if request == ACCELERATE:
         return solve_acceleration(at, t, c["ck"])
-    if question == WRAP:
+    if request == WRAP:
         wrap(at)
         return OK
     m = view(c["mach"], 1, MACH)[0]
@@ -52,17 +52,17 @@ def perform(at, question, where):
     return OK
 
 
-def ask(
+def send_request(
     workspace: Workspace,
-    question: int,
+    request: int,
     t: float = 0.0,
     jac: int = 0,
     factors: tuple[float, float, float] = (0.0, 0.0, 0.0),
     where: int = 0,
-    entry: Any = perform,
+    entry: Any = handle_request,
 ) -> int:
-    """Put a question with plain numbers, to `perform` or to another entry; returns the status."""
+    """Make a request with plain numbers, to `handle_request` or to another entry; returns the status."""
     ctl = workspace.ctl[0]
     ctl["t"], ctl["jac"] = t, jac
     ctl["cm"], ctl["cd"], ctl["ck"] = factors
-    return invoke(entry, workspace.at, question, int(where))
+    return invoke(entry, workspace.at, request, int(where))

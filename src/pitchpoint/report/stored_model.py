@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 
-def kept_model(path: str, allow_code: bool = False) -> Model:
+def stored_model(path: str, allow_code: bool = False) -> Model:
     """Load the text of the model that a result file keeps.
 
     Raises

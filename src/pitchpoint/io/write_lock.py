@@ -37,7 +37,7 @@ def share(descriptor: int) -> bool:
     return _locked(descriptor, exclusive=False)
 
 
-def make_way(path: Path) -> int | None:
+def remove_old(path: Path) -> int | None:
     """Take an older file away, unless it is held; gives its permissions, None if there is no such file.
 
     Raises
@@ -49,13 +49,13 @@ def make_way(path: Path) -> int | None:
         mode = path.stat().st_mode
         if not stat.S_ISREG(mode):
             raise OSError("no ordinary file")
-        _take_away(path)
+        _unlink_unless_held(path)
     except FileNotFoundError:
         return None
     return stat.S_IMODE(mode)
 
 
-def _take_away(path: Path) -> None:
+def _unlink_unless_held(path: Path) -> None:
     if fcntl is None:
         path.unlink()
         return

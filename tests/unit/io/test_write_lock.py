@@ -19,14 +19,14 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.io import claim
+from pitchpoint.io import write_lock
 from pitchpoint.io.container import Container, Header, ResultError
 from pitchpoint.io.reading import open_result, read_channel, read_header
 from pitchpoint.io.target import OutputError, check_target
 from pitchpoint.io.writing import Channel, ResultWriter
 
 pytestmark = pytest.mark.skipif(
-    claim.fcntl is None or "HDF5_USE_FILE_LOCKING" in os.environ,
+    write_lock.fcntl is None or "HDF5_USE_FILE_LOCKING" in os.environ,
     reason="Windows has no advisory locks; with HDF5_USE_FILE_LOCKING those of HDF5 are not the usual ones",
 )
 
@@ -174,7 +174,7 @@ def test_without_locks_the_one_whose_file_is_gone_says_so(
     def flock(*_: int) -> NoReturn:
         raise OSError(errno.ENOTSUP, os.strerror(errno.ENOTSUP))
 
-    monkeypatch.setattr(claim.fcntl, "flock", flock)
+    monkeypatch.setattr(write_lock.fcntl, "flock", flock)
     path = tmp_path / "r.h5"
     early, running = Container(path, Header("time")), tmp_path / "running.h5"
     late = Container(running, Header("time"))

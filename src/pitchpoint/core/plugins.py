@@ -9,7 +9,7 @@ GROUP = "pitchpoint.kinds"
 T = TypeVar("T")
 
 
-def added(of: type[T], name: str | None = None) -> list[T]:
+def plugin_objects(of: type[T], name: str | None = None) -> list[T]:
     """Objects of a class that installed packages add.
 
     Parameters
