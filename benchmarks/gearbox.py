@@ -17,8 +17,8 @@ STEPS = 100_000
 def pair_runs() -> dict[str, Any]:
     """A started run of the 12-DOF pair for both width integrals."""
     from pitchpoint.io.yaml_model import load_model
-    from pitchpoint.solvers import generalized_alpha
-    from pitchpoint.solvers.start import prepare_start
+    from pitchpoint.solvers.implicit import generalized_alpha
+    from pitchpoint.solvers.initial_state.start import prepare_start
     from pitchpoint.system.compile import compile_model
 
     model = load_model(HERE / "pair_12dof.yaml")

@@ -56,7 +56,7 @@ def tip(system: Any, state: Any) -> np.ndarray:
 def ours(n: int) -> tuple[Any, float]:
     """State after n steps of generalised-alpha, and the seconds of CPU."""
     from pitchpoint.core.status import OK
-    from pitchpoint.solvers import generalized_alpha
+    from pitchpoint.solvers.implicit import generalized_alpha
 
     system = double_pendulum()
     run = generalized_alpha.start(system, system.initial_state(), STEP)
@@ -153,7 +153,7 @@ def planetary_row() -> Row:
     """Planar planetary set with 18 degrees of freedom under load, generalised-alpha."""
     from pitchpoint.core.status import OK
     from pitchpoint.elements import torque
-    from pitchpoint.solvers import generalized_alpha
+    from pitchpoint.solvers.implicit import generalized_alpha
     from pitchpoint.system.system import assemble
     from tests.support.planetary import CARRIER, SUN, lin_parker, touching
 
@@ -180,7 +180,8 @@ def stages(n: int) -> Any:
     shaft of the next one.
     """
     from pitchpoint.contact.stiffness.constant import constant
-    from pitchpoint.elements import gear_mesh_record, torque
+    from pitchpoint.elements import torque
+    from pitchpoint.elements.mesh.record import RECORD
     from pitchpoint.elements.shaft_beam import shaft_row
     from pitchpoint.elements.signal import Pool
     from pitchpoint.geometry import CylindricalGear, GearPair
@@ -228,7 +229,7 @@ def stages(n: int) -> Any:
     loads["value"] = 50.0, -50.0 * (-1.0) ** (n // 10)
     banks = {
         "bearing": supports,
-        "gear_mesh": np.array(rows, gear_mesh_record.RECORD),
+        "gear_mesh": np.array(rows, RECORD),
         "shaft_beam": np.concatenate(beams),
         "torque": loads,
     }
@@ -238,7 +239,7 @@ def stages(n: int) -> Any:
 def step_cost(n: int) -> float:
     """Seconds of CPU per step of a machine with n stations."""
     from pitchpoint.core.status import OK
-    from pitchpoint.solvers import generalized_alpha
+    from pitchpoint.solvers.implicit import generalized_alpha
 
     system = stages(n)
     run = generalized_alpha.start(system, system.initial_state(), 1e-6)
@@ -290,7 +291,7 @@ def mode_rows() -> list[Row]:
     """Modes, frequency response and reduction of a machine with 1200 coordinates."""
     from pitchpoint.solvers.frequency_response import find_response
     from pitchpoint.solvers.modal import find_modes
-    from pitchpoint.solvers.reduction import reduce_system
+    from pitchpoint.solvers.reduction.reduce import reduce_system
 
     system = stages(200)
     start = system.initial_state()

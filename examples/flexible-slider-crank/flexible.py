@@ -19,7 +19,7 @@ from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.craig_bampton import craig_bampton
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC, SPHERICAL
 from pitchpoint.multibody.structure import Structure, beam_line
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.elastic_body import elastic_parts
 from pitchpoint.system.system import System, assemble

@@ -29,11 +29,11 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell import solve_campbell
-    from pitchpoint.solvers.equilibrium import solve_equilibrium
+    from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
     from pitchpoint.solvers.frequency_response import solve_frequency_response
     from pitchpoint.solvers.modal import solve_modal
-    from pitchpoint.solvers.quasistatic import solve_quasistatic
-    from pitchpoint.solvers.reduction import reduce_system
+    from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
+    from pitchpoint.solvers.reduction.reduce import reduce_system
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
@@ -90,11 +90,11 @@ _HOMES = {
     "model.model": ("Model",),
     "report.write": ("write_report",),
     "solvers.campbell": ("solve_campbell",),
-    "solvers.equilibrium": ("solve_equilibrium",),
+    "solvers.equilibrium.solve": ("solve_equilibrium",),
     "solvers.frequency_response": ("solve_frequency_response",),
     "solvers.modal": ("solve_modal",),
-    "solvers.quasistatic": ("solve_quasistatic",),
-    "solvers.reduction": ("reduce_system",),
+    "solvers.quasistatic.roll": ("solve_quasistatic",),
+    "solvers.reduction.reduce": ("reduce_system",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),

@@ -21,13 +21,13 @@ from pitchpoint.cli.output import NOTHING, plain, shown
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.core import status
 from pitchpoint.core.errors import ModelError
-from pitchpoint.core.formula import Formula, FormulaError
+from pitchpoint.core.formula.formula import Formula, FormulaError
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.elements import registry
-from pitchpoint.elements.gear_mesh_record import N_OUT
+from pitchpoint.elements.mesh.record import N_OUT
 from pitchpoint.elements.shaft_beam import shaft_row
 from pitchpoint.geometry import CylindricalGear, GearPair
-from pitchpoint.geometry.bevel_tooth import placed
+from pitchpoint.geometry.bevel.tooth import placed
 from pitchpoint.geometry.deviations import Deviations, Runout, separation
 from pitchpoint.geometry.modifications import roll_length
 from pitchpoint.geometry.shaft_solid import shaft_solid
@@ -42,9 +42,9 @@ from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FREE as SHAFT
 from pitchpoint.report.numbers import geometry_of_model
 from pitchpoint.report.scene.bevel_gears import bevel_axes
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.sampling import accumulate, new_statistics, read_statistics
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate

@@ -134,12 +134,13 @@ def imported(path: Path) -> set[str]:
 
 #: Kinds that solvers write to or make themselves, by file.
 MADE = {
-    "solvers/equilibrium.py": {"torque"},  # balances it
+    "solvers/equilibrium/solve.py": {"torque"},  # balances it
     "solvers/model_damping.py": {"damping"},  # fills it in
-    "solvers/reduction_part.py": {"coupling", "linear_hold", "linear_modes", "linear_part"},  # makes them
-    "solvers/start.py": {"drive", "ratio"},  # their signals and coordinates
+    # makes them
+    "solvers/reduction/condensed_part.py": {"coupling", "linear_hold", "linear_modes", "linear_part"},
+    "solvers/initial_state/start.py": {"drive", "ratio"},  # their signals and coordinates
     "solvers/step_choice.py": {"drive", "ratio"},  # their signals and coordinates
-    "solvers/sticking.py": {"friction_clutch", "torque"},  # bends its bristles, balances it
+    "solvers/initial_state/clutches.py": {"friction_clutch", "torque"},  # bends its bristles, balances it
     "solvers/torque_paths.py": {"ratio"},  # its coordinates
     "solvers/gear_trains.py": {"ratio"},  # its coordinates
 }

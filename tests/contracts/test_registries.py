@@ -27,17 +27,17 @@ CHECKED = {
     "din3990": {
         "model/components/gear.py",  # factor of the gear blank
         "model/components/mesh.py",  # law if none is given
-        "model/keys_without_effect.py",  # keys without effect
+        "model/remarks/keys_without_effect.py",  # keys without effect
         "system/rules/bevel_mesh.py",  # of bevel meshes
         "system/rules/stiffness.py",  # single stiffness of every mesh
     },
-    "energy": {"model/keys_without_effect.py"},  # keys without effect
-    "fourier": {"model/mesh_check.py"},  # range that depends on several keys
+    "energy": {"model/remarks/keys_without_effect.py"},  # keys without effect
+    "fourier": {"model/checks/gears.py"},  # range that depends on several keys
     "hertz": {
-        "model/keys_without_effect.py",
-        "model/mesh_check.py",
+        "model/remarks/keys_without_effect.py",
+        "model/checks/gears.py",
     },  # keys without effect, keys that go together
-    "rectangular": {"model/mesh_check.py"},  # range that depends on several keys
+    "rectangular": {"model/checks/gears.py"},  # range that depends on several keys
     "table": {"contact/stiffness/user.py"},  # becomes one
     "user": {  # runs code
         "system/rules/gear_mesh.py",
@@ -85,7 +85,7 @@ def test_every_file_with_an_entry_is_a_registered_kind():
     listed = {name.rpartition(".")[2] for name in modules if name.startswith("pitchpoint.")}
     entries = {
         path.stem
-        for path in (PACKAGE / "elements").glob("*.py")
+        for path in (PACKAGE / "elements").rglob("*.py")
         if any(name == "entry" and is_kernel(function) for name, function in functions(path))
     }
     assert entries == listed

@@ -15,8 +15,9 @@ import importlib, sys
 from numba.core.compiler import _LowerResult
 from numba.core.funcdesc import PythonFunctionDescriptor
 from numba.core.lowering import Environment
-from pitchpoint.core import compiler, compiler_parts, compiler_private, kernel as door
-from pitchpoint.core.compiling import unhindered
+from pitchpoint.core import kernel as door
+from pitchpoint.core.compiler import parts, private_numba, public_numba
+from pitchpoint.core.compiler.interpreter import run_compiler
 from pitchpoint.core.kernel import Kernel
 
 def typed_only(self, state):
@@ -25,17 +26,17 @@ def typed_only(self, state):
         state.func_ir, state.typemap, state.return_type, state.calltypes, mangler=state.targetctx.mangler,
         inline=flags.forceinline, noalias=flags.noalias, abi_tags=[flags.get_mangle_string()])
     environment = Environment.from_fndesc(described)
-    mark = compiler_parts._mark(described, environment, library)
+    mark = parts._mark(described, environment, library)
     state.targetctx.insert_user_function(mark, described, [library])
     state.library, state.cr = library, _LowerResult(described, None, cfunc=mark, env=environment)
     return True
 
-compiler_parts.PartLowering.run_pass = typed_only
-compiler._ways[:] = [compiler_private]  # the probe would need code
+parts.PartLowering.run_pass = typed_only
+public_numba._ways[:] = [private_numba]  # the probe would need code
 for entry in sys.argv[1:]:
     module, name = entry.split(":")
     found = getattr(importlib.import_module(module), name)
-    unhindered(lambda: found.dispatcher.compile(compiler_private.ENTRY.args))
+    run_compiler(lambda: found.dispatcher.compile(private_numba.ENTRY.args))
 for name, module in list(sys.modules.items()):
     if name.startswith("pitchpoint.") and module is not door:
         for key, value in vars(module).items():
@@ -48,8 +49,8 @@ for name, module in list(sys.modules.items()):
 ENTRIES = (
     "pitchpoint.elements.gear_mesh:entry",
     "pitchpoint.elements.torque:entry",
-    "pitchpoint.system.perform:perform",
-    "pitchpoint.solvers.generalized_alpha:entry",
+    "pitchpoint.system.requests:handle_request",
+    "pitchpoint.solvers.implicit.generalized_alpha:entry",
 )
 
 

@@ -12,7 +12,7 @@ import pytest
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.bearing_fault import BEARING_FAULTS
 from pitchpoint.model.components.gear_faults import SEAT_FAULTS
-from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 

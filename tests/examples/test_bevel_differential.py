@@ -11,7 +11,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.frequencies import frequencies_of
 from pitchpoint.report.power_flow import power_flow
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 

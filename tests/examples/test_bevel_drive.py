@@ -11,7 +11,7 @@ import pytest
 
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.report.power_flow import power_flow
-from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 

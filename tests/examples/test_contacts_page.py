@@ -16,7 +16,7 @@ from pitchpoint.contact.rolling import roller_stiffness
 from pitchpoint.geometry.triangle_file import LARGEST, MOST_TRIANGLES, SMALLEST
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.contact import SURFACES
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.system.compile import compile_model
 
 DOCS = Path(__file__).parents[2] / "docs"

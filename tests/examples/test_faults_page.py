@@ -12,7 +12,7 @@ import pytest
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.tooth_faults import FAULTS
 from pitchpoint.model.keys import keys_of
-from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.system.compile import compile_model
 
 TEXT = (Path(__file__).parents[2] / "docs" / "faults.md").read_text(encoding="utf-8")

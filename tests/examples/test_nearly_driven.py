@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.compile import compile_model
 

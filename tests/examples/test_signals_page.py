@@ -18,7 +18,7 @@ from pitchpoint.model.components.actuator import ACTUATORS
 from pitchpoint.model.components.block import BLOCKS
 from pitchpoint.model.components.controller import CONTROLLERS
 from pitchpoint.model.components.sensor import QUANTITIES, SENSORS
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 

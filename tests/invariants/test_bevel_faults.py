@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape
-from pitchpoint.elements.bevel_mesh_record import N_OUT
+from pitchpoint.elements.mesh.bevel.record import N_OUT
 from pitchpoint.model.components.tooth_faults import BrokenBevelTooth, PitchError
 from pitchpoint.system.rules.bevel_mesh import Placement, pitch_rays
 from pitchpoint.system.rules.mesh_laws import MeshLaws

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape
-from pitchpoint.elements.bevel_mesh_record import N_OUT
+from pitchpoint.elements.mesh.bevel.record import N_OUT
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.invariants.test_bevel_mesh import PAIRS, both_flanks, every_pair
 from tests.support.mesh_alone import moved

@@ -10,9 +10,9 @@ import pytest
 from pitchpoint.contact.bevel_cycle import bevel_cycle
 from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.contact.stiffness.din3990 import VirtualTooth, single_stiffness, stiffness_of_teeth
-from pitchpoint.elements.bevel_mesh_record import N_OUT
-from pitchpoint.geometry.bevel_gear import BevelGear
-from pitchpoint.geometry.bevel_pair import BevelPair
+from pitchpoint.elements.mesh.bevel.record import N_OUT
+from pitchpoint.geometry.bevel.gear import BevelGear
+from pitchpoint.geometry.bevel.pair import BevelPair
 from pitchpoint.system.rules.bevel_mesh import square_mean
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.invariants.test_bevel_mesh import BARE, CONSTANT, PAIR, PAIRS, both_flanks, every_pair, mesh

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
-from pitchpoint.elements.bevel_mesh_record import N_OUT
-from pitchpoint.geometry.bevel_gear import BevelGear
-from pitchpoint.geometry.bevel_pair import BevelPair
+from pitchpoint.elements.mesh.bevel.record import N_OUT
+from pitchpoint.geometry.bevel.gear import BevelGear
+from pitchpoint.geometry.bevel.pair import BevelPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.mesh_alone import moved, rotation
 from tests.support.one_bevel import OneBevel, make_bevels

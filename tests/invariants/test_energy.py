@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers import runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 

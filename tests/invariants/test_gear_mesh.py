@@ -9,7 +9,7 @@ import pytest
 
 from pitchpoint.contact.stiffness.description import PairShape, PhaseStiffness
 from pitchpoint.core.kernel import address
-from pitchpoint.elements.mesh_turning import turning
+from pitchpoint.elements.mesh.exact_tangent import turning
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.mesh_alone import moved, rotation

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import guide
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.elements.signal import Pool

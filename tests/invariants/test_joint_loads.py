@@ -13,7 +13,7 @@ import math
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system.compile import compile_model
 
 TORQUE, MU, RADIUS = 171.43, 0.05, 0.02

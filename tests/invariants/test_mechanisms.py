@@ -20,7 +20,7 @@ from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING, SCREW, UNIVERSAL
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings, couplings, frame, gear_rows, torques

@@ -14,7 +14,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.status import OK
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from tests.support.floating_carrier import floating_carrier, kept
 
 DURATION = 0.01

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.status import OK
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.operating_point import operating_point
-from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from tests.support.machines import compiled, pair
 
 LAWS = [
@@ -49,7 +49,7 @@ def test_slow_rotation_follows_the_quasi_static_error():
         "{law: fourier, mean: 3e8 N/m, cosine: [-0.2]}, damper: {ratio: 0.2}",
         rest="scenarios:\n  slow: {drive: {driver: {speed: 2 rpm}}, duration: 1 s}\n",
     )
-    from pitchpoint.solvers.start import prepare_start
+    from pitchpoint.solvers.initial_state.start import prepare_start
 
     model, system = compiled(text, "slow")
     begin = prepare_start(system, model.scenarios["slow"])

@@ -17,11 +17,11 @@ import pytest
 from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.campbell import follow_modes
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.quasistatic import roll_through
-from pitchpoint.solvers.reduction import reduce_system
+from pitchpoint.solvers.quasistatic.roll import roll_through
+from pitchpoint.solvers.reduction.reduce import reduce_system
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.mesh_laws import MeshLaws

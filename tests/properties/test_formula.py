@@ -15,8 +15,8 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.core.formula import FUNCTIONS, Formula, FormulaError
-from pitchpoint.core.formula_kernel import evaluate, evaluate_slope
+from pitchpoint.core.formula.formula import FUNCTIONS, Formula, FormulaError
+from pitchpoint.core.formula.kernel import evaluate, evaluate_slope
 
 NAMES = ("t", "angle", "speed")
 

@@ -18,7 +18,7 @@ from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.build import build_model
 from pitchpoint.model.keys import walk
 from pitchpoint.model.model import Model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.system.compile import compile_model
 from tests.support.model_files import CONTROLLED_PAIR, ISO_EXAMPLE, TORSIONAL_PAIR
 

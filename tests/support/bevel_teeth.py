@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.geometry.bevel_tooth import bevel_tooth
+from pitchpoint.geometry.bevel.tooth import bevel_tooth
 
 PAIR = """\
 title: bevel stage

@@ -9,7 +9,7 @@ import numpy as np
 
 from pitchpoint.contact.impact import set_friction, set_impact
 from pitchpoint.contact.triangles import TriangleSurface
-from pitchpoint.elements.contact_record import new_records
+from pitchpoint.elements.contacts.record import new_records
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import FLOATING

@@ -8,7 +8,7 @@ import copy
 import numpy as np
 
 from pitchpoint.model.build import build_model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.engine import frame
@@ -108,7 +108,7 @@ def accelerations(system, state):
     """Accelerations of all coordinates, and the frames that go with them."""
     evaluate.prepare(system)
     evaluate.load(system, state)
-    evaluate.check(system, evaluate.ask(system.workspace, evaluate.ACCELERATE, state.t))
+    evaluate.check(system, evaluate.request(system.workspace, evaluate.ACCELERATE, state.t))
     found = evaluate.store(system, state.t)
     evaluate.residual(system, found)
     return found.a, system.workspace.fr.copy()

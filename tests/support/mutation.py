@@ -26,7 +26,7 @@ from ruamel.yaml import YAML
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.measured.reading import read_measured
 from pitchpoint.model.build import build_model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 
 ROOT = Path(__file__).parents[2]
 SOON = 180

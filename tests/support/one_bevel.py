@@ -11,12 +11,13 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pitchpoint.core.kernel import address
-from pitchpoint.elements import bevel_mesh_record as layout
 from pitchpoint.elements.bevel_mesh import entry
-from pitchpoint.elements.bevel_mesh_turning import turning
+from pitchpoint.elements.mesh.bevel import record as layout
+from pitchpoint.elements.mesh.bevel.exact_tangent import turning
 from pitchpoint.elements.signal import Pool
-from pitchpoint.geometry.bevel_gear import BevelGear
-from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
+from pitchpoint.geometry.bevel.cones import pitch_angles
+from pitchpoint.geometry.bevel.gear import BevelGear
+from pitchpoint.geometry.bevel.pair import BevelPair
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bevel_mesh import Placement, bevel_row, own_teeth
 from pitchpoint.system.rules.mesh_laws import MeshLaws

@@ -13,9 +13,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pitchpoint.core.kernel import address
-from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import entry
-from pitchpoint.elements.mesh_pairs import deviating_line
+from pitchpoint.elements.mesh import record as layout
+from pitchpoint.elements.mesh.tooth_pairs import deviating_line
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row

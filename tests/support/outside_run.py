@@ -16,9 +16,9 @@ from pitchpoint.model.schema import json_schema
 from pitchpoint.model.write import model_text
 from pitchpoint.report.power_flow import power_flow
 from pitchpoint.report.scene.build import scene_of
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.reduction import reduce_system
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.reduction.reduce import reduce_system
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.source import source

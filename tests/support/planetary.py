@@ -8,7 +8,8 @@ import math
 import numpy as np
 
 from pitchpoint.contact.stiffness.constant import constant
-from pitchpoint.elements import bushing, gear_mesh_record
+from pitchpoint.elements import bushing
+from pitchpoint.elements.mesh.record import RECORD
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.bodies import PLANAR, TORSION, Body
@@ -75,7 +76,7 @@ def planetary(pairs, inertias, meshes, masses=None, supports=None, n=3, damping=
     for k, place in enumerate(places):
         rows.append(_mesh(pairs[0], meshes[0], (SUN, FIRST + k), ((0, 0), place), pool, damping))
         rows.append(_mesh(pairs[1], meshes[1], (FIRST + k, RING), (place, (0, 0)), pool, damping))
-    banks = {"gear_mesh": np.array(rows, gear_mesh_record.RECORD)}
+    banks = {"gear_mesh": np.array(rows, RECORD)}
     *radial, torsional = supports or (0.0, 0.0, 0.0, 0.0, 0.0)
     to_ground = [np.diag([k, k, 0.0, 0.0, 0.0, 0.0]) for k in radial[:3]]
     to_ground[2][5, 5] = torsional

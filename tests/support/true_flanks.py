@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.geometry.bevel_tooth import bevel_tooth, placed
+from pitchpoint.geometry.bevel.tooth import bevel_tooth, placed
 
 GRID = np.linspace(0.0, 1.0, 61)
 """Places of a flank among which the deepest one is sought, again and again."""

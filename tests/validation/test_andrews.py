@@ -18,7 +18,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.status import OK
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system import evaluate
 from pitchpoint.system.workspace import REJECTED
 from tests.support.squeezer import (

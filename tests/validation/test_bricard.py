@@ -20,9 +20,11 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.closure_rows import cut_joint
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import TORSION, Body
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
-from pitchpoint.solvers.assembly import assemble_state
-from pitchpoint.solvers.constraint_rows import row_notes
+from pitchpoint.solvers.constraints.assembly import assemble_state
+from pitchpoint.solvers.constraints.row_notes import row_notes
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.one_freedom import ROD, OneFreedom, along_rod, turn_about

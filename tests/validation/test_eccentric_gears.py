@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system.compile import compile_model
 from tests.validation.test_flank_deviations import WIDTH, machine, rolled
 

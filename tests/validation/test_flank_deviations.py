@@ -22,7 +22,7 @@ from pitchpoint.geometry import CylindricalGear
 from pitchpoint.geometry.modifications import flank_range
 from pitchpoint.geometry.placement import mesh_outlines
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 

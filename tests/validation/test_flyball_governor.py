@@ -28,8 +28,10 @@ from pitchpoint.elements.closure_rows import rod
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system.system import assemble
 
 J, BALL, SLEEVE, L, B, E, G = 0.02, 0.8, 1.2, 0.25, 0.12, 0.03, 9.81

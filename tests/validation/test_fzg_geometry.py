@@ -20,7 +20,7 @@ from pitchpoint.geometry import (
     tip_thickness,
 )
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.remarks import odd_shapes
+from pitchpoint.model.remarks.collect import odd_shapes
 from tests.support.printed import printed
 
 

@@ -30,7 +30,9 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import SPHERICAL
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 

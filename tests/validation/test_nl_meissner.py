@@ -25,7 +25,7 @@ import numpy as np
 import pytest
 
 from pitchpoint import compile_model, load_model
-from pitchpoint.solvers.start import Start, prepare_start
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system import evaluate
 

@@ -19,8 +19,8 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC, SPHERICAL
-from pitchpoint.solvers import runge_kutta
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
+from pitchpoint.solvers.explicit import runge_kutta
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame

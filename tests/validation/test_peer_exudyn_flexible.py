@@ -21,7 +21,7 @@ from pitchpoint.elements.beam import beam_row
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import PLANAR, TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 

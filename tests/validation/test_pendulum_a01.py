@@ -15,7 +15,9 @@ import pytest
 from scipy.special import ellipj, ellipk
 
 from pitchpoint.core.status import OK
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from tests.support.rod import GRAVITY, pendulum
 
 PERIOD = 2.3678419475762

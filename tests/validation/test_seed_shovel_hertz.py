@@ -14,7 +14,7 @@ import math
 import pytest
 
 from pitchpoint.contact.stiffness.hertz import equivalent_radius, hertz, hertz_constant
-from pitchpoint.elements.gear_mesh_record import N_OUT
+from pitchpoint.elements.mesh.record import N_OUT
 from pitchpoint.geometry import CylindricalGear, GearPair, profile_shift_for_center_distance
 from pitchpoint.system.rules.mesh_laws import MeshLaws
 from tests.support.one_mesh import OneMesh

@@ -23,8 +23,10 @@ from pitchpoint.elements.closure_rows import cut_joint
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC, SPHERICAL, UNIVERSAL
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.one_freedom import ROD, OneFreedom, along_rod

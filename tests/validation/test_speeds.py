@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 

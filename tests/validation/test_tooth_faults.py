@@ -18,7 +18,7 @@ from pitchpoint.contact.stiffness.root_crack import crack_compliance
 from pitchpoint.geometry.sliding import specific_sliding_at
 from pitchpoint.geometry.tooth_form import tooth_form
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

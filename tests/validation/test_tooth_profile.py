@@ -22,7 +22,7 @@ from pitchpoint.geometry.modifications import deviation, flank_range
 from pitchpoint.geometry.tooth_form import gear_outline, tooth_form
 from pitchpoint.io.gear_export import drawing_dxf, drawing_svg, points_csv, solid_stl
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.system.compile import compile_model
 
 KINDS = {

@@ -27,8 +27,9 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.closure_rows import cut_joint
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import TORSION
-from pitchpoint.solvers import bdf, generalized_alpha
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.mechanisms import bar

@@ -190,7 +190,7 @@ def harmonic_table(
     slack = positive(tolerance, "tolerance")
     number, lost = kept_harmonics(first, rate, harmonics)
     resolution = rate / x.size
-    apart_enough(first, resolution, "fundamental")
+    require_resolved(first, resolution, "fundamental")
     reach = np.minimum(slack * number * first, 0.5 * first)
     found = read_tones(x, rate, number * first, reach=reach)
     weight = np.where(found.is_peak, found.amplitude, 0.0) ** 2
@@ -232,7 +232,7 @@ def kept_harmonics(fundamental: float, sample_rate: float, harmonics: int) -> tu
     return np.arange(1.0, kept + 1.0), wanted - kept
 
 
-def apart_enough(distance: float, resolution: float, name: str) -> None:
+def require_resolved(distance: float, resolution: float, name: str) -> None:
     """Refuse tones that a record is too short to distinguish.
 
     Parameters

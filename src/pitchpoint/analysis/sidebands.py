@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.harmonics import apart_enough, kept_harmonics, read_tones
+from pitchpoint.analysis.harmonics import kept_harmonics, read_tones, require_resolved
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive, whole
 
 _ABOVE = 3.0
@@ -128,7 +128,7 @@ def sideband_table(
     gap, slack = positive(spacing, "spacing"), positive(tolerance, "tolerance")
     most = whole(sidebands, "sidebands")
     resolution = rate / x.size
-    apart_enough(gap, resolution, "spacing")
+    require_resolved(gap, resolution, "spacing")
     if most * gap >= f_m:
         raise SignalError(
             f"sidebands: {most} of {gap:g} Hz reach below zero from {f_m:g} Hz (limit "

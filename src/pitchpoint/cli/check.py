@@ -10,7 +10,7 @@ import click
 from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
 from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.model.sections import GROUPS
-from pitchpoint.model.signal_names import SECTIONS as SIGNALS
+from pitchpoint.model.signals import SECTIONS as SIGNALS
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -42,7 +42,7 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """
     from pitchpoint.cli.failure import say
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.model.remarks import odd_shapes, remarks_of
+    from pitchpoint.model.remarks.collect import odd_shapes, remarks_of
 
     model = read_model(file, allow_code, quiet)
     messages = (*remarks_of(model), *odd_shapes(model))
@@ -57,7 +57,7 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 def summary(model: Model) -> dict[str, Any]:
     """Collect what will be simulated."""
     from pitchpoint.model.mechanism import seat_frame
-    from pitchpoint.model.signal_words import HEAD, signal_lines
+    from pitchpoint.model.signals import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.masses import masses
     from pitchpoint.system.rules.elastic_body import elastic_facts

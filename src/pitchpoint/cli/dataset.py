@@ -115,7 +115,7 @@ def checked(plan: DatasetPlan, allow_code: bool, quiet: bool) -> tuple[DatasetPl
     """Plan, checked against the model that it names, and the model."""
     from pitchpoint.cli.reading import read_model
     from pitchpoint.core.errors import Message, ModelError
-    from pitchpoint.model.read_plan import check_plan
+    from pitchpoint.model.reading.dataset_plan import check_plan
     from pitchpoint.system.compile import compile_model
 
     path = Path(str(plan.file)).parent / plan.model

@@ -92,7 +92,7 @@ def gears(
         _chosen(model, only)
     if as_json:
         from pitchpoint.cli.failure import say
-        from pitchpoint.model.remarks import odd_shapes
+        from pitchpoint.model.remarks.collect import odd_shapes
         from pitchpoint.report.numbers import geometry_of_model
 
         for text in odd_shapes(model):

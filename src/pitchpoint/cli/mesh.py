@@ -63,8 +63,8 @@ def mesh(
     Values are in units of c' b (single stiffness times common face width), or of the mean for a prescribed
     wave; mean and extremes are analytic.
     """
+    from pitchpoint.report.number_rows import C_PRIME_B
     from pitchpoint.report.numbers import cycle_numbers, cycles_of_model
-    from pitchpoint.report.rows import C_PRIME_B
 
     bare = (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor)
     if file is None:

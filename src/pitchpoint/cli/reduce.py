@@ -82,7 +82,7 @@ def compute(
     """Reduce the system; gives what `reduce --json` prints."""
     from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK, sentence
-    from pitchpoint.solvers.reduction import reduce_system
+    from pitchpoint.solvers.reduction.reduce import reduce_system
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -112,7 +112,7 @@ def compute(
 def _check_names(system: System, keep: tuple[str, ...]) -> None:
     """Refuse names of what is to stay that nothing has."""
     from pitchpoint.core.nearest import did_you_mean
-    from pitchpoint.solvers.reduction_choice import names_to_keep
+    from pitchpoint.solvers.reduction.condensable import names_to_keep
 
     known = names_to_keep(system)
     for name in keep:

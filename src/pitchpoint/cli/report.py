@@ -27,14 +27,14 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
     """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.report.kept_model import kept_model
+    from pitchpoint.report.stored_model import stored_model
     from pitchpoint.report.write import write_report
 
     results = [name for name in files if name.lower().endswith(RESULT_ENDINGS)]
     models = [name for name in files if name not in results]
     if len(models) > 1:
         raise click.UsageError(f"more than one model file: {', '.join(models)}")
-    model = read_model(models[0], allow_code, quiet) if models else kept_model(results[0], allow_code)
+    model = read_model(models[0], allow_code, quiet) if models else stored_model(results[0], allow_code)
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
     with ProgressDisplay("report", "parts", quiet=quiet) as progress:
         notes: list[str] = []

@@ -82,7 +82,7 @@ def known_scenario(model: Model, name: str) -> str:
     return name
 
 
-def refuse_idle(what: str, options: Mapping[str, Any]) -> None:
+def refuse_without_effect(what: str, options: Mapping[str, Any]) -> None:
     """Refuse options that were given although they change nothing about what is computed."""
     for name, value in options.items():
         if value is not None:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from pitchpoint.model.model import Model
-    from pitchpoint.solvers.quasistatic import Roll, Table
+    from pitchpoint.solvers.quasistatic.roll import Roll, Table
 
 WORDS = (
     "mesh force, mean",
@@ -39,7 +39,7 @@ def compute(
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import OK
-    from pitchpoint.solvers.quasistatic import roll_through, statistics, tables
+    from pitchpoint.solvers.quasistatic.roll import roll_through, statistics, tables
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -69,7 +69,7 @@ def compute(
 def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str, notes: Sequence[str]) -> None:
     """Write a roll to a result file, over the periods rolled."""
     from pitchpoint.io.tables import Axis, Quantity, write_tables
-    from pitchpoint.solvers.quasistatic import DIMENSION
+    from pitchpoint.solvers.quasistatic.roll import DIMENSION
 
     words = f"periods of {roll.mesh} rolled"
     axis = Axis(DIMENSION, [float(p) for p in roll.position], "1", words)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
-    from pitchpoint.solvers.start import Start
+    from pitchpoint.solvers.initial_state.start import Start
     from pitchpoint.system.system import System
 
 
@@ -76,7 +76,7 @@ def run(
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
-        refuse_idle,
+        refuse_without_effect,
         result_path,
         statistics_table,
         unless_it_cannot_begin,
@@ -87,15 +87,15 @@ def run(
     stored = {"--channels": how["channels"] or None}
     name = choose_scenario(model, scenario, "time", "quasi_static")
     rolls = model.scenarios[name].kind == "quasi_static"
-    refuse_idle(
+    refuse_without_effect(
         "on a slow roll",
         {"--step": step, "--decimate": decimate, "--reduce": reduce, **stored} if rolls else {},
     )
-    refuse_idle(
+    refuse_without_effect(
         "with --vary, whose table has statistics only", {"--decimate": decimate, **stored} if vary else {}
     )
-    refuse_idle("with --vary", {"--reduce": reduce} if vary else {})
-    refuse_idle("without --vary", {} if vary else {"--jobs": jobs})
+    refuse_without_effect("with --vary", {"--reduce": reduce} if vary else {})
+    refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
     if step is not None:
         model = model.replace(f"scenarios.{name}.step", step)
     if how["channels"]:
@@ -223,8 +223,8 @@ def compute(
 
 def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
     """Where a scenario starts with the linear parts condensed for frequencies up to a limit [Hz]."""
-    from pitchpoint.solvers.reduction import lost_channels, reduce_system
-    from pitchpoint.solvers.start import Start
+    from pitchpoint.solvers.initial_state.start import Start
+    from pitchpoint.solvers.reduction.reduce import lost_channels, reduce_system
 
     found = reduce_system(system, scenario, limit=limit)
     lost = lost_channels(found.full, found.system)

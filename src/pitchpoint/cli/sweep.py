@@ -47,11 +47,16 @@ def sweep(
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.cli.results import choose_scenario, refuse_idle, result_path, unless_it_cannot_begin
+    from pitchpoint.cli.results import (
+        choose_scenario,
+        refuse_without_effect,
+        result_path,
+        unless_it_cannot_begin,
+    )
 
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "sweep")
-    refuse_idle("without --vary", {} if vary else {"--jobs": jobs})
+    refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
     if vary:
         from pitchpoint.cli.cases import run_varied
 

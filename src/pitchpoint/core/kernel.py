@@ -22,10 +22,10 @@ from typing import Any
 
 import numpy as np
 
-from pitchpoint.core import machine_code
-from pitchpoint.core.compiling import unhindered
-from pitchpoint.core.machine_code import cache_folder
-from pitchpoint.core.second_compiler import announce, await_entry, delegate, withdraw
+from pitchpoint.core.compiler import machine_code
+from pitchpoint.core.compiler.interpreter import run_compiler
+from pitchpoint.core.compiler.machine_code import cache_folder
+from pitchpoint.core.compiler.second_process import announce, await_entry, delegate, withdraw
 
 __all__ = [
     "COMPILING",
@@ -65,15 +65,15 @@ class Kernel:
     @cached_property
     def dispatcher(self) -> Any:
         """What represents this kernel inside other kernels."""
-        from pitchpoint.core import compiler
+        from pitchpoint.core.compiler import public_numba
 
-        return compiler.dispatcher(self)
+        return public_numba.dispatcher(self)
 
     @cached_property
     def _python_callable(self) -> Any:
-        from pitchpoint.core import compiler
+        from pitchpoint.core.compiler import public_numba
 
-        return compiler.python_callable(self)
+        return public_numba.python_callable(self)
 
     @property
     def signatures(self) -> list[Any]:
@@ -139,9 +139,9 @@ def address(entry: Any) -> int:
             await_entry(label(entry))
             where = machine_code.load(entry.py_func)
             if where is None:
-                from pitchpoint.core import compiler
+                from pitchpoint.core.compiler import public_numba
 
-                where, needed = unhindered(lambda: compiler.entry_address(entry))
+                where, needed = run_compiler(lambda: public_numba.entry_address(entry))
                 _kept.append(needed)
             _addresses[entry] = where
         return _addresses[entry]
@@ -182,7 +182,7 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
         announce()
     if missing and here and machine_code.can_save():
         delegate([label(e) for e in missing])
-    unhindered(lambda: _compile(here, missing))
+    run_compiler(lambda: _compile(here, missing))
 
 
 def _compile(here: Sequence[Any], there: list[Any]) -> None:
@@ -303,9 +303,9 @@ def law_address(function: Any) -> int:
             plain = _guarded(function)
             _hear_callbacks()
             if COMPILING:
-                from pitchpoint.core import compiler
+                from pitchpoint.core.compiler import public_numba
 
-                _laws[function] = compiler.law_callback(function, plain)
+                _laws[function] = public_numba.law_callback(function, plain)
             else:
                 _laws[function] = plain
         made = _laws[function]

@@ -2,7 +2,7 @@
 """A point or a sphere of body i that never leaves a surface of body j: plane, sphere, cylinder, cone, torus.
 
 Shapes are those of `point_surface`. The place on the surface is eliminated in the curvature of the distance;
-the row and its load are those of `permanent_contact`.
+the row and its load are those of `contacts.permanent`.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from __future__ import annotations
 from pitchpoint.contact.surface import distance
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.contact_record import RECORD, RESULTS
-from pitchpoint.elements.contact_wrench import place_markers
+from pitchpoint.elements.contacts.permanent import FORCE, hold
+from pitchpoint.elements.contacts.record import RECORD, RESULTS
+from pitchpoint.elements.contacts.surface_place import curvature_in_world, point_place
+from pitchpoint.elements.contacts.wrench import place_markers
 from pitchpoint.elements.kind import CONSTRAINT, Kind
-from pitchpoint.elements.permanent_contact import FORCE, hold
 from pitchpoint.elements.point_surface import set_surface
-from pitchpoint.elements.surface_place import curvature_in_world, point_place
 from pitchpoint.multibody.channels import constraint_args, constraint_rates, observations
 from pitchpoint.multibody.vectors import column, dot, into_world, plus, triple
 

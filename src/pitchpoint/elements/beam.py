@@ -3,16 +3,16 @@
 size.
 
 Nodes and section axes are fixed to the bodies and turn with them. For round shafts that spin fast between
-bodies on ground, `shaft_beam` does the same without asking how far they have spun. Formulas: `beam_forces`.
+bodies on ground, `shaft_beam` does the same without asking how far they have spun. Formulas: `beams.forces`.
 """
 
 from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.beam_forces import internal, loads, node, turned
-from pitchpoint.elements.beam_record import OUTPUTS, RECORD, beam_row
-from pitchpoint.elements.beam_tangent import tangent
+from pitchpoint.elements.beams.forces import internal, loads, node, turned
+from pitchpoint.elements.beams.record import OUTPUTS, RECORD, beam_row
+from pitchpoint.elements.beams.tangent import tangent
 from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.multibody.channels import frame_args, observations
 

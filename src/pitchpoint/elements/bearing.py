@@ -12,7 +12,7 @@ A bearing in a housing has as body j one that is fixed to the housing at the bea
 frame turns with the housing; it leaves the spin free.
 
 Two bodies must be coaxial as assembled, or joined by torsion alone: u knows no spin but the twist, so a force
-between two axes would do work that no spring gives. `model/support_check.py` refuses such a coupling.
+between two axes would do work that no spring gives. `model/checks/supports.py` refuses such a coupling.
 
 Integrators get P^T (K, D) P. The exact tangent is the whole derivative of the wrenches: the axes of W, the
 markers and the axes of the moments move with the bodies, under spring forces and under the rates of spinning

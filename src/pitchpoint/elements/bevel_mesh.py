@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bevel mesh: force of two bevel gears on each other, from their frames alone.
 
-Frame channel. `bevel_mesh_place` finds where the flanks are and along which rows of a wrench basis they push,
-`bevel_mesh_sums` adds up what they do along their contact lines, this file turns the sums into wrenches,
-tangents and observations. Straight and spiral teeth, any shaft angle, all pairs in contact, both flanks, open
-along a part of the width where axes are tilted.
+Frame channel. `mesh.bevel.plane_of_action` finds where the flanks are and along which rows of a wrench basis
+they push, `mesh.bevel.flank_forces` adds up what they do along their contact lines, this file turns the sums
+into wrenches, tangents and observations. Straight and spiral teeth, any shaft angle, all pairs in contact,
+both flanks, open along a part of the width where axes are tilted.
 
 Tangents hold at frozen mesh phase and frozen plane of action, exact ones follow the plane of action
-(`bevel_mesh_turning`). Quantities along the base tangent are those at the mean cone distance: mesh_force
-times a base radius there is the torque, its slope over the travel is the stiffness.
+(`mesh.bevel.exact_tangent`). Quantities along the base tangent are those at the mean cone distance:
+mesh_force times a base radius there is the torque, its slope over the travel is the stiffness.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ import numpy as np
 
 from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.bevel_mesh_place import (
+from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
+from pitchpoint.elements.mesh.bevel.exact_tangent import turning
+from pitchpoint.elements.mesh.bevel.flank_forces import sum_flank
+from pitchpoint.elements.mesh.bevel.plane_of_action import (
     axes_of_action,
     friction_rows,
     normal_rows,
     place_flanks,
     rates_of_place,
 )
-from pitchpoint.elements.bevel_mesh_record import EVENTS, N_OUT, OUTPUTS, PHASE, RECORD, ROWS, mesh_outputs
-from pitchpoint.elements.bevel_mesh_sums import sum_flank
-from pitchpoint.elements.bevel_mesh_turning import turning
-from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
-from pitchpoint.elements.mesh_line import begin_flank, countable, flank_phase
-from pitchpoint.elements.mesh_observed import (
+from pitchpoint.elements.mesh.bevel.record import EVENTS, N_OUT, OUTPUTS, PHASE, RECORD, ROWS, mesh_outputs
+from pitchpoint.elements.mesh.line_of_action import begin_flank, countable, flank_phase
+from pitchpoint.elements.mesh.observations import (
     add_flank,
     add_friction_torques,
     clear,
@@ -39,8 +39,15 @@ from pitchpoint.elements.mesh_observed import (
     write_events,
     write_mesh,
 )
-from pitchpoint.elements.mesh_sums import begin_ask, begin_damping, begin_sums, end_damping
-from pitchpoint.elements.mesh_wrench import mesh_damper, push, rate_of_row
+from pitchpoint.elements.mesh.sums import (
+    begin_damping,
+    begin_request,
+    begin_sums,
+    end_damping,
+    mesh_damper,
+    push,
+    rate_of_row,
+)
 from pitchpoint.multibody.channels import frame_args
 from pitchpoint.multibody.vectors import add, dot, times, triple
 
@@ -96,7 +103,7 @@ def _sum(b, f, g):
     for row in range(rows):
         b["rate"][row] = rate_of_row(b, f, g, row)
     begin_sums(b)
-    if b["ask"]["out"] != 0 or b["ask"]["ev"] != 0:
+    if b["request"]["out"] != 0 or b["request"]["ev"] != 0:
         sum_flank(b, 1)
     else:
         sum_flank(b, None)
@@ -125,18 +132,18 @@ def _observe_flank(b, flank):
         dot(V, triple(now["axis"][1], 0)),
     )
     add_flank(b, flank, force[2] / b["R_m"], parts, 0.0)
-    out = view(b["ask"]["out"], 1, OBSERVED)[0]
+    out = view(b["request"]["out"], 1, OBSERVED)[0]
     out["radial_force_1"] += dot(V, triple(now["away"][0], 0))
     out["axial_force_1"] -= dot(V, triple(now["axis"][0], 0))
 
 
 @kernel
 def _one_mesh(b, fr, kk):
-    """Wrenches, tangents and observations of one mesh, as its `ask` requires."""
+    """Wrenches, tangents and observations of one mesh, as its `request` requires."""
     now = b["now"]
-    ask = b["ask"]
-    f = fr[ask["i"]]
-    g = fr[ask["j"]]
+    request = b["request"]
+    f = fr[request["i"]]
+    g = fr[request["j"]]
     status = axes_of_action(b, f, g)
     if status != OK:
         return status
@@ -144,12 +151,12 @@ def _one_mesh(b, fr, kk):
     status = countable(now["u"], now["travel"], b["p_bt"], now["eps"])
     if status != OK:
         return status
-    watch = ask["out"] != 0
-    if watch or ask["ev"] != 0:
+    watch = request["out"] != 0
+    if watch or request["ev"] != 0:
         rates_of_place(b, f, g)
     if watch:
         clear(b, N_OUT)
-    exact = ask["jac"] == 2 and ask["ck"] != 0.0
+    exact = request["jac"] == 2 and request["ck"] != 0.0
     x = now["u"]
     front = contact_event(x - 0.5 * now["gap"] - b["sep_min"], 0.0)
     back = contact_event(-x - 0.5 * now["gap"] - b["sep_min"], 0.0)
@@ -179,7 +186,7 @@ def _one_mesh(b, fr, kk):
     if watch:
         psi = flank_phase(b, 1)
         write_mesh(b, 0.0, psi - math.floor(psi), force, rate)
-    if ask["ev"] != 0:
+    if request["ev"] != 0:
         write_events(b, x, front, back, now["eps"])
     return OK
 
@@ -189,7 +196,7 @@ def bevel_mesh(rec, ctl, fr, kk):
     """Wrenches, tangents and observations of all bevel meshes; see the module text."""
     for r in range(rec.size):
         b = rec[r]
-        begin_ask(b, ctl[0])
+        begin_request(b, ctl[0])
         status = _one_mesh(b, fr, kk)
         if status != OK:
             ctl[0]["bad"] = r

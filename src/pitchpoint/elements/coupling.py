@@ -19,7 +19,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FRAME, TOGETHER, Kind, Power
 from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
-from pitchpoint.elements.turning import (
+from pitchpoint.elements.torsion import (
     add_torque,
     common_axis,
     sense_of,

@@ -12,9 +12,9 @@ import numpy as np
 
 from pitchpoint.contact.curve import Curve
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_record import EVENTS, PATHS, RECORD, RESULTS, set_curve
+from pitchpoint.elements.contacts.planar import planar_entry
+from pitchpoint.elements.contacts.record import EVENTS, PATHS, RECORD, RESULTS, set_curve
 from pitchpoint.elements.kind import FRAME, Kind
-from pitchpoint.elements.planar_contact import planar_entry
 from pitchpoint.elements.signal import Pool
 
 __all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "set_curves"]
@@ -34,7 +34,7 @@ def set_curves(
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`), markers and law apart.
     pool
         Pool of the kind.
     curves

@@ -2,8 +2,8 @@
 """Planar curves of two bodies that never part: a cam and its flat or round follower held together.
 
 The curves lie in planes of their markers as in `curve_curve`. Of several common normals the one counts whose
-gap is nearest to zero. How the places run along both curves is eliminated (`planar_contact`); the row and its
-load are those of `permanent_contact`.
+gap is nearest to zero. How the places run along both curves is eliminated (`contacts.planar`); the row and
+its load are those of `contacts.permanent`.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from pitchpoint.contact.curve_pair import nearest_normal
 from pitchpoint.contact.curve_point import WIDTH, arc_length
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK, REFUSED
-from pitchpoint.elements.contact_record import PATHS, RECORD, set_curve
-from pitchpoint.elements.contact_wrench import place_markers
+from pitchpoint.elements.contacts.permanent import FORCE, hold
+from pitchpoint.elements.contacts.planar import LEAST_COSINE, place_contact
+from pitchpoint.elements.contacts.record import PATHS, RECORD, set_curve
+from pitchpoint.elements.contacts.wrench import place_markers
 from pitchpoint.elements.kind import CONSTRAINT, Kind
-from pitchpoint.elements.permanent_contact import FORCE, hold
-from pitchpoint.elements.planar_contact import LEAST_COSINE, place_contact
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
 
@@ -34,7 +34,7 @@ def set_held_curves(record: np.void, pool: Pool, curves: tuple[Curve, Curve]) ->
     Parameters
     ----------
     record
-        Record with bodies i and j and their markers (`contact_record.new_records`).
+        Record with bodies i and j and their markers (`contacts.record.new_records`).
     pool
         Pool of the kind.
     curves

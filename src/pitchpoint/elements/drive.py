@@ -11,13 +11,13 @@ import math
 
 import numpy as np
 
-from pitchpoint.core.formula_kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_slope
 from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import CONSTRAINT, DRIVE, FREE, Kind, Power
 from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.speed_pieces import SpeedPieces
+from pitchpoint.elements.speed_profile import SpeedPieces
 from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_rates, observations
 
 TURN, TURN_REST = 6.283185303211212, 3.968374073792802e-09

@@ -25,8 +25,7 @@ from pitchpoint.core.errors import CompileError
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements import guide
-from pitchpoint.elements.flexible_forces import coordinates, loads, shares
-from pitchpoint.elements.flexible_tangent import tangent
+from pitchpoint.elements.floating_frame import coordinates, loads, shares, tangent
 from pitchpoint.elements.kind import FRAME, FREE, MODAL, WITH_MODES, Kind
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import frame_args, observations

@@ -16,7 +16,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FORCE, FRAME, FREE, Kind
 from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
-from pitchpoint.elements.turning import (
+from pitchpoint.elements.torsion import (
     common_axis,
     sense_of,
     speed_between,

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Gear mesh: force of two toothed bodies on each other, from their frames alone.
 
-Frame channel. `mesh_line` finds where the flanks are, `mesh_pairs` sums what they do along their contact
-lines, this file turns the sums into wrenches, tangents and observations. Forces act along the normal in the
-transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of base-tangent
-force.
+Frame channel. `mesh.line_of_action` finds where the flanks are, `mesh.tooth_pairs` sums what they do along
+their contact lines, this file turns the sums into wrenches, tangents and observations. Forces act along the
+normal in the transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of
+base-tangent force.
 
 Tangents hold at frozen mesh phase and frozen line of action: what the Newton iteration and static equilibrium
-need. Exact ones, for modes about an operating point, follow the line of action too (`mesh_turning`). The
-change of the stiffness with the phase shows up as parametric power.
+need. Exact ones, for modes about an operating point, follow the line of action too (`mesh.exact_tangent`).
+The change of the stiffness with the phase shows up as parametric power.
 """
 
 from __future__ import annotations
@@ -20,7 +20,35 @@ import numpy as np
 from pitchpoint.contact.pair_shape import FOURIER, RECTANGULAR, phase_stiffness
 from pitchpoint.core.kernel import call, call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
-from pitchpoint.elements.gear_mesh_record import (
+from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
+from pitchpoint.elements.mesh.eccentricity import begin_displaced, damping_alone, end_displaced, whole
+from pitchpoint.elements.mesh.exact_tangent import turning
+from pitchpoint.elements.mesh.flank_deviations import (
+    add_roll_tangent,
+    begin_separation,
+    runs_damped,
+    spin_direction,
+)
+from pitchpoint.elements.mesh.force_directions import friction_directions, normal_directions, travel_direction
+from pitchpoint.elements.mesh.line_of_action import (
+    begin_flank,
+    excitation,
+    flank_phase,
+    line_of_action,
+    motion,
+    pooled,
+    spin_motion,
+)
+from pitchpoint.elements.mesh.nodes import phase_flank
+from pitchpoint.elements.mesh.observations import (
+    add_flank,
+    add_friction_torques,
+    clear,
+    contact_event,
+    write_events,
+    write_mesh,
+)
+from pitchpoint.elements.mesh.record import (
     EVENTS,
     N_OUT,
     OUTPUTS,
@@ -30,36 +58,18 @@ from pitchpoint.elements.gear_mesh_record import (
     USER,
     mesh_outputs,
 )
-from pitchpoint.elements.kind import FRAME, GEARED, MESH, Kind, Power
-from pitchpoint.elements.mesh_eccentric import begin_displaced, damping_alone, end_displaced, whole
-from pitchpoint.elements.mesh_gradient import friction_directions, normal_directions, travel_direction
-from pitchpoint.elements.mesh_line import begin_flank, excitation, flank_phase, line_of_action, pooled
-from pitchpoint.elements.mesh_motion import motion, spin_motion
-from pitchpoint.elements.mesh_nodes import phase_flank
-from pitchpoint.elements.mesh_observed import (
-    add_flank,
-    add_friction_torques,
-    clear,
-    contact_event,
-    write_events,
-    write_mesh,
-)
-from pitchpoint.elements.mesh_pairs import deviating_line, profile_flank
-from pitchpoint.elements.mesh_separation import (
-    add_roll_tangent,
-    begin_separation,
-    runs_damped,
-    spin_direction,
-)
-from pitchpoint.elements.mesh_sums import begin_ask, begin_damping, begin_sums, end_damping
-from pitchpoint.elements.mesh_turning import turning
-from pitchpoint.elements.mesh_wrench import (
+from pitchpoint.elements.mesh.sums import (
     add_spin_tangent,
     add_spin_torque,
+    begin_damping,
+    begin_request,
+    begin_sums,
+    end_damping,
     mesh_damper,
     push,
     rate_of_row,
 )
+from pitchpoint.elements.mesh.tooth_pairs import deviating_line, profile_flank
 from pitchpoint.multibody.channels import F8, frame_args
 
 __all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
@@ -138,19 +148,19 @@ def _flank(b, f, g, flank, x_0, spins, rate):
         for row in range(rows):
             rates[row] = rate_of_row(b, f, g, row)
         rates[0] -= flank * now["e_rate"]
-    if b["ask"]["out"] != 0 or b["ask"]["ev"] != 0:
+    if b["request"]["out"] != 0 or b["request"]["ev"] != 0:
         return _sum(b, 1, x_0)
     return _sum(b, None, x_0)
 
 
 @kernel
 def _sum(b, watch, x_0):
-    """Sum the nodes of one flank; see `mesh_sums` for `watch`."""
+    """Sum the nodes of one flank; see `mesh.sums` for `watch`."""
     now = b["now"]
     now["tilt"] = now["kappa"]
     now["growth"] = 0.0
     if b["source"] == PHASE:
-        ratio, rate = _stiffness_ratio(b, b["ask"]["t"], watch is not None)
+        ratio, rate = _stiffness_ratio(b, b["request"]["t"], watch is not None)
         if not math.isfinite(ratio):
             return NOT_FINITE
         phase_flank(b, watch, x_0, ratio, rate)
@@ -203,22 +213,22 @@ def _observe_flank(b, f, g, flank):
 
 @kernel
 def _one_mesh(b, fr, kk):
-    """Wrenches, tangents and observations of one mesh, as its `ask` requires."""
+    """Wrenches, tangents and observations of one mesh, as its `request` requires."""
     now = b["now"]
-    ask = b["ask"]
-    f = fr[ask["i"]]
-    g = fr[ask["j"]]
+    request = b["request"]
+    f = fr[request["i"]]
+    g = fr[request["j"]]
     status = line_of_action(b, f, g)
     if status != OK:
         return status
     rubs = b["contact"]["mu"] > 0.0
     spins = 1 if b["fixed"] == 1 and not rubs else 0
-    watch = ask["out"] != 0
+    watch = request["out"] != 0
     u_rate = 0.0
     if b["fixed"] == 1:
         spin_motion(b, f["spin"], g["spin"])
         u_rate = b["r_b1"] * f["spin"] + b["r_b2"] * g["spin"]
-    elif b["n_e"] > 0 or runs_damped(b) or watch or ask["ev"] != 0:
+    elif b["n_e"] > 0 or runs_damped(b) or watch or request["ev"] != 0:
         motion(b, f, g)
     psi = flank_phase(b, 1)
     psi -= math.floor(psi)
@@ -232,7 +242,7 @@ def _one_mesh(b, fr, kk):
     front = contact_event(x - 0.5 * now["gap"] - b["sep_min"], 0.0)
     back = contact_event(-x - 0.5 * now["gap"] - b["sep_min"], 0.0)
     tangent = 0.0
-    exact = ask["jac"] == 2 and ask["ck"] != 0.0 and b["fixed"] == 0
+    exact = request["jac"] == 2 and request["ck"] != 0.0 and b["fixed"] == 0
     if now["eps"] > 0.0 and now["z_hi"] > now["z_lo"]:
         for flank in (1, -1):
             x_0 = flank * x - 0.5 * now["gap"]
@@ -252,14 +262,14 @@ def _one_mesh(b, fr, kk):
             if spins == 1:
                 force += flank * sums["force"][0]
                 tangent += sums["tangent"][0, 0]
-                if ask["jac"] != 0 and runs_damped(b):
+                if request["jac"] != 0 and runs_damped(b):
                     spin_direction(b)
                     add_roll_tangent(b, kk, 1)
             else:
                 push(b, f, g, kk, ROWS if rubs else 2)
                 if watch:
                     add_friction_torques(b, N_OUT, f, g)
-                if ask["jac"] != 0 and runs_damped(b):
+                if request["jac"] != 0 and runs_damped(b):
                     add_roll_tangent(b, kk, ROWS if rubs else 2)
                 if exact:
                     _turning(b, f, g, flank, x_0)
@@ -268,7 +278,7 @@ def _one_mesh(b, fr, kk):
         if spins == 1:
             damper = b["d_gap"] * u_rate
             force += damper
-            tangent += ask["cd"] * b["d_gap"]
+            tangent += request["cd"] * b["d_gap"]
         else:
             travel_direction(b, f, g)
             damper, u_rate = mesh_damper(b, f, g, kk, now["e_rate"])
@@ -276,11 +286,11 @@ def _one_mesh(b, fr, kk):
                 call(b["turning"], b["here"], 0, 0)
     if spins == 1:
         add_spin_torque(b, f, g, force)
-        if ask["jac"] != 0:
+        if request["jac"] != 0:
             add_spin_tangent(b, kk, tangent)
     if watch:
         write_mesh(b, now["e_rate"], psi, damper, u_rate)
-    if ask["ev"] != 0:
+    if request["ev"] != 0:
         write_events(b, x, front, back, _pair_leaves(b))
     return OK
 
@@ -289,13 +299,13 @@ def _one_mesh(b, fr, kk):
 def _displaced_mesh(b, ctl, fr, kk):
     """A mesh of gears that are eccentric or wobble on the axes of their bodies."""
     frames = begin_displaced(b, fr)
-    ask = b["ask"]
+    request = b["request"]
     status = OK
-    if ask["jac"] == 2 and ask["ck"] != 0.0:
+    if request["jac"] == 2 and request["ck"] != 0.0:
         kept = begin_damping(b)
         status = _one_mesh(b, frames, damping_alone(b))
         end_damping(b, kept)
-        ask["jac"] = 2
+        request["jac"] = 2
     status = max(status, _one_mesh(b, frames, whole(b, frames)))
     end_displaced(b, ctl, fr, kk, frames)
     return status
@@ -306,7 +316,7 @@ def gear_mesh(rec, ctl, fr, kk):
     """Wrenches, tangents and observations of all meshes; see the module text."""
     for r in range(rec.size):
         b = rec[r]
-        begin_ask(b, ctl[0])
+        begin_request(b, ctl[0])
         if b["displaced"] == 1:
             status = _displaced_mesh(b, ctl[0], fr, kk)
         else:

@@ -16,12 +16,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.formula_kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_slope
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FREE, MOTION, Kind, Power
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.speed_pieces import fit_pieces
+from pitchpoint.elements.speed_profile import fit_pieces
 from pitchpoint.multibody.channels import F8, I8, motion_args
 
 LINEAR, PIECES, FORMULA = 0, 1, 2
@@ -56,7 +56,7 @@ STEP_OF_TIME, STEP_OF_COORDINATE = 1e-5, 1e-3
 
 
 def set_formula(record: Any, pool: Pool, formula: Any) -> None:
-    """Follow a formula of one variable, see `pitchpoint.core.formula.Formula`."""
+    """Follow a formula of one variable, see `pitchpoint.core.formula.formula.Formula`."""
     record["form"] = FORMULA
     record["step"] = STEP_OF_TIME if record["k"] == TIME else STEP_OF_COORDINATE
     record["start"], record["n"] = pool.add(formula.ops.view(np.float64)), formula.ops.size

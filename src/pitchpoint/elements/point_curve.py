@@ -14,9 +14,9 @@ import numpy as np
 from pitchpoint.contact.curve import Curve, chain, vertex
 from pitchpoint.contact.surface import SPHERE
 from pitchpoint.core.kernel import kernel
-from pitchpoint.elements.contact_record import EVENTS, PATHS, RECORD, RESULTS, set_curve
+from pitchpoint.elements.contacts.planar import planar_entry
+from pitchpoint.elements.contacts.record import EVENTS, PATHS, RECORD, RESULTS, set_curve
 from pitchpoint.elements.kind import FRAME, Kind
-from pitchpoint.elements.planar_contact import planar_entry
 from pitchpoint.elements.signal import Pool
 
 __all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "set_cam"]
@@ -32,7 +32,7 @@ def set_cam(
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`), markers and law apart.
     pool
         Pool of the kind.
     curve

@@ -4,7 +4,7 @@
 The constraint row is g = phi(y) - r, phi being the signed distance of the point y of body i, in the plane of
 the marker of body j, from the curve. The place on the curve is eliminated: with the direction tau, the
 curvature kappa and W = kappa/(1 + kappa phi) tau tau^T the unit normal turns by n' = omega_j x n + W u, u
-being the velocity of the point against the plane; the rest is that of `permanent_contact`. Of several places
+being the velocity of the point against the plane; the rest is that of `contacts.permanent`. Of several places
 nearest to the point, the one counts at which |g| is smallest.
 """
 
@@ -16,9 +16,9 @@ from pitchpoint.contact.curve import Curve
 from pitchpoint.contact.curve_point import WIDTH, arc_length, nearest, point_of
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK
-from pitchpoint.elements.contact_wrench import moved, turned
+from pitchpoint.elements.contacts.permanent import hold
+from pitchpoint.elements.contacts.wrench import moved, turned
 from pitchpoint.elements.kind import CONSTRAINT, Kind
-from pitchpoint.elements.permanent_contact import hold
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.channels import F8, constraint_args, constraint_rates, observations
 from pitchpoint.multibody.vectors import column, dot, plus, triple

@@ -16,11 +16,11 @@ from pitchpoint.contact.triangle_search import PLACE, nearest_place, signed_plac
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.contact_record import EVENTS, RECORD, RESULTS, set_triangles
-from pitchpoint.elements.contact_wrench import act, begin, finish
+from pitchpoint.elements.contacts.record import EVENTS, RECORD, RESULTS, set_triangles
+from pitchpoint.elements.contacts.surface_place import curvature_in_world, point_place
+from pitchpoint.elements.contacts.wrench import act, begin, finish
 from pitchpoint.elements.kind import FRAME, Kind
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.surface_place import curvature_in_world, point_place
 from pitchpoint.multibody.channels import frame_args
 from pitchpoint.multibody.vectors import into_world, triple
 
@@ -37,7 +37,7 @@ def set_surface(
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`), markers and law apart.
     form
         "plane", "sphere", "cylinder", "cone" or "torus".
     size
@@ -68,7 +68,7 @@ def set_mesh(
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`), markers and law apart.
     pool
         Pool of the kind.
     surface

@@ -14,7 +14,7 @@ import pkgutil
 from collections.abc import Iterable
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.outside import added
+from pitchpoint.core.plugins import plugin_objects
 from pitchpoint.elements.kind import CONSTRAINT, COORDINATE, FRAME, FRICTION, MOTION, Kind
 
 _KINDS: dict[str, Kind] = {}
@@ -48,7 +48,7 @@ def names(others: bool = False) -> tuple[str, ...]:
     others
         Search all packages that are installed, too.
     """
-    for kind in added(Kind) if others else ():
+    for kind in plugin_objects(Kind) if others else ():
         register(kind)
     package = importlib.import_module("pitchpoint.elements")
     for module in pkgutil.iter_modules(package.__path__):
@@ -71,4 +71,4 @@ def _of_this_package(name: str) -> Kind | None:
 
 
 def _of_others(name: str) -> Kind | None:
-    return next((kind for kind in added(Kind, name) if kind.name == name), None)
+    return next((kind for kind in plugin_objects(Kind, name) if kind.name == name), None)

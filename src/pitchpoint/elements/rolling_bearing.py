@@ -41,7 +41,7 @@ from pitchpoint.elements.ring import (
     ring_tangents,
     whole_turns,
 )
-from pitchpoint.elements.rolling_push import push_elements
+from pitchpoint.elements.rolling_bearing_forces import push_elements
 from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586

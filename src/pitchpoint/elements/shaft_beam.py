@@ -3,7 +3,7 @@
 
 The nodes lie on the spin axes of the bodies, and the axes of both ends are the frames of the bodies, which do
 not spin. The twist is the difference of the counted spins, so no sine of a spin is taken and whole turns lose
-no digit. The bodies must not tumble: their spins would start afresh. Formulas: `beam_forces`.
+no digit. The bodies must not tumble: their spins would start afresh. Formulas: `beams.forces`.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.beam_forces import internal, loads, node, turned
-from pitchpoint.elements.beam_record import OUTPUTS, RECORD, beam_row
-from pitchpoint.elements.beam_tangent import tangent
+from pitchpoint.elements.beams.forces import internal, loads, node, turned
+from pitchpoint.elements.beams.record import OUTPUTS, RECORD, beam_row
+from pitchpoint.elements.beams.tangent import tangent
 from pitchpoint.elements.kind import FRAME, TOGETHER, Kind, Power
 from pitchpoint.multibody.beam_section import Beam
 from pitchpoint.multibody.channels import frame_args, observations

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.formula_kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_slope
 from pitchpoint.core.kernel import call_law, kernel, view
 
 F8 = np.dtype("f8")
@@ -84,7 +84,7 @@ def set_table(
 
 
 def set_formula(record: np.void, pool: Pool, formula: Any) -> None:
-    """Make the signal a formula of (t, angle, speed); see `pitchpoint.core.formula.Formula`."""
+    """Make the signal a formula of (t, angle, speed); see `pitchpoint.core.formula.formula.Formula`."""
     record["form"], record["value"] = FORMULA, 1.0
     record["start"], record["n"] = pool.add(formula.ops.view(np.float64)), formula.ops.size
     pool.add(formula.workspace())

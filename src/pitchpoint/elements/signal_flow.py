@@ -16,13 +16,13 @@ import math
 
 import numpy as np
 
-from pitchpoint.core.formula_kernel import evaluate_slope
+from pitchpoint.core.formula.kernel import evaluate_slope
 from pitchpoint.core.kernel import call_law, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FRAME, FREE, SIGNAL, Kind, Power
 from pitchpoint.elements.signal import interpolate
-from pitchpoint.elements.signal_actuators import act
-from pitchpoint.elements.signal_record import (
+from pitchpoint.elements.signals.actuators import act
+from pitchpoint.elements.signals.record import (
     ANGULAR_ACCELERATION,
     CHANNEL,
     FORMULA,
@@ -39,7 +39,7 @@ from pitchpoint.elements.signal_record import (
     TORQUE,
     UNITS,
 )
-from pitchpoint.elements.signal_sensors import sense
+from pitchpoint.elements.signals.sensors import sense
 from pitchpoint.elements.wrench import spin_axis
 from pitchpoint.multibody.channels import F8, I8, frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, less, moved_axis, triple

@@ -4,7 +4,7 @@
 A cylinder lies along the z axis of its marker, from -length/2 to length/2; a ring (torus; a disc if its tube
 is zero) in the plane z = 0. Spheres against anything are the kind point_surface.
 
-* cylinder on plane, against a cylinder or in a bore: a line of contact (elements/line_contact.py), parallel
+* cylinder on plane, against a cylinder or in a bore: a line of contact (elements/contacts/line.py), parallel
   or tilted; the law counts for the whole line. Cylinders have flat ends there;
 * ring on plane: the lowest place of the circle;
 * crossed cylinders: one place, on the common normal of the axes, which must not be parallel; round ends;
@@ -25,14 +25,14 @@ from pitchpoint.contact.surface import CYLINDER, PLANE, RIM, TRIANGLES
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.contact_record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
-from pitchpoint.elements.contact_wrench import act, begin, finish
+from pitchpoint.elements.contacts.crossed_cylinders import rim_place, rods_place
+from pitchpoint.elements.contacts.line import line_of_contact
+from pitchpoint.elements.contacts.record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
+from pitchpoint.elements.contacts.triangles import points_on_shape, points_on_triangles
+from pitchpoint.elements.contacts.wrench import act, begin, finish
 from pitchpoint.elements.kind import FRAME, Kind
-from pitchpoint.elements.line_contact import line_of_contact
 from pitchpoint.elements.point_surface import set_surface
-from pitchpoint.elements.rod_place import rim_place, rods_place
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.triangle_contact import points_on_shape, points_on_triangles
 from pitchpoint.multibody.channels import frame_args
 
 __all__ = [
@@ -70,7 +70,7 @@ def set_cylinder_on_plane(record: np.void, radius: float, length: float, station
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts for the
+        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts for the
         whole length.
     radius, length
         [m].
@@ -93,7 +93,7 @@ def set_cylinders_in_line(
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts for the
+        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts for the
         whole length of the shorter cylinder.
     radii, lengths
         Of bodies i and j [m]; without `hollow` the first one should be the shorter one.
@@ -117,7 +117,7 @@ def set_ring_on_plane(record: np.void, radius: float, tube: float = 0.0) -> None
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`), markers and law apart.
     radius
         Radius of the circle in the middle of the tube [m].
     tube
@@ -136,7 +136,7 @@ def set_crossed_cylinders(record: np.void, radii: Sequence[float], lengths: Sequ
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`), markers and law apart.
     radii, lengths
         Of the cylinders of bodies i and j [m].
     """
@@ -155,7 +155,7 @@ def set_meshes(
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts per area:
+        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts per area:
         K in N/m^(e+2), C in N s/m^3.
     pool
         Pool of the kind.
@@ -185,7 +185,7 @@ def set_mesh_on_shape(
     Parameters
     ----------
     record
-        Record of the contact (`contact_record.new_records`), markers and law apart; the law counts per area:
+        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts per area:
         K in N/m^(e+2), C in N s/m^3.
     pool
         Pool of the kind.

@@ -17,7 +17,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import FRAME, FREE, WITH_STATE, Kind, Power
-from pitchpoint.elements.turning import (
+from pitchpoint.elements.torsion import (
     add_torque,
     common_axis,
     sense_of,

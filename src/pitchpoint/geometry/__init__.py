@@ -5,8 +5,9 @@ Symbols follow the standard; internal gears have negative tooth numbers, diamete
 """
 
 from pitchpoint.geometry.backlash import Backlash, backlash_at
-from pitchpoint.geometry.bevel_gear import BevelGear, spherical_involute
-from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
+from pitchpoint.geometry.bevel.cones import pitch_angles, spherical_involute
+from pitchpoint.geometry.bevel.gear import BevelGear
+from pitchpoint.geometry.bevel.pair import BevelPair
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.form_diameter import root_form_diameter_internal, root_form_diameter_rack
 from pitchpoint.geometry.gear_pair import GearPair

@@ -59,6 +59,6 @@ def backlash_at(pair: GearPair, a: float) -> Backlash:
     """
     alpha_wt = pair.working_pressure_angle(a)
     g1, g2 = pair.gear1, pair.gear2
-    thinning = (g1.thickness_allowance + g2.thickness_allowance) * math.cos(g1.alpha_t) / math.cos(g1.beta)
-    j_bt = (g1.d_b + g2.d_b) * (inv(alpha_wt) - pair.inv_alpha_w0) - thinning
+    allowance = (g1.thickness_allowance + g2.thickness_allowance) * math.cos(g1.alpha_t) / math.cos(g1.beta)
+    j_bt = (g1.d_b + g2.d_b) * (inv(alpha_wt) - pair.inv_alpha_w0) - allowance
     return Backlash(j_bt, j_bt / math.cos(alpha_wt), j_bt * math.cos(g1.beta_b))

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import GeometryError, Message
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.bevel_gear import BevelGear
+    from pitchpoint.geometry.bevel.gear import BevelGear
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FloatArray = NDArray[np.float64]

@@ -19,7 +19,7 @@ from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.tooth_form import root_radius
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.bevel_gear import BevelGear
+    from pitchpoint.geometry.bevel.gear import BevelGear
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FloatArray = NDArray[np.float64]

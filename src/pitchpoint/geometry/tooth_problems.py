@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks common to cylindrical and bevel gears and their pairs: order, limits, messages.
 
-`problems` and `bevel_problems` give numbers and remedies. Nothing here raises: a loader lists all problems.
+`problems` and `bevel.problems` give numbers and remedies. Nothing here raises: a loader lists all problems.
 """
 
 from __future__ import annotations

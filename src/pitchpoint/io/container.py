@@ -22,10 +22,10 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.status import NOT_WRITTEN
-from pitchpoint.io.claim import is_at, keep, make_way
 from pitchpoint.io.disk_fault import WriteError, abandon, conclude
 from pitchpoint.io.superblock import clear_writer_flag
 from pitchpoint.io.target import cannot_be_written, check_target, disk_errno, make_folder
+from pitchpoint.io.write_lock import is_at, keep, remove_old
 
 if TYPE_CHECKING:
     import h5py
@@ -179,7 +179,7 @@ class Container:
         self._place = place = self.path.resolve()
         try:
             make_folder(place)
-            mode = make_way(place)
+            mode = remove_old(place)
             # "w" would empty the file of another writer before it is known to be locked
             file = h5py.File(place, "x", libver="latest", rdcc_nbytes=_CHUNK_CACHE)
         except (OSError, ValueError) as error:

@@ -20,7 +20,6 @@ from pathlib import Path
 from typing import Any
 
 from pitchpoint.core.status import OK
-from pitchpoint.io.claim import is_held
 from pitchpoint.io.container import FAILED, FINISHED, Header, MemoryContainer
 from pitchpoint.io.csv_cells import plain_cell
 from pitchpoint.io.reading import header_in
@@ -33,6 +32,7 @@ from pitchpoint.io.target import (
     write_draft,
 )
 from pitchpoint.io.unmarked_file import DAMAGE
+from pitchpoint.io.write_lock import is_held
 
 CASES = "cases"
 DRAFT = ".draft-"

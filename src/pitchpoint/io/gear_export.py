@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.bevel_sector import bevel_solid
+from pitchpoint.geometry.bevel.sector import bevel_solid
 from pitchpoint.geometry.mass_properties import RIM_OF_RING
 from pitchpoint.geometry.shaft_solid import ROUND, Section, shaft_solid
 from pitchpoint.geometry.solid import gear_solid
@@ -23,7 +23,7 @@ from pitchpoint.geometry.tooth_form import REGIONS, gear_outline, root_radius, t
 from pitchpoint.io.target import DXF_MARK, SVG_MARK, check_target, write_file
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.bevel_gear import BevelGear
+    from pitchpoint.geometry.bevel.gear import BevelGear
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FORMATS = ("csv", "dxf", "svg", "stl", "step")
@@ -313,7 +313,7 @@ def export_bevel_gear(
     n_flank
         Points per flank, at least 5.
     bore_diameter, rim_thickness
-        The body, as in `pitchpoint.geometry.bevel_blank.bevel_blank` [m].
+        The body, as in `pitchpoint.geometry.bevel.blank.bevel_blank` [m].
 
     Raises
     ------

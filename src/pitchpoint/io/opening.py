@@ -19,9 +19,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.io.claim import share
 from pitchpoint.io.container import FORMAT, RUNNING, ResultError
 from pitchpoint.io.unmarked_file import DAMAGE, UnmarkedFile
+from pitchpoint.io.write_lock import share
 
 if TYPE_CHECKING:
     import h5py

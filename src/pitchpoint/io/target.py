@@ -17,8 +17,8 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from pitchpoint.core.errors import Message, PitchpointError
-from pitchpoint.io.claim import is_held, share
 from pitchpoint.io.unmarked_file import DAMAGE, UnmarkedFile
+from pitchpoint.io.write_lock import is_held, share
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 HEAD = 1024

@@ -13,7 +13,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.io.yaml_tree import Tree, TreeError
 from pitchpoint.model.build import build_model
 from pitchpoint.model.model import Model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 
 
 def load_model(path: str | Path, allow_code: bool = False, progress: Progress = silent) -> Model:

@@ -9,12 +9,12 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import text_of
 from pitchpoint.io.yaml_tree import Tree, TreeError
 from pitchpoint.model.dataset_plan import DatasetPlan
-from pitchpoint.model.read import Reader
-from pitchpoint.model.read_plan import read_plan
+from pitchpoint.model.reading.dataset_plan import read_plan
+from pitchpoint.model.reading.reader import Reader
 
 
 def load_plan(path: str | Path, allow_code: bool = False) -> DatasetPlan:
-    """Read a plan; `model.read_plan.check_plan` checks it against its model.
+    """Read a plan; `model.reading.dataset_plan.check_plan` checks it against its model.
 
     Parameters
     ----------

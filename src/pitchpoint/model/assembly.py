@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.checks.gear_pairs import check_gear, check_pair
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twists
 from pitchpoint.model.mechanism import hang, place_joined
-from pitchpoint.model.pair_check import check_gear, check_pair
 from pitchpoint.model.parts import Parts
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
     pass

@@ -6,11 +6,11 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.checks.gear_pairs import along_base_tangent
 from pitchpoint.model.frames import Array, body_frame
-from pitchpoint.model.pair_check import along_base_tangent
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.bevel_pair import BevelPair
+    from pitchpoint.geometry.bevel.pair import BevelPair
     from pitchpoint.model.components.bevel_mesh import BevelMesh
     from pitchpoint.model.model import Model
     from pitchpoint.model.parts import Parts
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 def bevel_pair(machine: Model | Parts, mesh: BevelMesh) -> BevelPair:
     """Geometry of the pair of a bevel mesh; without a shaft angle of its own the cones decide."""
-    from pitchpoint.geometry.bevel_pair import BevelPair
+    from pitchpoint.geometry.bevel.pair import BevelPair
 
     one, two = (machine.bevel_gears[g].geometry for g in mesh.gears)
     return BevelPair(one, two, one.delta + two.delta if mesh.shaft_angle is None else mesh.shaft_angle)

@@ -8,12 +8,12 @@ from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
+from pitchpoint.model.checks.validate import check
 from pitchpoint.model.keys import BAD, keys_of
 from pitchpoint.model.model import Model
 from pitchpoint.model.parts import Parts
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.sections import GROUPS
-from pitchpoint.model.validate import check
 
 
 def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:

@@ -82,7 +82,7 @@ class PlannedCase:
 
 @dataclass(frozen=True, kw_only=True)
 class DatasetPlan:
-    """What a data set holds. Made by `model.read_plan`, which checks it."""
+    """What a data set holds. Made by `model.reading.dataset_plan`, which checks it."""
 
     title: str = text("what the data set is", "")
     model: str = text("name of the model file, from the folder of the plan")

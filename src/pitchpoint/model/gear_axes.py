@@ -15,7 +15,7 @@ import numpy as np
 
 from pitchpoint.model.frames import Array, Machine, body_frame
 from pitchpoint.model.keys import Place
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.mesh import Mesh

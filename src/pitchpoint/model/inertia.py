@@ -76,7 +76,7 @@ def bevel_gear_inertia(gear: BevelGear) -> tuple[float, float, float, float]:
 
     The place [m] is that from the apex along the z axis of the body; a given mass does not move it.
     """
-    from pitchpoint.geometry.bevel_blank import bevel_mass
+    from pitchpoint.geometry.bevel.blank import bevel_mass
 
     found = bevel_mass(
         gear.geometry,

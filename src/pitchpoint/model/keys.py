@@ -31,8 +31,8 @@ class Key:
 
     `kind` names the reader: quantity, integer, choice, text, boolean, quantities (a list), names, end and
     ends (places on bodies), component (nested mapping), components (mapping of names to components) or a
-    special form that `model/read.py` registers. Components of several kinds (`of` is a table) are selected by
-    the key `type`; their classes have that word as `form`.
+    special form that `model/reading/reader.py` registers. Components of several kinds (`of` is a table) are
+    selected by the key `type`; their classes have that word as `form`.
     """
 
     kind: str

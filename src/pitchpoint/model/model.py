@@ -13,6 +13,9 @@ from typing import TYPE_CHECKING, Any, NoReturn, TypeVar
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model import sections
 from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
+from pitchpoint.model.checks.gear_pairs import gap
+from pitchpoint.model.checks.python_components import recheck
+from pitchpoint.model.checks.validate import check
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
     Place,
@@ -21,21 +24,18 @@ from pitchpoint.model.keys import (
     keys_of,
 )
 from pitchpoint.model.mechanism import Mechanism
-from pitchpoint.model.pair_check import gap
 from pitchpoint.model.parts import Parts, carriers_of
 from pitchpoint.model.phasing import Phasing, assemble
-from pitchpoint.model.read import Reader
-from pitchpoint.model.recheck import recheck
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.replace import replace_at
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.sections import GROUPS, Contents
 from pitchpoint.model.shafts import own_bodies, station_names, stations_of
 from pitchpoint.model.show import dotted
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
-from pitchpoint.model.validate import check
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.bevel_pair import BevelPair
+    from pitchpoint.geometry.bevel.pair import BevelPair
     from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.bevel_mesh import BevelMesh

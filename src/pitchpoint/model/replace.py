@@ -9,7 +9,7 @@ from typing import Any
 
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, TYPE, Key, defaults_of, keys_of
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import shown
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
-from pitchpoint.core.outside import added
+from pitchpoint.core.plugins import plugin_objects
 from pitchpoint.model.components.actuator import ACTUATORS, Actuator
 from pitchpoint.model.components.beam import Beam
 from pitchpoint.model.components.bearing import Bearing
@@ -212,14 +212,14 @@ def register(found: Section) -> None:
 def find(name: str) -> Section | None:
     """Section of this name, of this package or of another; None if there is none."""
     if name not in SECTIONS and name not in _OTHERS:
-        for found in added(Section, name):
+        for found in plugin_objects(Section, name):
             register(found)
     return SECTIONS.get(name) or _OTHERS.get(name)
 
 
 def load_others() -> None:
     """Find the sections of all packages that are installed."""
-    for found in added(Section):
+    for found in plugin_objects(Section):
         register(found)
 
 

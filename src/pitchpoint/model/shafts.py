@@ -17,7 +17,7 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.frames import Array, body_frame, joint_place, place_of, split
 from pitchpoint.model.keys import Place
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.bevel_gear import BevelGear

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.model.components.bearing_fault import play
 from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
 from pitchpoint.model.frames import GROUND, axes_of, place_of, split

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.report.rows import C_PRIME_B, MEAN, Row, pick
+from pitchpoint.report.number_rows import C_PRIME_B, MEAN, Row, pick
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
@@ -68,7 +68,7 @@ def bevel_gear_numbers(model: Model, name: str) -> dict[str, Any]:
 
     The centre of mass counts from the apex into the gear.
     """
-    from pitchpoint.geometry.bevel_tooth import bevel_tooth
+    from pitchpoint.geometry.bevel.tooth import bevel_tooth
     from pitchpoint.model.inertia import bevel_gear_inertia
 
     gear = model.bevel_gears[name]

@@ -44,9 +44,9 @@ SHARES = ("contact_loss_share", "back_contact_share")
 def describe(model: Model) -> ReportModel:
     """Collect the contents of a report about a model."""
     from pitchpoint.core.provenance import content_hash, package_version
-    from pitchpoint.model.signal_words import signal_lines
+    from pitchpoint.model.signals import signal_lines
     from pitchpoint.report.defaults import defaults
-    from pitchpoint.report.flanks import flank_lines, idle_faults
+    from pitchpoint.report.flanks import flank_lines, inactive_faults
     from pitchpoint.report.numbers import geometry_of_model
     from pitchpoint.report.overview import counts_of
 
@@ -60,7 +60,7 @@ def describe(model: Model) -> ReportModel:
         meshes=numbers["meshes"],
         bevels=(numbers["bevel_gears"], numbers["bevel_meshes"]),
         flanks=flank_lines(model),
-        idle_faults=idle_faults(model),
+        inactive_faults=inactive_faults(model),
         pairs={name: (pair, *model.meshes[name].gears) for name, pair in model.pairs.items()},
         shafts={mesh: body for mesh, body in bodies.items() if body},
         counts=counts_of(model),
@@ -94,9 +94,9 @@ def collect(
 ) -> tuple[ReportResults, list[str]]:
     """Collect what a report shows: what follows from the model, the results given, and remarks."""
     from pitchpoint.io.opening import understood
+    from pitchpoint.report.number_rows import C_PRIME_B, MEAN
     from pitchpoint.report.numbers import cycles_of_model
     from pitchpoint.report.overview import power_part, scene_part
-    from pitchpoint.report.rows import C_PRIME_B, MEAN
     from pitchpoint.report.statics import linear_parts, rolled_meshes, with_rolls
 
     found = _Found()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.keys import defaults_of, keys_of
-from pitchpoint.model.remarks import follows_flanks
+from pitchpoint.model.remarks.collect import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.model.sections import groups_of
 from pitchpoint.model.shafts import own_bodies
@@ -43,7 +43,7 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     for group in groups_of(model):
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
-            idle = _idle(part)
+            idle = _keys_without_effect(part)
             if group == "meshes" and follows_flanks(model, name):
                 idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral
             for key, value in _unset(part):
@@ -55,7 +55,7 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
                     yield group, name, key, value
 
 
-def _idle(part: Any) -> set[str]:
+def _keys_without_effect(part: Any) -> set[str]:
     """Name the keys that have no effect on this component as it is described."""
     idle = (
         {"inertia_tensor"}

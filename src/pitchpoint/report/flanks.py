@@ -25,7 +25,7 @@ Line = tuple[str, str, str, str, str]
 def flank_lines(model: Model) -> list[Line]:
     """Describe what the flanks of all gears have besides the involute, amounts in micrometres.
 
-    Faults of severity 0 are omitted, see `idle_faults`.
+    Faults of severity 0 are omitted, see `inactive_faults`.
     """
     found = [(name, *line) for name, gear in model.gears.items() for line in _lines(gear)]
     for name, cone in model.bevel_gears.items():
@@ -35,7 +35,7 @@ def flank_lines(model: Model) -> list[Line]:
     return found
 
 
-def idle_faults(model: Model) -> int:
+def inactive_faults(model: Model) -> int:
     """How many faults of teeth and seats have severity 0: they wait for a study and change nothing."""
     return sum(fault.severity == 0.0 for gear in model.toothed.values() for fault in gear.faults.values())
 

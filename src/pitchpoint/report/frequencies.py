@@ -58,7 +58,7 @@ def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str
 
 def _at_end(drive: Drive, end: float) -> float | None:
     """Speed of a drive at the end of a run [rad/s]; None if only a run would show it."""
-    from pitchpoint.core.formula import Formula
+    from pitchpoint.core.formula.formula import Formula
     from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
 
     law = drive.speed if drive.speed is not None else drive.angle

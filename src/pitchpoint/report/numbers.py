@@ -12,7 +12,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.report.bevel_numbers import bevel_cycles, bevel_gear_numbers, bevel_mesh_numbers
-from pitchpoint.report.rows import C_PRIME_B, MEAN, ONE_PAIR, Row, pick
+from pitchpoint.report.number_rows import C_PRIME_B, MEAN, ONE_PAIR, Row, pick
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle

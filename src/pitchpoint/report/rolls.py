@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.model import Model
-    from pitchpoint.solvers.quasistatic import Roll
+    from pitchpoint.solvers.quasistatic.roll import Roll
     from pitchpoint.system.system import System
     from pitchpoint.viz.report.build import MeshCycleData, RollData
 

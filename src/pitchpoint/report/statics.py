@@ -56,7 +56,7 @@ def with_rolls(
         points_per_period,
         points_to_roll,
     )
-    from pitchpoint.solvers.quasistatic import roll_through
+    from pitchpoint.solvers.quasistatic.roll import roll_through
     from pitchpoint.system.compile import compile_model
 
     plain = {name: data for name, (data, _) in cycles.items()}
@@ -293,7 +293,7 @@ def _fastest(drive: Drive, duration: float) -> float:
 
 def _values(law: Law, moments: NDArray[np.float64], dimension: str) -> NDArray[np.float64]:
     """Values of a law at some moments; zeros where it cannot be known without running it."""
-    from pitchpoint.core.formula import Formula
+    from pitchpoint.core.formula.formula import Formula
     from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
 
     if isinstance(law, Constant):

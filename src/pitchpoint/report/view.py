@@ -107,8 +107,8 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
     from pitchpoint.io.reading import open_result
     from pitchpoint.io.yaml_model import load_model, loads_model
     from pitchpoint.model.model import Model
-    from pitchpoint.report.kept_model import kept_model
     from pitchpoint.report.scene.build import scene_of
+    from pitchpoint.report.stored_model import stored_model
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ValidityWarning)  # it was reported when the result was made
@@ -118,7 +118,7 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
             name = os.fspath(source)
             if not name.lower().endswith(RESULT_ENDINGS):
                 return scene_of(load_model(name, allow_code=allow_code), modes=modes)
-            model = kept_model(name, allow_code)
+            model = stored_model(name, allow_code)
             with open_result(name) as result, understood(name):
                 return _motion(model, result, name, modes)
         else:

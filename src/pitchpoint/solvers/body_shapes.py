@@ -60,15 +60,15 @@ def base_momenta(system: System, state: State, shapes: Array) -> Array:
     shapes
         Rates of the coordinates, shape (n, nd).
     """
-    still = state.copy()
-    still.v[:] = 0.0
-    still.a[:] = 0.0
-    still.lam[:] = 0.0
-    base = _total(system, still)
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    stopped.a[:] = 0.0
+    stopped.lam[:] = 0.0
+    base = _total(system, stopped)
     found = np.zeros((len(shapes), 6))
     for k, shape in enumerate(shapes):
-        still.a = np.ascontiguousarray(shape)
-        found[k] = base - _total(system, still)
+        stopped.a = np.ascontiguousarray(shape)
+        found[k] = base - _total(system, stopped)
     return found
 
 

@@ -15,10 +15,10 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import GENERAL
+from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
-from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
 from pitchpoint.solvers.linear_system import (
     Linearised,
@@ -101,37 +101,37 @@ def follow_modes(
 
 def at_speeds(linear: Linearised, rates: Array) -> Linearised:
     """The linear system at other speeds; where bodies hang in trees, about the equilibrium of these."""
-    still = _still(linear)
+    stopped = _at_zero_speed(linear)
     if np.any(linear.system.program["body"]["joint"] == GENERAL):
-        return _steady(linear, still, rates)
-    return _turning(linear, still, rates)
+        return _steady(linear, stopped, rates)
+    return _turning(linear, stopped, rates)
 
 
-def _still(linear: Linearised) -> State:
+def _at_zero_speed(linear: Linearised) -> State:
     """The operating point without its speeds."""
-    still = linear.state.copy()
-    still.v[:] = 0.0
-    return still
+    stopped = linear.state.copy()
+    stopped.v[:] = 0.0
+    return stopped
 
 
-def _turning(linear: Linearised, still: State, rates: Array) -> Linearised:
+def _turning(linear: Linearised, stopped: State, rates: Array) -> Linearised:
     """The linear system at other speeds, its place unchanged: nothing but bodies on ground."""
-    at_rest, turning = linear.at_rest, still.copy()
+    at_rest, turning = linear.at_rest, stopped.copy()
     turning.v = rates
     D, K = (
         evaluate.matrix(linear.system, turning, 0.0, cd, ck)
-        - evaluate.matrix(linear.system, still, 0.0, cd, ck)
+        - evaluate.matrix(linear.system, stopped, 0.0, cd, ck)
         for cd, ck in ((1.0, 0.0), (0.0, 1.0))
     )
     return replace(linear, D=at_rest.D + D, K=at_rest.K + K)
 
 
-def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
+def _steady(linear: Linearised, stopped: State, rates: Array) -> Linearised:
     """The linear system at the relative equilibrium of other speeds: bodies in trees deflect outwards.
 
     Meshes keep the stiffness that they have at rest.
     """
-    system, turning = linear.system, still.copy()
+    system, turning = linear.system, stopped.copy()
     turning.v = rates
     state = find_equilibrium(system, turning, linear.held).state
     at_rest = state.copy()
@@ -140,8 +140,8 @@ def _steady(linear: Linearised, still: State, rates: Array) -> Linearised:
     for kind, share in zip(linear.at_rest.kinds, linear.at_rest.shares, strict=True):
         if kind == "rotation":  # that of the speeds of the scenario
             elastic[np.ix_(share.places, share.places)] -= share.matrix
-    mean = elastic - evaluate.matrix(system, still, 0.0, 0.0, 1.0)
-    mean_D = linear.at_rest.D - evaluate.matrix(system, still, 0.0, 1.0, 0.0)
+    mean = elastic - evaluate.matrix(system, stopped, 0.0, 0.0, 1.0)
+    mean_D = linear.at_rest.D - evaluate.matrix(system, stopped, 0.0, 1.0, 0.0)
     D = mean_D + evaluate.matrix(system, state, 0.0, 1.0, 0.0)
     K = mean + evaluate.matrix(system, state, 0.0, 0.0, 1.0)
     M = evaluate.matrix(system, state, 1.0, 0.0, 0.0)

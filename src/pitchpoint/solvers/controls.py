@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.elements.kind import SIGNAL
-from pitchpoint.elements.signal_graph import LOADS
-from pitchpoint.model.signal_names import rates_behind
+from pitchpoint.elements.signals.graph import LOADS
+from pitchpoint.model.signals import rates_behind
 from pitchpoint.system.source import source
 
 if TYPE_CHECKING:

@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements import gear_mesh_record as mesh
-from pitchpoint.elements.mesh_pairs import MOST_SPLIT
+from pitchpoint.elements.mesh import record as mesh
+from pitchpoint.elements.mesh.tooth_pairs import MOST_SPLIT
 from pitchpoint.solvers.element_batches import Block, blocks_of, independent_batches, machines_of
 from pitchpoint.solvers.element_tangents import tangents
-from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.flanks import shift_into_contact
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
+from pitchpoint.solvers.unloaded_flanks import shift_into_contact
 from pitchpoint.system import evaluate
 from pitchpoint.system.meshes import (
     is_bevel,

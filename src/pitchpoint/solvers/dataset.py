@@ -21,7 +21,7 @@ from pitchpoint.system.system import System
 if TYPE_CHECKING:
     import xarray as xr
 
-    from pitchpoint.solvers.equilibrium import Equilibrium
+    from pitchpoint.solvers.equilibrium.solve import Equilibrium
 
 
 def attributes(

@@ -15,8 +15,8 @@ from pitchpoint.solvers.step_choice import choose_step
 
 if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
+    from pitchpoint.solvers.initial_state.start import Start
     from pitchpoint.solvers.sampling import Chunk
-    from pitchpoint.solvers.start import Start
     from pitchpoint.system.system import System
 
 FASTEST = 299_792_458.0

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.elements.kind import FORCE, MESH, TORQUE
+from pitchpoint.elements.signal import set_constant
 from pitchpoint.system import evaluate
 from pitchpoint.system.link import TABLES, kind_of_row
 from pitchpoint.system.system import State, System
@@ -22,6 +24,30 @@ Array = NDArray[np.float64]
 
 NEGLIGIBLE = 1e-13
 """Entry of the mass matrix over the largest that counts as none."""
+
+
+def without_friction(system: System) -> System:
+    """The same system with frictionless flanks.
+
+    Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
+    into modes that real sliding does not.
+    """
+    rough = [k for k in system.kinds(MESH) if system.records[k]["contact"]["mu"].any()]
+    if not rough:
+        return system
+    smooth = {kind: system.records[kind].copy() for kind in rough}
+    for records in smooth.values():
+        records["contact"]["mu"] = 0.0
+    return system.with_params(smooth)
+
+
+def without_loads(system: System) -> System:
+    """The same system with its torques and forces at zero."""
+    loads = {kind: system.records[kind].copy() for role in (TORQUE, FORCE) for kind in system.kinds(role)}
+    for records in loads.values():
+        for record in records:
+            set_constant(record, 0.0)
+    return system.with_params(loads)
 
 
 @dataclass(frozen=True)

@@ -22,10 +22,10 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
+from pitchpoint.solvers.equilibrium.unknowns import LARGE
 from pitchpoint.solvers.gear_trains import body_rates
 from pitchpoint.solvers.inputs_outputs import Input, Outputs, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
-from pitchpoint.solvers.rest_unknowns import LARGE
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 

@@ -18,7 +18,7 @@ from pitchpoint.elements.kind import DRIVE
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import GENERAL
-from pitchpoint.solvers.assembly import loop_rows
+from pitchpoint.solvers.constraints.assembly import loop_rows
 from pitchpoint.solvers.null_space import NullSpace, null_space
 from pitchpoint.solvers.resistance import SAME, resisted_spins
 from pitchpoint.solvers.torque_paths import Row, against_the_base, spins_of, torque_paths

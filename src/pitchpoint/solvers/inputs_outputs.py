@@ -156,10 +156,10 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
     It acts like a travel of the gears against each other, with the stiffness that counts (the mean over the
     cycle, or that of one phase) and the damping of the mesh.
     """
-    system, still = linear.system, linear.state.copy()
-    still.v[:] = 0.0
-    force = _by_travel(system, k, lambda: evaluate.residual(system, still))
-    D, K = (evaluate.dense(system, A) for A in tangents(system, still, one_mesh(system, k)))
+    system, stopped = linear.system, linear.state.copy()
+    stopped.v[:] = 0.0
+    force = _by_travel(system, k, lambda: evaluate.residual(system, stopped))
+    D, K = (evaluate.dense(system, A) for A in tangents(system, stopped, one_mesh(system, k)))
     used = np.flatnonzero(np.any(K != 0.0, axis=0) | (force != 0.0))
     weight = system.weight[used]
     scaled = np.linalg.lstsq(
@@ -174,13 +174,13 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
     return Input(name, "m", mean, D @ follows, nothing, follows, k)
 
 
-def _by_travel(system, k: int, ask) -> Array:  # type: ignore[no-untyped-def]
-    """Derivative of what `ask` gives by the travel that a mesh was assembled with."""
+def _by_travel(system, k: int, request) -> Array:  # type: ignore[no-untyped-def]
+    """Derivative of what `request` gives by the travel that a mesh was assembled with."""
     record = mesh_record(system, k)
     kept, sides = float(record["u0"]), []
     for sign in (1.0, -1.0):
         record["u0"] = kept + sign * STEP
-        sides.append(ask())
+        sides.append(request())
     record["u0"] = kept
     return np.asarray((sides[0] - sides[1]) / (2.0 * STEP))
 
@@ -251,9 +251,9 @@ def _slopes(linear: Linearised, meshes: int) -> tuple[Array, Array, Array, Array
 
 def _mean_ratio(linear: Linearised, k: int, name: str) -> float:
     """Stiffness of a mesh that counts (mean over its cycle) over that of the phase of the operating point."""
-    still = linear.state.copy()
-    still.v[:] = 0.0
-    _, now = tangents(linear.system, still, one_mesh(linear.system, k))
+    stopped = linear.state.copy()
+    stopped.v[:] = 0.0
+    _, now = tangents(linear.system, stopped, one_mesh(linear.system, k))
     share = linear.at_rest.shares[linear.at_rest.elements.index(f"mesh {name}")]
     own = evaluate.dense(linear.system, now)[np.ix_(share.places, share.places)]
     size = float(np.sum(own * own))

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT, OK
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
 from pitchpoint.solvers.sampling import Chunk, accumulate
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System

@@ -17,18 +17,17 @@ from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.cycle_means import shift
 from pitchpoint.solvers.eigen import damped, damped_with_states, symmetric, undamped
-from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of
-from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.flanks import TOUCH, close_backlash
-from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.element_tangents import inertial_stiffness, share_of, without_friction
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import rigid_rotations
 from pitchpoint.solvers.operating_point import OperatingPoint, operating_point
 from pitchpoint.solvers.position_dependence import changing
 from pitchpoint.solvers.sparse_modes import lowest_modes, nearest_damped
 from pitchpoint.solvers.stiffness_parts import NONE, Array, Parts, split
-from pitchpoint.solvers.switched_off import without_friction
+from pitchpoint.solvers.unloaded_flanks import TOUCH, close_backlash
 from pitchpoint.system import evaluate
 from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records
@@ -127,13 +126,13 @@ def linearise(
     if loose:
         notes.append(_of_assumed_flanks(loose))
         notes += _of_arbitrary_stiffness(own, loose)
-    still = state.copy()
-    still.v[:] = 0.0
-    at_rest = split(own, still, point.held, mean and phase is None, loose, progress, state.v)
-    D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, still, 0.0, 1.0, 0.0)
-    K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, still, 0.0, 0.0, 1.0)
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    at_rest = split(own, stopped, point.held, mean and phase is None, loose, progress, state.v)
+    D = at_rest.D + evaluate.matrix(own, state, 0.0, 1.0, 0.0) - evaluate.matrix(own, stopped, 0.0, 1.0, 0.0)
+    K = at_rest.K + evaluate.matrix(own, state, 0.0, 0.0, 1.0) - evaluate.matrix(own, stopped, 0.0, 0.0, 1.0)
     if state.v.any():
-        at_rest = _turning(own, state, still, at_rest)
+        at_rest = _turning(own, state, stopped, at_rest)
     states = tuple(int(s) for s in own.states)
     basis = free_directions(own, state, states)
     rigid = rigid_rotations(own)
@@ -186,9 +185,9 @@ def _of_one_position(system: System, state: State) -> tuple[str, ...]:
     return tuple(notes)
 
 
-def _turning(system: System, state: State, still: State, at_rest: Parts) -> Parts:
+def _turning(system: System, state: State, stopped: State, at_rest: Parts) -> Parts:
     """Add what a steady rotation does to the stiffness by inertia, as one more part."""
-    more = symmetric(inertial_stiffness(system, state, still))
+    more = symmetric(inertial_stiffness(system, state, stopped))
     if np.abs(more).max(initial=0.0) <= NONE * np.abs(at_rest.K).max(initial=0.0):
         return at_rest
     return replace(

@@ -18,8 +18,8 @@ from pitchpoint.core.units import format_quantity
 from pitchpoint.elements.kind import MESH
 from pitchpoint.elements.signal import CONSTANT, TWO_PI, set_constant
 from pitchpoint.multibody.bodies import spin_of
-from pitchpoint.solvers.constrained_rest import is_looped
-from pitchpoint.solvers.equilibrium import LOAD, NOW, balancing_loads
+from pitchpoint.solvers.equilibrium.closed_loops import is_looped
+from pitchpoint.solvers.equilibrium.solve import LOAD, NOW, balancing_loads
 from pitchpoint.solvers.gear_trains import mesh_rates
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System, assemble

@@ -14,16 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.damping import KIND
-from pitchpoint.solvers.constrained_rest import is_looped
+from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.eigen import symmetric, undamped
-from pitchpoint.solvers.free_directions import free_directions
+from pitchpoint.solvers.element_tangents import without_friction, without_loads
+from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.gear_trains import (
     driven_coordinates,
     driven_rotations,
     rates_through_loops,
     rigid_rotations,
 )
-from pitchpoint.solvers.switched_off import without_friction, without_loads
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -41,9 +41,9 @@ def with_damping(system: System, state: State) -> System:
     """
     if KIND.name not in system.records or system.model is None or system.model.damping is None:
         return system
-    still = state.copy()
-    still.v[:] = 0.0
-    D = _matrix(without_loads(without_friction(system)), still, system.model.damping)
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    D = _matrix(without_loads(without_friction(system)), stopped, system.model.damping)
     records = system.records[KIND.name].copy()
     for record in records:
         i, j, n, m = (int(record[k]) for k in ("dof_i", "dof_j", "n_i", "n_j"))
@@ -51,10 +51,10 @@ def with_damping(system: System, state: State) -> System:
     return system.with_params({KIND.name: records})
 
 
-def _matrix(system: System, still: State, given: Damping) -> Array:
+def _matrix(system: System, stopped: State, given: Damping) -> Array:
     """Damping matrix at a state without speeds, shape (nd, nd)."""
-    M, _, K = evaluate.linearize(system, still)
-    basis = free_directions(system, still, tuple(int(s) for s in system.states))
+    M, _, K = evaluate.linearize(system, stopped)
+    basis = free_directions(system, stopped, tuple(int(s) for s in system.states))
     basis = basis if isinstance(basis, np.ndarray) else basis.toarray()
     rigid = rigid_rotations(system)
     D = np.zeros_like(M)
@@ -62,7 +62,7 @@ def _matrix(system: System, still: State, given: Damping) -> Array:
         D += given.rayleigh.mass * symmetric(M)
     if given.modal is not None and basis.shape[1]:
         D += modal_damping(M, K, basis, rigid, given.modal)
-    vibrates = _vibrating_part(symmetric(M), rigid.T, _following(system, still, K, basis))
+    vibrates = _vibrating_part(symmetric(M), rigid.T, _following(system, stopped, K, basis))
     D = vibrates.T @ D @ vibrates
     if given.rayleigh is not None:
         D += given.rayleigh.stiffness * K
@@ -102,7 +102,7 @@ def modal_damping(M: Array, K: Array, basis: Array, rigid: Array, ratio: float) 
     return np.asarray((left * (2.0 * ratio * np.maximum(omega, 0.0))) @ left.T)
 
 
-def _following(system: System, still: State, K: Array, basis: Array) -> dict[int, Array]:
+def _following(system: System, stopped: State, K: Array, basis: Array) -> dict[int, Array]:
     """Rates of all coordinates that follow one driven coordinate at 1 m/s or 1 rad/s, other drives at rest.
 
     Trains turn in the ratio of their teeth. Elsewhere bodies follow so that they store the least energy.
@@ -113,7 +113,7 @@ def _following(system: System, still: State, K: Array, basis: Array) -> dict[int
     motions, left = {}, basis.T @ symmetric(K)
     loose = np.linalg.pinv(left @ basis, hermitian=True)
     for place in driven:
-        unit = still.copy()
+        unit = stopped.copy()
         unit.v[place] = 1.0
         rates = rates_through_loops(system, unit, driven)
         motions[place] = rates - basis @ (loose @ (left @ rates))

@@ -9,9 +9,9 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.controls import held_outputs
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import held_spins
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system.system import State, System
 
 

@@ -81,7 +81,7 @@ def changing(system: System, state: State, eligible: Choice, rates: Array) -> tu
     size = scale[rows] * scale[columns]
     rate = float(np.abs(state.v).max(initial=0.0)) or 1.0
 
-    def ask() -> list[Array]:
+    def request() -> list[Array]:
         """Entries of M, D and K at all moments, in the scale of the masses and of the fastest spin."""
         return [
             np.array(
@@ -91,13 +91,13 @@ def changing(system: System, state: State, eligible: Choice, rates: Array) -> tu
         ]
 
     with switched(system, {}):
-        bare = ask()
+        bare = request()
     elements: Choice = {}
     for kind in [k for k in eligible if registry.find(k).scope == BETWEEN and eligible[k].size]:
         found = []
         for k in eligible[kind]:
             with switched(system, {kind: slice(int(k), int(k) + 1)}):
-                own = [a - b for a, b in zip(ask(), bare, strict=True)]
+                own = [a - b for a, b in zip(request(), bare, strict=True)]
             if any(_varies(a).any() for a in own):
                 found.append(int(k))
         if found:
@@ -105,7 +105,7 @@ def changing(system: System, state: State, eligible: Choice, rates: Array) -> tu
     single = [kind for kind in eligible if registry.find(kind).scope == SINGLE]
     if single:
         with switched(system, dict.fromkeys(single, slice(None))):
-            bare = [np.where(_varies(a - b), a, b) for a, b in zip(ask(), bare, strict=True)]
+            bare = [np.where(_varies(a - b), a, b) for a, b in zip(request(), bare, strict=True)]
     varies = np.any([_varies(a) for a in bare], axis=0)
     own_rows = np.unique(rows[varies])
     body = system.program["body"]

@@ -15,10 +15,10 @@ from typing import Any
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import CONTROLLER, NOT_FINITE, OK
-from pitchpoint.solvers.explicit import SLOPE_AT
+from pitchpoint.solvers.explicit.derivative import SLOPE_AT
 from pitchpoint.solvers.step_choice import divided
 from pitchpoint.system import evaluate, signals
-from pitchpoint.system.perform import RESIDUAL, ask
+from pitchpoint.system.requests import RESIDUAL, send_request
 from pitchpoint.system.signals import kind_of_signals
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
@@ -79,7 +79,7 @@ class Sampler:
         """Do what is due at the state in the workspace; returns the status and whether an output changed."""
         system = self.system
         room = self._room()
-        status = ask(system.workspace, RESIDUAL, t)
+        status = send_request(system.workspace, RESIDUAL, t)
         if status != OK:
             return status, False
         due = [k for k in range(len(self._calls)) if self._instant(k) <= t + room]

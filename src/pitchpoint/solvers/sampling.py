@@ -29,7 +29,7 @@ GREATEST = 1e100
 """Size of a number from which a solution has left all bounds, whatever its unit; its square is one."""
 
 
-class Harvest(NamedTuple):
+class Recorder(NamedTuple):
     """Buffers that a chunk of steps fills.
 
     Parameters
@@ -59,7 +59,7 @@ class Harvest(NamedTuple):
     picked: NDArray[np.int64]
 
 
-def new_harvest(
+def new_recorder(
     no: int,
     *,
     every: int = 0,
@@ -68,10 +68,10 @@ def new_harvest(
     sums: NDArray[np.float64] | None,
     events: int,
     picked: NDArray[np.int64] | None = None,
-) -> Harvest:
+) -> Recorder:
     """Buffers for a chunk: room for some samples of no channels, or of those picked, and some events."""
     chosen = np.zeros(0, np.int64) if picked is None else picked
-    return Harvest(
+    return Recorder(
         every,
         stride,
         np.empty((rows, (len(chosen) or no) + 1)),
@@ -107,8 +107,8 @@ class Chunk:
     lost: NDArray[np.float64] | None = None
 
 
-#: A harvest as a record: addresses and sizes of its buffers.
-HARVEST = np.dtype(
+#: A recorder as a record: addresses and sizes of its buffers.
+RECORDER = np.dtype(
     [
         (name, "i8")
         for name in (
@@ -130,7 +130,7 @@ HARVEST = np.dtype(
 )
 
 
-def advance_into(entry: Any, at: int, order: NDArray[np.void], harvest: Harvest) -> Chunk:
+def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorder) -> Chunk:
     """Let a time loop carry out an order; returns what it did.
 
     Parameters
@@ -141,17 +141,17 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], harvest: Harvest)
         Address of the control record.
     order
         Numbers of the loop, a record of its own layout, shape (1,).
-    harvest
+    recorder
         Buffers to fill.
     """
-    rows, sums, found, done = harvest.rows, harvest.sums, harvest.found, harvest.done
-    record = np.zeros(1, HARVEST)
+    rows, sums, found, done = recorder.rows, recorder.sums, recorder.found, recorder.done
+    record = np.zeros(1, RECORDER)
     record[0]["every"], record[0]["stride"], record[0]["columns"] = (
-        harvest.every,
-        harvest.stride,
+        recorder.every,
+        recorder.stride,
         rows.shape[1],
     )
-    buffers = (("rows", rows), ("sums", sums), ("found", found), ("picked", harvest.picked))
+    buffers = (("rows", rows), ("sums", sums), ("found", found), ("picked", recorder.picked))
     for name, array in buffers:
         record[0][name], record[0][f"n_{name}"] = array.ctypes.data, len(array)
     record[0]["done"] = done.ctypes.data
@@ -178,10 +178,10 @@ def bounded(values: NDArray[np.float64]) -> bool:
 
 
 @kernel(inline=True)
-def harvest_at(where):
-    """Harvest from the address of its record."""
-    b = view(where, 1, HARVEST)[0]
-    return Harvest(
+def recorder_at(where):
+    """Recorder from the address of its record."""
+    b = view(where, 1, RECORDER)[0]
+    return Recorder(
         b["every"],
         b["stride"],
         view(b["rows"], (b["n_rows"], b["columns"]), F8),
@@ -257,32 +257,32 @@ def accumulate(row, sums):
 
 
 @kernel
-def take(at, t, harvest, measure, sample):
+def take(at, t, recorder, measure, sample):
     """Observe once; feed the statistics and store the row, each if asked and if there is room."""
     status = observe(at, t, view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["row"])
     if status == OK:
-        keep(at, t, harvest, measure, sample)
+        keep(at, t, recorder, measure, sample)
     return status
 
 
 @kernel(inline=True)
-def keep(at, t, harvest, measure, sample):
+def keep(at, t, recorder, measure, sample):
     """Feed the statistics with what was observed and store it, each if asked and if there is room."""
     c = view(at, 1, CTL)[0]
     row = view(view(c["mach"], 1, MACH)[0]["row"], c["no"], F8)
     if measure != 0:
-        accumulate(row, harvest.sums)
-    filled = harvest.done[1]
-    if sample != 0 and filled < harvest.rows.shape[0]:
-        harvest.rows[filled, 0] = t
-        picked = harvest.picked
+        accumulate(row, recorder.sums)
+    filled = recorder.done[1]
+    if sample != 0 and filled < recorder.rows.shape[0]:
+        recorder.rows[filled, 0] = t
+        picked = recorder.picked
         if picked.size > 0:
             for k in range(picked.size):
-                harvest.rows[filled, k + 1] = row[picked[k]]
+                recorder.rows[filled, k + 1] = row[picked[k]]
         else:
             for k in range(row.size):
-                harvest.rows[filled, k + 1] = row[k]
-        harvest.done[1] += 1
+                recorder.rows[filled, k + 1] = row[k]
+        recorder.done[1] += 1
 
 
 @kernel
@@ -323,35 +323,35 @@ def crossings(ev0, ev1, t0, h, found, n):
 
 
 @kernel(inline=True)
-def due(number, harvest):
+def due(number, recorder):
     """Whether statistics and whether a row are due after step `number` of a fixed-step loop: 0 or 1 each."""
-    measure = 1 if harvest.sums.shape[0] > 0 and number % harvest.stride == 0 else 0
-    return measure, 1 if harvest.every > 0 and number % harvest.every == 0 else 0
+    measure = 1 if recorder.sums.shape[0] > 0 and number % recorder.stride == 0 else 0
+    return measure, 1 if recorder.every > 0 and number % recorder.every == 0 else 0
 
 
 @kernel(inline=True)
-def record_step(at, t, h, number, harvest):
+def record_step(at, t, h, number, recorder):
     """What a fixed-step loop leaves behind after step `number` of its run, accepted at t; gives a status."""
-    measure, sample = due(number, harvest)
+    measure, sample = due(number, recorder)
     if sample != 0 or measure != 0:
-        status = take(at, t, harvest, measure, sample)
+        status = take(at, t, recorder, measure, sample)
         if status != OK:
             return status
-    return record_events(at, t, h, harvest)
+    return record_events(at, t, h, recorder)
 
 
 @kernel(inline=True)
-def record_events(at, t, h, harvest):
+def record_events(at, t, h, recorder):
     """Record the sign changes of event functions in a step of h that ends at t; gives a status."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
-    if harvest.found.shape[0] > 0 and c["ne"] > 0:
+    if recorder.found.shape[0] > 0 and c["ne"] > 0:
         status = evaluate_events(at, t, m["ev1"])
         if status != OK:
             return status
         ev0 = view(m["ev0"], c["ne"], F8)
         ev1 = view(m["ev1"], c["ne"], F8)
-        harvest.done[2] = crossings(ev0, ev1, t - h, h, harvest.found, harvest.done[2])
+        recorder.done[2] = crossings(ev0, ev1, t - h, h, recorder.found, recorder.done[2])
         for i in range(ev0.size):
             ev0[i] = ev1[i]
     return OK

@@ -24,7 +24,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.residual import NEWTON
 
 if TYPE_CHECKING:
-    from pitchpoint.solvers.start import Start
+    from pitchpoint.solvers.initial_state.start import Start
     from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]

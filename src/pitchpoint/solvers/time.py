@@ -16,13 +16,13 @@ from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
-from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.constraint_rows import explain, row_notes
+from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import UNBALANCED, Start, prepare_start
 from pitchpoint.solvers.mean_balance import drift_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
-from pitchpoint.solvers.start import UNBALANCED, Start, prepare_start
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
@@ -109,10 +109,13 @@ def loop_of(method: str) -> Any:
     if method in ("generalized_alpha", "kinematics"):  # the latter has none of its own
         return generalized_alpha.entry
     if method in STIFF_METHODS:
-        from pitchpoint.solvers import multistep
+        from pitchpoint.solvers.multistep import step as multistep
 
         return multistep.entry
-    from pitchpoint.solvers import dormand_prince, equal_steps  # only those who use them wait for them
+    from pitchpoint.solvers.explicit import (
+        dormand_prince,
+        equal_steps,  # only those who use them wait for them
+    )
 
     return dormand_prince.entry if method == "runge_kutta" else equal_steps.entry
 
@@ -154,7 +157,7 @@ class _Loop:
             self.run_ = KinematicRun(self.system, start.state, self.h)
             return
         if scenario.method != "generalized_alpha":
-            from pitchpoint.solvers import runge_kutta  # only those who use it wait for it
+            from pitchpoint.solvers.explicit import runge_kutta  # only those who use it wait for it
         if self.adaptive:
             # absolute tolerances follow, or no request below their defaults would have an effect
             rtol = scenario.tolerance
@@ -178,7 +181,7 @@ class _Loop:
 
     def _stiff(self) -> Any:
         """Begin a run of backward differentiation formulas."""
-        from pitchpoint.solvers import bdf
+        from pitchpoint.solvers.multistep import bdf
 
         chosen = self.scenario
         run = bdf.start(

@@ -214,7 +214,7 @@ def _run(
         found = {"points": points, "jumps": swept.jumps, "steps": swept.steps}
         status, words, notes = swept.status, swept.sentence, swept.notes
     elif scenario.kind == "quasi_static":
-        from pitchpoint.solvers.quasistatic import roll_through, statistics, tables
+        from pitchpoint.solvers.quasistatic.roll import roll_through, statistics, tables
 
         roll = roll_through(system, scenario, progress=listen)
         channels = {t.name: statistics(t) for t in tables(system, roll) if np.size(t.values) and t.rolled}

@@ -22,12 +22,12 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.constraint_rows import explain, row_notes
+from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
 from pitchpoint.sweep.tables import STATISTICS, channel_tables, jump_tables, mesh_tables, places

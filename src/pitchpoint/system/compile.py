@@ -13,11 +13,11 @@ from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.elements import registry
 from pitchpoint.elements.kind import CONSTRAINT
-from pitchpoint.model.force_check import states_of
+from pitchpoint.model.checks.forces import states_of
 from pitchpoint.model.frames import axes_of
-from pitchpoint.model.remarks import warn_of_remarks
+from pitchpoint.model.remarks.collect import warn_of_remarks
 from pitchpoint.model.sections import Section, find, groups_of
-from pitchpoint.model.signal_names import SECTIONS as SIGNALS
+from pitchpoint.model.signals import SECTIONS as SIGNALS
 from pitchpoint.system.link import prepare_kernels
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.beam import beam_stations

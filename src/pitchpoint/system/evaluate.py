@@ -13,7 +13,16 @@ from pitchpoint.core.status import INTERRUPTED, NOT_FINITE, OK, sentence
 from pitchpoint.system import linearise
 from pitchpoint.system.law_fault import law_fault
 from pitchpoint.system.link import kind_of_row, link_exact
-from pitchpoint.system.perform import ACCELERATE, EVENTS, OBSERVE, RESIDUAL, REST, WRAP, ask, perform
+from pitchpoint.system.requests import (
+    ACCELERATE,
+    EVENTS,
+    OBSERVE,
+    RESIDUAL,
+    REST,
+    WRAP,
+    handle_request,
+    send_request,
+)
 from pitchpoint.system.residual import EXACT
 from pitchpoint.system.source import source
 from pitchpoint.system.system import State, System
@@ -75,7 +84,7 @@ def prepare(system: System) -> None:
     """Write the constant parts of the workspace; needed once after it was made."""
     w = system.workspace
     if not w.ready:
-        ask(w, REST)
+        send_request(w, REST)
         w.ready = True
 
 
@@ -84,14 +93,14 @@ def accelerations(system: System, t: float, rate: float = 0.0) -> int:
 
     `rate` pulls drifted constraints back [1/s].
     """
-    status = ask(system.workspace, ACCELERATE, t, factors=(0.0, 0.0, rate))
-    ask(system.workspace, WRAP)
+    status = send_request(system.workspace, ACCELERATE, t, factors=(0.0, 0.0, rate))
+    send_request(system.workspace, WRAP)
     return status
 
 
 def fill_events(system: System, t: float, target: NDArray[np.float64]) -> int:
     """Write all event functions at the state in the workspace into an array of theirs; returns the status."""
-    return ask(system.workspace, EVENTS, t, where=target.ctypes.data)
+    return send_request(system.workspace, EVENTS, t, where=target.ctypes.data)
 
 
 def residual(system: System, state: State) -> NDArray[np.float64]:
@@ -104,7 +113,7 @@ def residual(system: System, state: State) -> NDArray[np.float64]:
     """
     prepare(system)
     load(system, state)
-    check(system, ask(system.workspace, RESIDUAL, state.t))
+    check(system, send_request(system.workspace, RESIDUAL, state.t))
     return system.workspace.R.copy()
 
 
@@ -121,11 +130,11 @@ def blocks(
     prepare(system)
     load(system, state)
     w = system.workspace
-    entry = perform
+    entry = handle_request
     if jac == EXACT:
         entry = linearise.entry
         link_exact(system.records)
-    check(system, ask(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
+    check(system, send_request(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
     w.clock[VALID] = 0  # a run under way has lost the matrix it kept
     found = w.A.copy()
     found[0] = 0.0  # where the kernels drop what belongs to ground
@@ -193,7 +202,7 @@ def observe(system: System, state: State) -> NDArray[np.float64]:
     prepare(system)
     load(system, state)
     row = np.zeros(system.sizes["no"])
-    check(system, ask(system.workspace, OBSERVE, state.t, where=row.ctypes.data))
+    check(system, send_request(system.workspace, OBSERVE, state.t, where=row.ctypes.data))
     return row
 
 
@@ -202,5 +211,5 @@ def event_values(system: System, state: State) -> NDArray[np.float64]:
     prepare(system)
     load(system, state)
     row = np.zeros(system.sizes["ne"])
-    check(system, ask(system.workspace, EVENTS, state.t, where=row.ctypes.data))
+    check(system, send_request(system.workspace, EVENTS, state.t, where=row.ctypes.data))
     return row

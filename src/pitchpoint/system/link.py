@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.kernel import address, law_address, prepare
 from pitchpoint.elements import kind as traits
 from pitchpoint.elements import registry
-from pitchpoint.elements.signal_record import (
+from pitchpoint.elements.signals.record import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     CHANNEL,
@@ -28,7 +28,7 @@ from pitchpoint.elements.signal_record import (
 )
 from pitchpoint.multibody.bodies import FREE, GENERAL
 from pitchpoint.system import linear, residual, tree
-from pitchpoint.system.perform import perform
+from pitchpoint.system.requests import handle_request
 from pitchpoint.system.residual import COLUMNS, EARLY, OBSERVER_CHANNEL
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def prepare_kernels(kinds: Iterable[str], trees: bool = False) -> None:
     """
     found = [registry.find(name) for name in kinds]
     theirs = [kind.entry for kind in sorted(found, key=lambda kind: (kind.role != traits.MESH, kind.name))]
-    prepare([*_PARTS.values(), perform], [*theirs, tree.entry] if trees else theirs)
+    prepare([*_PARTS.values(), handle_request], [*theirs, tree.entry] if trees else theirs)
 
 
 def link_exact(records: Mapping[str, NDArray[np.void]]) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Meshes of a system, of cylindrical and bevel gears alike, as solvers and reports use them.
 
-Records of both kinds have the same names for what solvers read (`elements/bevel_mesh_record.py`). Meshes
+Records of both kinds have the same names for what solvers read (`elements/mesh/bevel/record.py`). Meshes
 count through the kinds in alphabetical order, as their observations and event functions do.
 """
 

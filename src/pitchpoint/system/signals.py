@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import CompileError, Message, ModelError
 from pitchpoint.core.nearest import did_you_mean
-from pitchpoint.elements import signal_record as sr
 from pitchpoint.elements.kind import SIGNAL
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.system.controller import SampledController
 from pitchpoint.system.system import System, assemble
 

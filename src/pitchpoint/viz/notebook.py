@@ -15,8 +15,8 @@ from typing import Any
 SHOWN = {
     ("pitchpoint.geometry.cylindrical_gear", "CylindricalGear"): "gear_html",
     ("pitchpoint.geometry.gear_pair", "GearPair"): "pair_html",
-    ("pitchpoint.geometry.bevel_gear", "BevelGear"): "bevel_gear_html",
-    ("pitchpoint.geometry.bevel_pair", "BevelPair"): "bevel_pair_html",
+    ("pitchpoint.geometry.bevel.gear", "BevelGear"): "bevel_gear_html",
+    ("pitchpoint.geometry.bevel.pair", "BevelPair"): "bevel_pair_html",
     ("pitchpoint.model.components.gear", "Gear"): "component_html",
     ("pitchpoint.model.components.bevel_gear", "BevelGear"): "bevel_component_html",
     ("pitchpoint.model.model", "Model"): "model_html",

@@ -80,7 +80,7 @@ def test_permission_in_python(folder: Path) -> None:
 
 
 def test_the_permission_of_a_model_does_not_cover_a_plan(folder: Path) -> None:
-    from pitchpoint.model.read_plan import check_plan
+    from pitchpoint.model.reading.dataset_plan import check_plan
 
     model = load_model("pair.yaml", allow_code=True)
     with pytest.raises(ModelError, match="not run unless allowed"):
@@ -88,7 +88,7 @@ def test_the_permission_of_a_model_does_not_cover_a_plan(folder: Path) -> None:
     check_plan(load_plan("plan.yaml", allow_code=True), model, ())
 
 
-@pytest.mark.parametrize("manner", [("-c", "import numpy"), ("-m", "pitchpoint.core.second_compiler")])
+@pytest.mark.parametrize("manner", [("-c", "import numpy"), ("-m", "pitchpoint.core.compiler.entries")])
 def test_child_processes_do_not_import_from_the_working_folder(manner: tuple[str, str], folder: Path) -> None:
     (folder / "numpy.py").write_text(CODE)
     subprocess.run(python_command(*manner), env=python_environment(), check=True, stdin=subprocess.DEVNULL)

@@ -13,7 +13,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.reading import read_header
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.report.kept_model import kept_model
+from pitchpoint.report.stored_model import stored_model
 
 MODEL = """
 title: pair
@@ -54,7 +54,7 @@ def test_a_result_keeps_the_model_that_was_computed(run, tmp_path):
     for more in ((), ("--set", law, "--set", fault)):
         assert run(*more)[0] == 0
         header = read_header(tmp_path / "out.h5")
-        kept = kept_model(str(tmp_path / "out.h5"))
+        kept = stored_model(str(tmp_path / "out.h5"))
         assert content_hash(kept) == header["model_hash"]
         assert bool(kept.gears["pinion"].faults) == bool(more)
         assert (header["model_text"] == MODEL) == (not more)

@@ -13,7 +13,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.reading import open_result, read_header
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.model.keys_without_effect import keys_without_effect
+from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from tests.support.cli_files import json_of
 
 ROTOR = """\

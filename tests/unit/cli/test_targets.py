@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.core import kernel
-from pitchpoint.io import claim
+from pitchpoint.io import write_lock
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import read_channel, read_header
 from pitchpoint.io.writing import Channel, ResultWriter
@@ -84,7 +84,7 @@ def test_a_result_may_be_replaced_by_a_result_but_not_by_its_report(
     assert target.read_bytes() == before
 
 
-@pytest.mark.skipif(claim.fcntl is None, reason="Windows has no advisory locks")
+@pytest.mark.skipif(write_lock.fcntl is None, reason="Windows has no advisory locks")
 @pytest.mark.usefixtures("nothing_compiles")
 @pytest.mark.parametrize("name", ["run", "roll", "cases", "sweep", "swept cases", "modes"])
 def test_a_result_that_is_being_written_stays(

@@ -12,11 +12,12 @@ from pathlib import Path
 
 import pytest
 
-from pitchpoint.core import machine_code, notices
+from pitchpoint.core import notices
+from pitchpoint.core.compiler import machine_code
 from pitchpoint.core.kernel import COMPILING
 
 if COMPILING:
-    from pitchpoint.core import compiler, compiler_private
+    from pitchpoint.core.compiler import private_numba, public_numba
 
 pytestmark = pytest.mark.skipif(not COMPILING, reason="needs the compiler")
 ROOT = Path(__file__).parents[3]
@@ -27,22 +28,22 @@ def heard(monkeypatch):
     """What is reported while the way is chosen anew."""
     reports: list[str] = []
     monkeypatch.delenv("PITCHPOINT_STOCK_NUMBA", raising=False)
-    monkeypatch.setattr(compiler, "_ways", [])
+    monkeypatch.setattr(public_numba, "_ways", [])
     monkeypatch.setattr(notices, "_listeners", [reports.append])
     monkeypatch.setattr(notices, "_given", set())
     return reports
 
 
 def test_the_private_way_is_taken_for_tested_versions(heard):
-    assert compiler.private() is compiler_private
+    assert public_numba.private() is private_numba
     assert heard == []
 
 
 @pytest.mark.parametrize("version", ["0.69.0", "0.69.0rc1", "1.0.0", "0.60.0", "0.70.0dev0+3.gabc"])
 def test_other_versions_are_reported_once_and_get_the_public_interface(heard, monkeypatch, version):
-    monkeypatch.setattr(compiler.numba, "__version__", version)
-    assert compiler.private() is None
-    assert compiler.private() is None
+    monkeypatch.setattr(public_numba.numba, "__version__", version)
+    assert public_numba.private() is None
+    assert public_numba.private() is None
     (line,) = heard
     assert line.startswith(f"Numba {version} is outside the tested range 0.61 to 0.68: ")
     assert "\n" not in line
@@ -50,8 +51,8 @@ def test_other_versions_are_reported_once_and_get_the_public_interface(heard, mo
 
 @pytest.mark.parametrize("fault", [lambda: False, lambda: {}["absent"]])
 def test_a_probe_that_does_not_fit_is_reported_once(heard, monkeypatch, fault):
-    monkeypatch.setattr(compiler_private, "probe", fault)
-    assert compiler.private() is None
+    monkeypatch.setattr(private_numba, "probe", fault)
+    assert public_numba.private() is None
     (line,) = heard
     assert "does not pass the probe" in line
 
@@ -61,7 +62,7 @@ def test_who_asks_for_stock_numba_gets_it_in_silence_and_in_a_folder_of_its_own(
     before = machine_code._settings()
     monkeypatch.setenv("PITCHPOINT_STOCK_NUMBA", "1")
     machine_code._settings.cache_clear()
-    assert compiler.private() is None
+    assert public_numba.private() is None
     assert heard == []
     assert machine_code._settings() != before
     machine_code._settings.cache_clear()
@@ -75,7 +76,7 @@ def test_without_a_listener_the_report_goes_to_the_log(monkeypatch, caplog):
 
 
 def test_the_tested_range_is_the_same_everywhere():
-    low, high = ("{}.{}".format(*version) for version in compiler.TESTED)
+    low, high = ("{}.{}".format(*version) for version in public_numba.TESTED)
     wanted = f"numba>={low},<{high}"
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert [d for d in project["dependencies"] if re.match(r"numba\b", d)] == [wanted]

@@ -8,8 +8,8 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import FUNCTIONS, MAX_DEPTH, Formula, FormulaError
-from pitchpoint.core.formula_kernel import evaluate, evaluate_slope
+from pitchpoint.core.formula.formula import FUNCTIONS, MAX_DEPTH, Formula, FormulaError
+from pitchpoint.core.formula.kernel import evaluate, evaluate_slope
 
 pytestmark = pytest.mark.nojit
 

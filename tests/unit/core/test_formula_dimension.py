@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from pitchpoint.core.formula import Formula, FormulaError
-from pitchpoint.core.formula_dimension import of_number, of_variable, unit_text
+from pitchpoint.core.formula.dimension import of_number, of_variable, unit_text
+from pitchpoint.core.formula.formula import Formula, FormulaError
 from pitchpoint.core.unit_table import DIMENSIONS
 
 NAMES = ("t", "angle", "speed")

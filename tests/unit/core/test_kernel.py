@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.core import kernel as door
-from pitchpoint.core import machine_code, notices
-from pitchpoint.core.import_closure import import_closure
+from pitchpoint.core import notices
+from pitchpoint.core.compiler import machine_code
+from pitchpoint.core.compiler.import_closure import import_closure
 from pitchpoint.core.kernel import COMPILING, call_law, kernel, law_address
 from tests.support.cli_files import TORSION
 
@@ -76,7 +77,7 @@ def test_closure_follows_absolute_and_relative_imports_and_stays_inside_the_pack
 
 
 def test_driver_reaches_the_core_but_no_kind():
-    from pitchpoint.solvers import generalized_alpha
+    from pitchpoint.solvers.implicit import generalized_alpha
 
     names = {p.name for p in import_closure(generalized_alpha.__file__)}
     assert {"residual.py", "block_lu.py", "kinematics.py", "channels.py", "kernel.py"} <= names

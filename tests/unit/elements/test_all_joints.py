@@ -127,7 +127,7 @@ def chain(rng, motion):
 @pytest.mark.parametrize(("i", "j"), [(2, 0), (1, 2)])
 def test_every_element_on_every_joint(i, j, joint, kind):
     """A clutch has constant capacity here: angles between bodies are those of their joints, whose slopes by
-    turns of the bodies are exact only where all axes on the way are parallel (see `elements.turning`)."""
+    turns of the bodies are exact only where all axes on the way are parallel (see `elements.torsion`)."""
     rng = np.random.default_rng(7)
     bodies, place, axes = chain(rng, JOINTS[joint]), 0.2 * rng.normal(size=3), frame(rng)
     system = assemble(bodies, {kind: ELEMENTS[kind](i, j, bodies, place, axes)})

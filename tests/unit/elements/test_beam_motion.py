@@ -14,7 +14,7 @@ from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING
 from pitchpoint.multibody.mass_invariants import mass_invariants
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.beam_modes import free_modes

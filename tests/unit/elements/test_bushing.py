@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from pitchpoint.elements import bushing
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame, positive

@@ -13,7 +13,7 @@ from pitchpoint.contact.impact import set_friction, set_impact, set_restitution
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive
-from pitchpoint.elements.contact_record import new_records, set_marker
+from pitchpoint.elements.contacts.record import new_records, set_marker
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.point_curve import set_cam
 from pitchpoint.elements.point_surface import set_mesh, set_surface
@@ -29,7 +29,8 @@ from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.model.components.contact import ContactLaw
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers import generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.contacts import ball, box, read

@@ -6,11 +6,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import coupling, torque, torsion_maxwell
 from pitchpoint.elements import signal as sig
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.forces import check_balance, check_matrices, mechanism, moving, power, shafts

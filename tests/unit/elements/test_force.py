@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import force
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements.force import BODY, WORLD

@@ -9,13 +9,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pitchpoint.contact.bristle import bristle_rate, stribeck
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import coupling, drive, friction_clutch, torque
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements.friction_clutch import BRISTLE, REGULARISED
 from pitchpoint.elements.ratio import SPIN
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.forces import check_balance, check_matrices, moving, power, shafts

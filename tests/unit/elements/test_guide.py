@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import guide
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.bodies import FREE, Body

@@ -13,8 +13,9 @@ from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers import generalized_alpha, runge_kutta
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 
@@ -40,7 +41,7 @@ def friction(bodies, i, j=0, form=joint_friction.TURN, **numbers):
 def acceleration(system, state):
     evaluate.prepare(system)
     evaluate.load(system, state)
-    evaluate.check(system, evaluate.ask(system.workspace, evaluate.ACCELERATE, 0.0))
+    evaluate.check(system, evaluate.request(system.workspace, evaluate.ACCELERATE, 0.0))
     return system.workspace.a.copy()
 
 

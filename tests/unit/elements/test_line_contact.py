@@ -15,7 +15,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from pitchpoint.contact.impact import set_impact
-from pitchpoint.elements.contact_record import new_records, set_marker
+from pitchpoint.elements.contacts.record import new_records, set_marker
 from pitchpoint.elements.surface_surface import set_cylinder_on_plane, set_cylinders_in_line
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING

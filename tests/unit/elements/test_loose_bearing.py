@@ -12,7 +12,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.elements import loose_bearing
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.multibody.bodies import FREE, Body
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import solve_modal
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system import evaluate

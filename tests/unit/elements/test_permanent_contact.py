@@ -12,7 +12,7 @@ from pitchpoint.contact.curve import Curve, chain, circle, polygon
 from pitchpoint.core.errors import SolverError
 from pitchpoint.elements import drive
 from pitchpoint.elements.ball_on_surface import set_surface
-from pitchpoint.elements.contact_record import new_records, set_marker
+from pitchpoint.elements.contacts.record import new_records, set_marker
 from pitchpoint.elements.curve_on_curve import set_held_curves
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.elements.point_on_curve import RECORD as POINT
@@ -20,7 +20,7 @@ from pitchpoint.elements.point_on_curve import set_point_on_curve
 from pitchpoint.elements.signal import Pool
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.closures import row_over_time

@@ -20,7 +20,7 @@ from pitchpoint.contact.curve import (
 )
 from pitchpoint.contact.impact import set_friction, set_impact
 from pitchpoint.core.errors import SolverError
-from pitchpoint.elements.contact_record import set_marker
+from pitchpoint.elements.contacts.record import set_marker
 from pitchpoint.elements.curve_curve import set_curves
 from pitchpoint.elements.point_curve import set_cam
 from pitchpoint.system import evaluate

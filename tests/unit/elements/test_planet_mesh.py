@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.stiffness.din3990 import din3990
-from pitchpoint.elements import gear_mesh_record as layout
-from pitchpoint.elements.mesh_eccentric import displaced
+from pitchpoint.elements.mesh import record as layout
+from pitchpoint.elements.mesh.eccentricity import displaced
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.mesh_laws import MeshLaws

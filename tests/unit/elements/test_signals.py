@@ -8,13 +8,15 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from pitchpoint.core.errors import CompileError, SolverError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import gravity, registry
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import CYLINDRICAL, PRISMATIC, SCREW, SPHERICAL
-from pitchpoint.solvers import bdf, generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.system import evaluate
 from pitchpoint.system.signals import assemble_controlled
 from pitchpoint.system.system import assemble

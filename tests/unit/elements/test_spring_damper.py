@@ -6,16 +6,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import maxwell, spring_damper
 from pitchpoint.elements import signal as sig
 from pitchpoint.elements.gravity import gravity_records
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING, PRISMATIC
-from pitchpoint.solvers.equilibrium import find_equilibrium
-from pitchpoint.solvers.generalized_alpha import start
-from pitchpoint.solvers.runge_kutta import start_classical
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
+from pitchpoint.solvers.explicit.runge_kutta import start_classical
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.forces import (

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.bevel_gear import BevelGear, spherical_involute
-from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
-from pitchpoint.geometry.bevel_tooth import bevel_tooth, placed
+from pitchpoint.geometry.bevel.cones import pitch_angles, spherical_involute
+from pitchpoint.geometry.bevel.gear import BevelGear
+from pitchpoint.geometry.bevel.pair import BevelPair
+from pitchpoint.geometry.bevel.tooth import bevel_tooth, placed
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.rack import BasicRack

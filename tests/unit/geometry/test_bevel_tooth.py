@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.geometry.bevel_blank import bevel_blank, bevel_mass, revolved
-from pitchpoint.geometry.bevel_gear import BevelGear
-from pitchpoint.geometry.bevel_pair import BevelPair, pitch_angles
-from pitchpoint.geometry.bevel_sector import bevel_outline, bevel_sector, bevel_slices, bevel_solid
-from pitchpoint.geometry.bevel_tooth import bevel_tooth, placed
+from pitchpoint.geometry.bevel.blank import bevel_blank, bevel_mass, revolved
+from pitchpoint.geometry.bevel.cones import pitch_angles
+from pitchpoint.geometry.bevel.gear import BevelGear
+from pitchpoint.geometry.bevel.pair import BevelPair
+from pitchpoint.geometry.bevel.sector import bevel_outline, bevel_sector, bevel_slices, bevel_solid
+from pitchpoint.geometry.bevel.tooth import bevel_tooth, placed
 from pitchpoint.geometry.solid_mass import solid_of_triangles
 from pitchpoint.geometry.triangle_file import join_corners
 from tests.support.bevel_teeth import angles_inside

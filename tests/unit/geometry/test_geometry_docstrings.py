@@ -11,7 +11,7 @@ import pytest
 
 import pitchpoint.geometry
 
-MODULES = sorted(m.name for m in pkgutil.iter_modules(pitchpoint.geometry.__path__, "pitchpoint.geometry."))
+MODULES = sorted(m.name for m in pkgutil.walk_packages(pitchpoint.geometry.__path__, "pitchpoint.geometry."))
 
 
 @pytest.mark.parametrize("name", MODULES)

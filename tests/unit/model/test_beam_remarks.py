@@ -9,8 +9,8 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.beam_remarks import ends_left_behind
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.model.remarks.beams import ends_left_behind
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system.compile import compile_model
 
 TIP = "mass: 1 g, inertia_tensor: [1e-7, 1e-7, 1e-7, 0, 0, 0], position: [0.5, 0, 0]"

@@ -8,7 +8,7 @@ import math
 import pytest
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.geometry.bevel_blank import bevel_mass
+from pitchpoint.geometry.bevel.blank import bevel_mass
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from tests.support.bevel_teeth import PAIR
 from tests.support.model_files import gear as cylindrical

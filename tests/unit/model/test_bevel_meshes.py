@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
-from pitchpoint.model.remarks import odd_shapes
+from pitchpoint.model.remarks.collect import odd_shapes
 from pitchpoint.model.schema import json_schema
 from tests.support.bevel_files import bevel_file
 

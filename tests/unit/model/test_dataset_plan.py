@@ -11,7 +11,7 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.io.yaml_plan import load_plan
 from pitchpoint.model.dataset_plan import DatasetPlan
-from pitchpoint.model.read_plan import check_plan
+from pitchpoint.model.reading.dataset_plan import check_plan
 from tests.support.dataset_files import CASES, PLAN, written
 
 

@@ -11,8 +11,8 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.keys_without_effect import keys_without_effect
-from pitchpoint.model.remarks import jumping_ramps, warn_of_remarks
+from pitchpoint.model.remarks.collect import jumping_ramps, warn_of_remarks
+from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 

@@ -12,10 +12,10 @@ from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.io.container import Header
 from pitchpoint.io.container import ResultError as TooMany
 from pitchpoint.io.writing import MOST_CHANNELS, Channel, ResultWriter
-from pitchpoint.model.mobility import alone, tree_of, yielding
+from pitchpoint.model.checks.mobility import alone, tree_of, yielding
 from pitchpoint.model.parts import Parts
-from pitchpoint.model.remarks import warn_of_remarks
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.model.remarks.collect import warn_of_remarks
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import free_spins
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.null_space import null_space

@@ -9,8 +9,8 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.place_remarks import places_left_open
-from pitchpoint.model.remarks import warn_of_remarks
+from pitchpoint.model.remarks.collect import warn_of_remarks
+from pitchpoint.model.remarks.places import places_left_open
 
 GEAR = "normal_module: 4 mm, face_width: 40 mm, profile_shift_coefficient: 0"
 SET = f"""

@@ -12,7 +12,7 @@ from pitchpoint.contact.rolling import curvature, ellipse
 from pitchpoint.core.errors import Message, ModelError, ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
-from pitchpoint.model.remarks import remarks_of
+from pitchpoint.model.remarks.collect import remarks_of
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
 from tests.support.model_files import TORSIONAL_PAIR, gear, pair

@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.errors import ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.remarks import (
+from pitchpoint.model.remarks.collect import (
     bushings_at_a_distance,
     gaps_in_contact,
     ignored_flanks,

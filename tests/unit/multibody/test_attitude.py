@@ -10,7 +10,7 @@ from scipy.spatial.transform import Rotation
 from pitchpoint.multibody.attitude import attitude
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING
-from pitchpoint.solvers import runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 

@@ -8,7 +8,8 @@ import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import FREE, PLANAR, TORSION, Body
-from pitchpoint.solvers import generalized_alpha, runge_kutta
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings, couplings, differences, frame, positive, rotor, torques

@@ -9,7 +9,7 @@ import pytest
 from pitchpoint.elements import bearing
 from pitchpoint.multibody.bodies import FIXED, FREE, PLANAR, Body
 from pitchpoint.multibody.unbalance import with_point_mass
-from pitchpoint.solvers.generalized_alpha import start
+from pitchpoint.solvers.implicit.generalized_alpha import start
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
 from tests.support.engine import frame

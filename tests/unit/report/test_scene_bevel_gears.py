@@ -9,14 +9,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pitchpoint.geometry.bevel_blank import bevel_mass
-from pitchpoint.geometry.bevel_tooth import placed
+from pitchpoint.geometry.bevel.blank import bevel_mass
+from pitchpoint.geometry.bevel.tooth import placed
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.bevel_places import apex_of
 from pitchpoint.model.frames import body_frame
 from pitchpoint.report.scene.bevel_gears import bevel_axes
 from pitchpoint.report.scene.build import scene_of
-from pitchpoint.report.scene.solids import thinning
+from pitchpoint.report.scene.solids import drawn_allowances
 from pitchpoint.viz.scene.file import scene_texts
 from tests.support.bevel_teeth import PAIR, angles_inside
 from tests.support.scene_reader import Seen
@@ -36,7 +36,7 @@ def drawn(model, name):
     """Apex and axes of a drawn gear in the world, and its teeth with the backlash of the mesh."""
     axes = body_frame(model, model.body_of(name))[1]
     gear = model.bevel_gears[name]
-    thin = replace(gear.geometry, thickness_allowance=-thinning(model)[name])
+    thin = replace(gear.geometry, thickness_allowance=-drawn_allowances(model)[name])
     return apex_of(model, name)[0], axes @ bevel_axes(gear, model.bevel_angles[name]), thin
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from pitchpoint.report.scene.bevel_gears import bevel_axes
 from pitchpoint.report.scene.motion import motion
-from pitchpoint.report.scene.solids import thinning
+from pitchpoint.report.scene.solids import drawn_allowances
 from pitchpoint.report.scene.tooth_contacts import ContactLines
 from tests.support.bevel_teeth import PAIR, RUN, angles_inside
 from tests.support.scene_models import seen
@@ -46,7 +46,7 @@ def in_gear(scene, model, name, points, frame):
 
 def drawn(model, name):
     gear = model.bevel_gears[name].geometry
-    return replace(gear, thickness_allowance=-thinning(model)[name])
+    return replace(gear, thickness_allowance=-drawn_allowances(model)[name])
 
 
 def test_lines_lie_on_the_flanks_of_both_gears(machine):

@@ -16,8 +16,9 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.scenario import FORMS, METHODS, STIFF_METHODS
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC
-from pitchpoint.solvers import bdf, runge_kutta
 from pitchpoint.solvers.compare import TOLERANCES, cases_of, compare_solvers
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model

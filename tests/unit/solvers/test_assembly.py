@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
 from pitchpoint.system import evaluate
 from tests.support.mechanisms import four_bar, slider_crank
 

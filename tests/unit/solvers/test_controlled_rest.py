@@ -8,9 +8,9 @@ import pytest
 from scipy.optimize import brentq
 
 from pitchpoint.elements import gravity
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.multibody.bodies import TORSION, Body
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.system import evaluate
 from pitchpoint.system.signals import assemble_controlled
 

@@ -12,10 +12,10 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.geometry.materials import LIBRARY
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.frequency_response import find_response
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.quasistatic import roll_through
-from pitchpoint.solvers.reduction import reduce_system
-from pitchpoint.solvers.start import Start, prepare_start
+from pitchpoint.solvers.quasistatic.roll import roll_through
+from pitchpoint.solvers.reduction.reduce import reduce_system
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.sweep.speed import run_sweep

@@ -16,11 +16,11 @@ from pitchpoint import load_model
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.status import NOT_FINITE, OK, UNBOUNDED
-from pitchpoint.elements.mesh_line import countable
-from pitchpoint.solvers import jump
+from pitchpoint.elements.mesh.line_of_action import countable
 from pitchpoint.solvers.divergence import remedy
+from pitchpoint.solvers.equilibrium import force_jumps
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.sampling import GREATEST
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import choose_step
 from pitchpoint.solvers.time import run_time, solve_time
 from pitchpoint.solvers.time_summary import Memory
@@ -171,7 +171,10 @@ def test_bisection_to_a_jump_ends_where_numbers_lie_far_from_each_other():
     one, two = state.copy(), state.copy()
     one.q[:], two.q[:] = -3e12, 3e12 + 1.0
     goal = np.full(1, 1e-9)
-    assert within_limit(lambda: jump.rest_between(system, one, two, np.array([0]), goal) is None) is not None
+    assert (
+        within_limit(lambda: force_jumps.rest_between(system, one, two, np.array([0]), goal) is None)
+        is not None
+    )
 
 
 # every kind of machine once: torsional mesh, clutch with mesh, mechanism with rods, spatial bevel gears

@@ -10,9 +10,9 @@ import pytest
 
 from pitchpoint import compile_model, load_model
 from pitchpoint.core.status import OK
-from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.alpha_step import alpha_step, bring_step, divided_step
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.implicit.step import alpha_step, bring_step, divided_step
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.workspace import REJECTED
 

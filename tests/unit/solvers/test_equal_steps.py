@@ -11,9 +11,9 @@ import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.runge_kutta import start_adams, start_classical
+from pitchpoint.solvers.explicit.runge_kutta import start_adams, start_classical
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.sampling import new_statistics
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate

@@ -11,9 +11,9 @@ import pytest
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import listening
 from pitchpoint.core.status import SINGULAR
-from pitchpoint.solvers import equilibrium
-from pitchpoint.solvers.equilibrium import find_equilibrium, solve_equilibrium
-from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.solvers.equilibrium import solve
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium, solve_equilibrium
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.machines import R_B1, compiled, pair
@@ -243,7 +243,7 @@ def test_chains_come_to_hang_from_wherever_they_start(n, degrees, monkeypatch):
     """
     system = hung(n, math.radians(degrees))
     heard: list[str] = []
-    monkeypatch.setattr(equilibrium, "SLOW", -1.0)  # searches that take long tell how far they are
+    monkeypatch.setattr(solve, "SLOW", -1.0)  # searches that take long tell how far they are
     with listening(heard.append):
         found = find_equilibrium(system)
     angles = np.cumsum(found.state.q) + np.radians(degrees)

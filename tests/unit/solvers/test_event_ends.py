@@ -9,14 +9,15 @@ import pytest
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK
 from pitchpoint.elements import gear_mesh
-from pitchpoint.elements.gear_mesh_record import EVENTS
+from pitchpoint.elements.mesh.record import EVENTS
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers import bdf, runge_kutta
 from pitchpoint.solvers.event_watch import EventWatch, bending
-from pitchpoint.solvers.multistep import step
-from pitchpoint.solvers.multistep_control import PAST
-from pitchpoint.solvers.multistep_events import keep_past, take_back
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.multistep import bdf
+from pitchpoint.solvers.multistep.events import keep_past, take_back
+from pitchpoint.solvers.multistep.order_control import PAST
+from pitchpoint.solvers.multistep.step import step
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.system import assemble
 from tests.support.engine import couplings, torques

@@ -13,9 +13,9 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements import gravity, maxwell, spring_damper
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC
-from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.frequency_response import find_response, solve_frequency_response
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings
 from tests.support.machines import R_B1, compiled, pair

@@ -10,9 +10,9 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.elements import ratio
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import exchange, free_spins, held_spins, rotations
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.system import assemble
 from tests.support.engine import chain, gear_rows

@@ -10,8 +10,8 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import load_model, loads_model
-from pitchpoint.model.keys_without_effect import keys_without_effect
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system.compile import compile_model
 from tests.support.mechanism_files import SLIDER_CRANK
 

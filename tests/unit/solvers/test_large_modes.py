@@ -13,7 +13,8 @@ import pitchpoint as pp
 from pitchpoint.elements import maxwell, spring_damper
 from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC
-from pitchpoint.solvers import free_directions, frequency_response, linear_system
+from pitchpoint.solvers import frequency_response, linear_system
+from pitchpoint.solvers.constraints import free_directions
 from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.system import assemble

@@ -14,7 +14,8 @@ from pitchpoint import load_model
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers import bdf, generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

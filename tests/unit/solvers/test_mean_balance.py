@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.mean_balance import cycle_instants
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 

@@ -13,8 +13,8 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.results import open_result
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.equilibrium import solve_equilibrium
-from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 from tests.validation.test_flank_deviations import teeth_in_contact

@@ -10,10 +10,10 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import OK
-from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.campbell import solve_campbell
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes, linearise, solve_modal
-from pitchpoint.solvers.start import prepare_start
 from tests.support.engine import differences
 from tests.support.machines import R_B1, chain, compiled, pair
 

@@ -17,8 +17,8 @@ from pitchpoint.multibody.bodies import TORSION, Body
 from pitchpoint.multibody.joints import GUIDED, PRISMATIC
 from pitchpoint.multibody.mass_invariants import mass_invariants
 from pitchpoint.multibody.structure import beam_line
-from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.campbell import follow_modes
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.modal import find_modes, solve_modal
 from pitchpoint.system.system import assemble
 from tests.support.beam_modes import axial_stiffening, held_modes

@@ -8,8 +8,8 @@ import math
 import numpy as np
 import pytest
 
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.start import prepare_start
 from tests.support.machines import compiled
 
 J = (0.02, 0.05, 0.03)

@@ -8,9 +8,9 @@ import math
 import numpy as np
 import pytest
 
-from pitchpoint.solvers.dormand_prince_events import interpolate
-from pitchpoint.solvers.explicit import DENSE, OLD
-from pitchpoint.solvers.multistep_history import (
+from pitchpoint.solvers.explicit.dense_output import interpolate
+from pitchpoint.solvers.explicit.derivative import DENSE, OLD
+from pitchpoint.solvers.multistep.history import (
     DEPTH,
     dense_weights,
     difference_weights,

@@ -9,8 +9,8 @@ import pytest
 from pitchpoint.core.status import OK
 from pitchpoint.elements.signal import OVER_ANGLE, Pool, set_constant, set_table
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system.system import assemble
 from tests.support.engine import couplings, torques
 from tests.support.machines import compiled, pair

@@ -15,7 +15,7 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.campbell import follow_modes
-from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.sweep.speed import plan_sweep, run_sweep
 from tests.support.machines import compiled
 

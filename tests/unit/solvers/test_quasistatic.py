@@ -11,7 +11,7 @@ import pytest
 
 from pitchpoint.contact.mesh_cycle import mesh_cycle
 from pitchpoint.core.errors import SolverError
-from pitchpoint.solvers.quasistatic import roll_through, solve_quasistatic, statistics, tables
+from pitchpoint.solvers.quasistatic.roll import roll_through, solve_quasistatic, statistics, tables
 from tests.support.machines import R_B1, STAGES, compiled, pair
 
 E_COS = (1e-6, 0.5e-6)

@@ -14,9 +14,9 @@ from pitchpoint.core.status import OK
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.reduction import reduce_system
+from pitchpoint.solvers.reduction.reduce import reduce_system
 from pitchpoint.system import evaluate
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row
 from pitchpoint.system.rules.mesh_laws import MeshLaws

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.status import OK
-from pitchpoint.solvers import generalized_alpha, reduction
 from pitchpoint.solvers.frequency_response import find_response
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.reduction import reduce_system
+from pitchpoint.solvers.reduction import reduce
+from pitchpoint.solvers.reduction.reduce import reduce_system
 from pitchpoint.system import evaluate
 from tests.support.gearbox_files import GEARBOX
 from tests.support.machines import compiled
@@ -104,7 +105,7 @@ def test_truncated_modes_of_a_housing_state_their_error(monkeypatch):
     times the limit would leave an error of 0.4 %, so more of them are kept until it is 0.1 % as asked for."""
     _, system = compiled(GEARBOX, "run")
     assert reduce_system(system, "run", limit=100.0).error.frequency < 1e-3
-    monkeypatch.setattr(reduction, "BEYOND", (4.0,))
+    monkeypatch.setattr(reduce, "BEYOND", (4.0,))
     found = reduce_system(system, "run", limit=100.0)
     assert found.error.coordinates == (19, 16)
     one = find_modes(system, "run", mean=False).frequency[1:5]

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.cli.main import run_command
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.reduction import reduce_system
+from pitchpoint.solvers.reduction.reduce import reduce_system
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.cli_files import json_of

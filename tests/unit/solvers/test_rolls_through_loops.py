@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.quasistatic import roll_through, solve_quasistatic
+from pitchpoint.solvers.quasistatic.roll import roll_through, solve_quasistatic
 from pitchpoint.system.compile import compile_model
 
 TEETH = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"

@@ -11,11 +11,11 @@ from scipy.linalg import expm
 
 from pitchpoint.core.errors import CompileError, SolverError
 from pitchpoint.core.status import CONTROLLER, OK
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.start import Start
+from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.controller import SampledController, sampled_pid

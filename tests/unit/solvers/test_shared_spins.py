@@ -8,8 +8,8 @@ import pytest
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.gear_trains import held_spins
-from pitchpoint.solvers.quasistatic import roll_through
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

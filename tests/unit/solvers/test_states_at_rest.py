@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.elements import friction_clutch, maxwell
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import free_spins
 from pitchpoint.system.system import assemble
 from tests.support.engine import couplings, torques

@@ -11,7 +11,7 @@ import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.step_choice import choose_step, shortest_period
 from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.solvers.time import run_time

@@ -16,8 +16,10 @@ from pitchpoint.core.status import INCONSISTENT, NOT_FINITE, OK
 from pitchpoint.elements.signal import LAW, OVER_TIME
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING
-from pitchpoint.solvers import bdf, runge_kutta, sampling
-from pitchpoint.solvers.constraint_rows import redundant_rows
+from pitchpoint.solvers import sampling
+from pitchpoint.solvers.constraints.row_notes import redundant_rows
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

@@ -10,9 +10,10 @@ import pytest
 
 from pitchpoint.core.status import OK
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers import bdf, runge_kutta
 from pitchpoint.solvers.event_watch import EventWatch
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.multistep import bdf
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble

@@ -12,10 +12,12 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT, NOT_FINITE, OK
 from pitchpoint.elements import drive
 from pitchpoint.elements.signal import LAW, OVER_TIME, Pool, set_table
-from pitchpoint.elements.speed_pieces import straight_pieces
+from pitchpoint.elements.speed_profile import straight_pieces
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers import generalized_alpha, runge_kutta, sampling
-from pitchpoint.solvers.constraint_rows import explain, redundant_rows, row_notes
+from pitchpoint.solvers import sampling
+from pitchpoint.solvers.constraints.row_notes import explain, redundant_rows, row_notes
+from pitchpoint.solvers.explicit import runge_kutta
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble

@@ -15,7 +15,7 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.io.yaml_plan import load_plan
 from pitchpoint.model.dataset_plan import DatasetPlan, PlannedCase
 from pitchpoint.model.model import Model
-from pitchpoint.model.read_plan import check_plan
+from pitchpoint.model.reading.dataset_plan import check_plan
 from pitchpoint.sweep.dataset import CaseRecord, compute_case, compute_cases, key_maker, treatment
 from tests.support.dataset_files import PLAN, written
 

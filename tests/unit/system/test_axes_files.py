@@ -11,7 +11,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.frames import body_frame
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.gear_trains import free_spins, mesh_rates
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model

@@ -13,7 +13,7 @@ from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 from pitchpoint.core.errors import ModelError
 from pitchpoint.geometry.materials import material
 from pitchpoint.io.yaml_model import dump_model, loads_model
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.system.compile import compile_model
 from tests.support.mechanism_files import accelerations

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import dump_model, loads_model
-from pitchpoint.solvers import runge_kutta
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
+from pitchpoint.solvers.explicit import runge_kutta
 from pitchpoint.solvers.frequency_response import find_response
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.quasistatic import roll_through
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.bevel_files import bevel_file

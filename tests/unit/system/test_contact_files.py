@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.kinematics import moved_to
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

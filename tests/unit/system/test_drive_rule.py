@@ -8,10 +8,10 @@ import pytest
 from scipy.integrate import quad
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.formula import Formula
-from pitchpoint.elements import drive, speed_pieces
+from pitchpoint.core.formula.formula import Formula
+from pitchpoint.elements import drive, speed_profile
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.speed_pieces import fit_pieces, straight_pieces
+from pitchpoint.elements.speed_profile import fit_pieces, straight_pieces
 from pitchpoint.model.components.law import FormulaLaw
 from pitchpoint.system.rules.drive import speed_pieces as pieces_of
 
@@ -31,14 +31,14 @@ def test_a_long_strong_ripple_on_the_grid_of_the_first_pieces_is_followed(amplit
 
 def test_kinks_cost_pieces_only_where_they_are():
     pieces = pieces_of(FormulaLaw("100*min(t/0.0123, 1)"), 50.0)
-    assert len(pieces.powers) < speed_pieces.FIRST_PIECES + 100
+    assert len(pieces.powers) < speed_profile.FIRST_PIECES + 100
     at = np.linspace(0.0, 0.02, 7001)
     np.testing.assert_allclose(pieces.speed(at), 100.0 * np.minimum(at / 0.0123, 1.0), atol=2e-7)
 
 
 @pytest.mark.parametrize("text", ["100", "0", "100*t", "3 + t^4"])
 def test_smooth_laws_keep_the_first_pieces(text):
-    assert len(pieces_of(FormulaLaw(text), 3.0).powers) == speed_pieces.FIRST_PIECES
+    assert len(pieces_of(FormulaLaw(text), 3.0).powers) == speed_profile.FIRST_PIECES
 
 
 def test_a_jump_is_refused_with_its_time():
@@ -47,7 +47,7 @@ def test_a_jump_is_refused_with_its_time():
 
 
 def test_what_no_pieces_can_hold_is_refused(monkeypatch):
-    monkeypatch.setattr(speed_pieces, "MOST_PIECES", 10_000)
+    monkeypatch.setattr(speed_profile, "MOST_PIECES", 10_000)
     with pytest.raises(CompileError, match="shorter duration, or the speed as a table"):
         pieces_of(FormulaLaw("100 + 10*sin(2*pi*1000*t)"), 20.0)
 

@@ -12,8 +12,8 @@ from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.multibody.beam_section import Beam, Section
 from pitchpoint.multibody.structure import beam_line
-from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.beam_modes import axial_stiffening

@@ -16,8 +16,8 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.write import plain
 from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.structure import beam_line
-from pitchpoint.solvers import generalized_alpha
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.floating import truss

@@ -11,9 +11,9 @@ from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.shafts import nearest_station
 from pitchpoint.multibody.beam_section import Beam, tube
 from pitchpoint.multibody.structure import beam_line
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 

@@ -12,8 +12,8 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.model.build import build_model
-from pitchpoint.model.read import Reader
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system.compile import compile_model
 from tests.support.machines import pair
 from tests.unit.system.test_shaft_files import RIG

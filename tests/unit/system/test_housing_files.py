@@ -16,9 +16,9 @@ from pitchpoint.multibody.beam_section import Beam, rectangle
 from pitchpoint.multibody.bodies import FREE, Body
 from pitchpoint.multibody.joints import FIXED, FLOATING
 from pitchpoint.multibody.structure import beam_line
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.node_shapes import node_shapes
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.residual import EXACT

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.io.yaml_model import dump_model, loads_model
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
 from pitchpoint.solvers.kinematics import moved_to
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model

@@ -10,7 +10,7 @@ from pitchpoint.elements.closure_rows import cut_joint, rod
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
-from pitchpoint.solvers.assembly import assemble_state
+from pitchpoint.solvers.constraints.assembly import assemble_state
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.rules.bodies import CODES, end_of

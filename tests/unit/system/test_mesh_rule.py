@@ -8,7 +8,7 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.solvers.equilibrium import solve_equilibrium
+from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate

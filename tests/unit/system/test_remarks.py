@@ -8,7 +8,7 @@ import math
 import pytest
 
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.quasistatic import solve_quasistatic
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.solvers.time import run_time, solve_time
 from pitchpoint.sweep.cases import cases_dataset, run_cases
 from pitchpoint.sweep.speed import sweep_speed

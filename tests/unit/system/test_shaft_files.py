@@ -11,18 +11,18 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.elements import bearing, torque
-from pitchpoint.elements import gear_mesh_record as layout
+from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.signal import Pool, set_constant
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.model.build import build_model
 from pitchpoint.model.components.shaft import Shaft, ShaftSection
 from pitchpoint.model.inertia import gear_inertia
 from pitchpoint.model.model import Model
-from pitchpoint.model.read import Reader
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.write import plain
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes
-from pitchpoint.solvers.start import prepare_start
 from pitchpoint.system.compile import compile_model
 from pitchpoint.system.evaluate import observe
 from pitchpoint.system.rules.gear_mesh import Placement, mesh_row

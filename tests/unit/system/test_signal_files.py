@@ -8,15 +8,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pitchpoint.core.formula import Formula
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.core.formula.formula import Formula
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
 from pitchpoint.model.components.actuator import ACTUATORS
 from pitchpoint.model.components.block import BLOCKS
 from pitchpoint.model.components.controller import CONTROLLERS
 from pitchpoint.model.components.sensor import QUANTITIES, SENSORS
-from pitchpoint.solvers.start import Start
+from pitchpoint.solvers.initial_state.start import Start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system import evaluate

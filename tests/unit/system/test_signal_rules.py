@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_net import SignalNet
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import ACTUATORS, ForceActuator, Strut, TorqueActuator
 from pitchpoint.model.components.controller import CONTROLLERS, PythonController, SampledPid

@@ -12,7 +12,7 @@ from pitchpoint.elements.registry import find, names
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.model.sections import GROUPS
-from pitchpoint.solvers.start import prepare_start
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.time import run_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model

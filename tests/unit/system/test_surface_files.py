@@ -11,7 +11,7 @@ import pytest
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import dump_model, loads_model
-from pitchpoint.solvers.equilibrium import find_equilibrium
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.contacts import ball, box, read

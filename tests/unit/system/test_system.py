@@ -11,18 +11,18 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.nomenclature import unit
 from pitchpoint.core.status import OK
 from pitchpoint.elements import drive, torque
 from pitchpoint.elements.signal import OVER_ANGLE, OVER_SPEED, Pool, set_formula, set_law, set_table
-from pitchpoint.elements.speed_pieces import straight_pieces
+from pitchpoint.elements.speed_profile import straight_pieces
 from pitchpoint.multibody.bodies import FREE, PLANAR, Body
-from pitchpoint.solvers import generalized_alpha
+from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.model_damping import modal_damping
 from pitchpoint.system import evaluate
 from pitchpoint.system.layout import group
-from pitchpoint.system.perform import WRAP, ask
+from pitchpoint.system.requests import WRAP, send_request
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings, chain, couplings, damping_records, differences, rattle, torques
 
@@ -223,10 +223,10 @@ def test_a_spin_that_runs_away_cannot_stop_the_wrapping(spin):
     evaluate.prepare(system)
     evaluate.load(system, system.initial_state())
     system.workspace.q[0] = spin
-    ask(system.workspace, WRAP)
+    send_request(system.workspace, WRAP)
     assert system.workspace.q[0] == pytest.approx(spin, nan_ok=True)
     system.workspace.q[0] = 1e6 + 0.25
-    ask(system.workspace, WRAP)
+    send_request(system.workspace, WRAP)
     assert abs(system.workspace.q[0]) <= math.pi
     turns = int(system.workspace.fr["turns"][1])
     assert system.workspace.q[0] + 2.0 * math.pi * turns == pytest.approx(1e6 + 0.25, rel=1e-12)

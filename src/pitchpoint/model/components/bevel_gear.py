@@ -14,8 +14,8 @@ from pitchpoint.model.components.tooth_faults import BEVEL_FAULTS, BevelFault
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantity
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry import bevel_gear
-    from pitchpoint.geometry.bevel_blank import BevelBlank
+    from pitchpoint.geometry.bevel import gear as bevel_gear
+    from pitchpoint.geometry.bevel.blank import BevelBlank
     from pitchpoint.geometry.materials import Material
 
 
@@ -157,14 +157,14 @@ class BevelGear:
         """Pitch cone angle [rad], given or from the teeth of the mate."""
         if self.pitch_cone_angle is not None or self.mate_teeth is None:
             return self.pitch_cone_angle or 0.0
-        from pitchpoint.geometry.bevel_pair import pitch_angles
+        from pitchpoint.geometry.bevel.cones import pitch_angles
 
         return pitch_angles(self.number_of_teeth, self.mate_teeth, self.shaft_angle)[0]
 
     @cached_property
     def geometry(self) -> bevel_gear.BevelGear:
         """Macro-geometry with signs (beta_m > 0 for right hand)."""
-        from pitchpoint.geometry.bevel_gear import BevelGear as Geometry
+        from pitchpoint.geometry.bevel.gear import BevelGear as Geometry
         from pitchpoint.geometry.rack import BasicRack
 
         sizes = {
@@ -189,7 +189,7 @@ class BevelGear:
     @property
     def blank(self) -> BevelBlank:
         """What carries the teeth."""
-        from pitchpoint.geometry.bevel_blank import bevel_blank
+        from pitchpoint.geometry.bevel.blank import bevel_blank
 
         return bevel_blank(self.geometry, self.bore_diameter, self.rim_thickness)
 

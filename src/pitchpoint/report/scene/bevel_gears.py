@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.geometry.bevel_sector import bevel_outline, bevel_sector, bevel_slices
+from pitchpoint.geometry.bevel.sector import bevel_outline, bevel_sector, bevel_slices
 from pitchpoint.model.components.tooth_faults import PitchError
 from pitchpoint.report.scene.gears import ERRORS, FINEST, MOST_POINTS
 from pitchpoint.viz.scene.content import SceneLevel, ScenePiece, SceneSolid

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.elastic import low_load
 from pitchpoint.contact.pair_shape import pair_shape
-from pitchpoint.elements.bevel_mesh_record import N_OWN, PROFILE
+from pitchpoint.elements.mesh.bevel.record import N_OWN, PROFILE
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -158,7 +158,7 @@ class BevelLines:
         return zeta, self._load(side, x, R_m * np.exp(zeta / R_m), lacks)
 
     def _own(self, side: int, pair: NDArray[np.int64], low: Array, high: Array) -> tuple[Array, Array, Array]:
-        """Ends of the face in ζ, gap at R_m of the teeth of a pair [m], as `bevel_mesh_sums` reads them."""
+        """Ends of the face in ζ, gap at R_m of the teeth of a pair [m], as the kernels read them."""
         b, lacks = self.first, np.zeros(pair.size)
         if b["n_sep"] == 0:
             return low, high, lacks

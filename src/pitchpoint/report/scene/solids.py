@@ -60,7 +60,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     found: list[SceneSolid] = []
     notes: list[str] = []
     cover = covers(model)
-    thinner = thinning(model)
+    thinner = drawn_allowances(model)
     for name in model.gears:
         body = model.body_of(name)
         if body is None:
@@ -115,7 +115,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     return [*found, *more, *joining_parts(model, at), *wheels], [*notes, *remarks, *lacking]
 
 
-def thinning(model: Model) -> dict[str, float]:
+def drawn_allowances(model: Model) -> dict[str, float]:
     """Normal tooth thickness that drawn gears lack so that meshes show the backlash that is given [m].
 
     By gear, at the reference circle, of bevel gears in the middle of the face; half of a mesh's part each,

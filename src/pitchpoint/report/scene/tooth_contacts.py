@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where and how teeth touch over the frames of a scene: contact lines and their loads, from the kernels.
 
-The state of each frame is put back into the compiled system (`motion`), which is then requested the
-contact lines (`elements/mesh_lines`). A result does not keep all velocities, so these loads are elastic;
-that they add up to the pair forces of the result, damping included, is seen to by one factor a pair.
+The state of each frame is put back into the compiled system (`motion`), which is then requested the contact
+lines (`elements/mesh/contact_lines`). A result does not keep all velocities, so these loads are elastic; that
+they add up to the pair forces of the result, damping included, is seen to by one factor a pair.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from pitchpoint.contact.hertz import flank_radius, half_width, peak_pressure, pl
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK, sentence
-from pitchpoint.elements import mesh_lines
-from pitchpoint.elements.gear_mesh_record import PROFILE
-from pitchpoint.elements.mesh_pairs import pair_teeth
+from pitchpoint.elements.mesh import contact_lines
+from pitchpoint.elements.mesh.record import PROFILE
+from pitchpoint.elements.mesh.tooth_pairs import pair_teeth
 from pitchpoint.report.scene.bevel_lines import BevelLines, bevel_tooth_at
 from pitchpoint.report.scene.motion import shown_bodies
 from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_places
@@ -70,7 +70,7 @@ class ContactLines:
             for name, (kind, _) in meshes
             if is_bevel(one[name][0])
         }
-        self.questions = np.zeros(2 * len(self.names), mesh_lines.LINES)
+        self.questions = np.zeros(2 * len(self.names), contact_lines.LINES)
         for m, mesh in enumerate(self.found):
             for k, flank in enumerate((1, -1)):
                 one = self.questions[2 * m + k]
@@ -97,7 +97,7 @@ class ContactLines:
                 one["forces"] = mesh.forces[frame, k].ctypes.data
                 one["loads"] = mesh.loads[frame, k].ctypes.data
         where, at = self.questions.ctypes.data, self.system.workspace.at
-        status = invoke(mesh_lines.answer, at, where, len(self.questions))
+        status = invoke(contact_lines.answer, at, where, len(self.questions))
         if status != OK:
             raise SolverError(sentence(status), int(status))
         for m, mesh in enumerate(self.found):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.beam_record import RECORD, beam_row
+from pitchpoint.elements.beams.record import RECORD, beam_row
 from pitchpoint.model.components.marker import Axes
 from pitchpoint.model.frames import axes_of, frame, place_of
 from pitchpoint.model.shafts import station_names

@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.contact.spall import spall_drop
 from pitchpoint.elements.bearing_fault import ELEMENT, INNER, OUTER
 from pitchpoint.elements.signal import Pool
-from pitchpoint.model.bearing_fault_check import element_angles, track_radius
+from pitchpoint.model.checks.bearing_faults import element_angles, track_radius
 from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, LooseBearing, SpallFault
 from pitchpoint.model.components.rolling_bearing import RollingBearing
 

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from pitchpoint.contact.mesh_cycle import pair_cycle
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
 from pitchpoint.contact.stiffness.din3990 import LOW_LOAD, SingleStiffness, VirtualTooth, stiffness_of_teeth
-from pitchpoint.elements import bevel_mesh_record as layout
+from pitchpoint.elements.mesh.bevel import record as layout
 from pitchpoint.elements.signal import Pool
-from pitchpoint.geometry.bevel_gear import spherical_involute
+from pitchpoint.geometry.bevel.cones import spherical_involute
 from pitchpoint.geometry.tooth_faults import displaced_gap
 from pitchpoint.model.bevel_places import pitch_ray, turned_to
 from pitchpoint.model.carried_trains import carrying
@@ -31,7 +31,7 @@ from pitchpoint.system.rules.mesh_laws import MeshLaws, flank_losses, put_losses
 from pitchpoint.system.rules.places import Places
 
 if TYPE_CHECKING:
-    from pitchpoint.geometry.bevel_pair import BevelPair
+    from pitchpoint.geometry.bevel.pair import BevelPair
     from pitchpoint.model.components.bevel_gear import BevelGear
     from pitchpoint.model.model import Model
 
@@ -150,7 +150,7 @@ def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float
     Returns
     -------
     numpy.void
-        One row of `bevel_mesh_record.RECORD`.
+        One row of `mesh.bevel.record.RECORD`.
     """
     row = np.zeros(1, layout.RECORD)[0]
     _cones(row, pair, place)

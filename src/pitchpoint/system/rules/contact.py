@@ -13,7 +13,6 @@ from pitchpoint.contact import curve as curves
 from pitchpoint.contact import impact
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.errors import CompileError, GeometryError
-from pitchpoint.elements import contact_record as element
 from pitchpoint.elements import (
     curve_curve,
     curve_on_curve,
@@ -22,6 +21,7 @@ from pitchpoint.elements import (
     point_surface,
     surface_surface,
 )
+from pitchpoint.elements.contacts import record as element
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.triangle_file import placed_triangles, read_triangles
 from pitchpoint.model.components.contact import (

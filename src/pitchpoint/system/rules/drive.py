@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import CompileError, SolverError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.elements import drive as element
 from pitchpoint.elements.ratio import SPIN
 from pitchpoint.elements.signal import Pool
-from pitchpoint.elements.speed_pieces import SpeedPieces, fit_pieces, straight_pieces
+from pitchpoint.elements.speed_profile import SpeedPieces, fit_pieces, straight_pieces
 from pitchpoint.model.components.law import Constant, FormulaLaw, Law, PythonLaw, TableLaw
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.system.rules.bank import Bank, pack

@@ -23,7 +23,7 @@ from pitchpoint.elements.flexible_body import (
     interface_count,
     modal_bodies,
 )
-from pitchpoint.model.elastic_check import ALL_FILES
+from pitchpoint.model.checks.elastic_bodies import ALL_FILES
 from pitchpoint.model.frames import axes_of
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.craig_bampton import Modes, craig_bampton, modal_damping

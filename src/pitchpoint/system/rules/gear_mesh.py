@@ -15,8 +15,8 @@ from pitchpoint.contact.stiffness.description import Description, PairShape
 from pitchpoint.core.errors import CompileError
 from pitchpoint.core.kernel import invoke
 from pitchpoint.core.status import OK, sentence
-from pitchpoint.elements import gear_mesh_record as layout
 from pitchpoint.elements.gear_mesh import entry
+from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.involute import inv
@@ -164,7 +164,7 @@ def mesh_row(
     Returns
     -------
     numpy.void
-        One row of `gear_mesh_record.RECORD`.
+        One row of `mesh.record.RECORD`.
     """
     row = np.zeros(1, layout.RECORD)[0]
     _geometry(row, pair, place)

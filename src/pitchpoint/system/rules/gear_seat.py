@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.mesh_eccentric import displaced
+from pitchpoint.elements.mesh.eccentricity import displaced
 from pitchpoint.model.components.gear_faults import Eccentricity, Wobble
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.elements import guide as element
 from pitchpoint.elements.signal import Pool
 from pitchpoint.model.components.joint import DISPLACEMENTS, FUNCTIONS, Joint

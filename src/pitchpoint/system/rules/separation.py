@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.gear_mesh_record import N_ROW
+from pitchpoint.elements.mesh.record import N_ROW
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear

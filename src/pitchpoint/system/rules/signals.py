@@ -12,18 +12,18 @@ import numpy as np
 
 from pitchpoint.core import nomenclature
 from pitchpoint.core.errors import CompileError
-from pitchpoint.core.formula import Formula
+from pitchpoint.core.formula.formula import Formula
 from pitchpoint.core.user_law import load_function
-from pitchpoint.elements import signal_record as sr
-from pitchpoint.elements.signal_graph import unit_code
-from pitchpoint.elements.signal_net import SignalNet
-from pitchpoint.elements.signal_record import UNITS
+from pitchpoint.elements.signals import record as sr
+from pitchpoint.elements.signals.graph import unit_code
+from pitchpoint.elements.signals.net import SignalNet
+from pitchpoint.elements.signals.record import UNITS
 from pitchpoint.model import mechanism
 from pitchpoint.model.components import block as bl
 from pitchpoint.model.components.actuator import Actuator, ForceActuator, TorqueActuator
 from pitchpoint.model.components.controller import Controller, PythonController
 from pitchpoint.model.components.sensor import AXES, FrameSensor, JointSensor, Listener, LoadSensor, Sensor
-from pitchpoint.model.signal_names import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
+from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.system.controller import SampledController, sampled_pid

@@ -43,7 +43,7 @@ class ReportModel:
         The same of bevel gears and of bevel meshes.
     flanks
         What flanks have besides the involute: gear, flanks, what, amount, extent.
-    idle_faults
+    inactive_faults
         How many faults of teeth have severity 0 and are not among the flanks.
     pairs
         `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
@@ -65,7 +65,7 @@ class ReportModel:
     meshes: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {})
     flanks: Sequence[Sequence[str]] = ()
-    idle_faults: int = 0
+    inactive_faults: int = 0
     pairs: Mapping[str, tuple[Any, str, str]] = field(default_factory=dict)
     shafts: Mapping[str, str] = field(default_factory=dict)
     counts: Sequence[tuple[str, str]] = ()
@@ -295,7 +295,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         summary_section(model.counts, results),
         scene_section(results.scene),
         power_section(results.powers),
-        parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels, model.idle_faults),
+        parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels, model.inactive_faults),
         parts.drawing_section(model.pairs),
         signal_section(model.signals),
         mesh_cycle_section(results.mesh_cycles),

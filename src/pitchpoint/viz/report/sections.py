@@ -49,11 +49,11 @@ def gear_section(
     meshes: Mapping[str, Mapping[str, Any]],
     flanks: Sequence[Sequence[str]] = (),
     bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {}),
-    idle_faults: int = 0,
+    inactive_faults: int = 0,
 ) -> Section:
     """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute.
 
-    `bevels`: bevel gears and their meshes; `idle_faults`: how many faults of teeth have severity 0.
+    `bevels`: bevel gears and their meshes; `inactive_faults`: how many faults of teeth have severity 0.
     """
     section = Section("gears", "Gears and meshes")
     section.add(quantity_table(GEAR_ROWS, gears))
@@ -66,9 +66,10 @@ def gear_section(
         rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in flanks]
         head = ("gear", "flanks", "modification or deviation", "amount", "extent")
         section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
-    if idle_faults:
-        waiting = "1 fault of gears has" if idle_faults == 1 else f"{idle_faults} faults of gears have"
-        section.add(f"<p>{waiting} severity 0 and change{'s' if idle_faults == 1 else ''} nothing.</p>")
+    if inactive_faults:
+        one = inactive_faults == 1
+        waiting = "1 fault of gears has" if one else f"{inactive_faults} faults of gears have"
+        section.add(f"<p>{waiting} severity 0 and change{'s' if one else ''} nothing.</p>")
     table = quantity_table(MESH_ROWS, meshes)
     section.add(f"<h3>Meshes</h3>{table}" if table else "")
     for title, rows_of, things in zip(

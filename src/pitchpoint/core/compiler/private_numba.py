@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The faster way through Numba, by parts of it that it does not promise to keep.
+
+`compiler` takes it for the versions that it was tested with. What it saves is measured in decision 0025.
+"""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from llvmlite import binding, ir
+from numba import njit, types
+from numba.core import cgutils, sigutils
+from numba.core.compiler_lock import global_compiler_lock
+from numba.core.registry import CPUDispatcher, cpu_target
+from numba.extending import intrinsic
+from numba.np.arrayobj import populate_array
+
+from pitchpoint.core import kernel as door
+from pitchpoint.core.compiler import machine_code
+from pitchpoint.core.compiler.cache import KernelCache
+from pitchpoint.core.compiler.intrinsics import ENTRY, FLAGS, call_entry, call_law
+from pitchpoint.core.compiler.parts import PartCompiler, PartType
+from pitchpoint.core.compiler.passes import KernelCompiler
+
+if TYPE_CHECKING:
+    from pitchpoint.core.kernel import Kernel
+
+_BARE = {"nopython": True, "nogil": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
+
+class Dispatcher(CPUDispatcher):
+    """A compiled function that is cheap to compile for other kernels.
+
+    Calls from kernels need neither the Python nor the C wrapper, a quarter of the compile time; they share
+    one compilation whether an argument is a constant or not.
+    """
+
+    @property
+    def _numba_type_(self) -> PartType:
+        return PartType(self)
+
+    def compile(self, sig: Any) -> Any:
+        """Compile for a signature; Numba's own way starts clocks and reads caches."""
+        with global_compiler_lock:
+            args, returned = sigutils.normalize_signature(sig)
+            if args not in self.overloads:
+                self.add_overload(self._compiler.compile(args, returned))
+            return self.overloads[args].entry_point
+
+    def get_call_template(self, args: Any, kws: Any) -> Any:
+        """Type a call from another kernel as if no argument were a constant."""
+        plain = {name: types.unliteral(kind) for name, kind in kws.items()}
+        return super().get_call_template(tuple(types.unliteral(kind) for kind in args), plain)
+
+
+def dispatcher(kernel: Kernel) -> Dispatcher:
+    """Make what represents a kernel inside other kernels."""
+    options = {**_BARE, **FLAGS, "forceinline": kernel.inline}
+    return Dispatcher(py_func=kernel.py_func, targetoptions=options, pipeline_class=PartCompiler)
+
+
+def python_callable(kernel: Kernel) -> Any:
+    """Make what a call of a kernel from Python runs: a compilation with a wrapper, kept on disk."""
+    made = njit(nogil=True, **FLAGS)(kernel.py_func)
+    with contextlib.suppress(RuntimeError):  # no place to keep it
+        made._cache = KernelCache(kernel.py_func)
+    return made
+
+
+# --------------------------------------------------------------------------------------------------- entries
+
+
+@global_compiler_lock
+def standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
+    """Object file with an entry as a C function of three integers, and the symbols that it expects.
+
+    Empty if the code refers to Numba's run time, to this process, or can raise: such an exception must be
+    reported, which needs the interpreter.
+
+    Parameters
+    ----------
+    source
+        The plain Python function of the entry.
+    name
+        Symbol of the C function.
+    """
+    options = {**_BARE, **FLAGS}
+    compiler = Dispatcher(py_func=source, targetoptions=options, pipeline_class=KernelCompiler)._compiler
+    customize = compiler._customize_flags
+
+    def unfinished(flags: Any) -> Any:
+        """Flags of a compilation whose library stays open."""
+        flags = customize(flags)
+        flags.no_compile = True  # the library stays open for the function below
+        return flags
+
+    compiler._customize_flags = unfinished
+    compiled = compiler.compile(ENTRY.args, ENTRY.return_type)
+    library, described = compiled.library, compiled.fndesc
+    library.add_ir_module(_c_function(name, described))
+    library._optimize_final_module = _thorough(library)
+    library.enable_object_caching()
+    library.get_pointer_to_function(name)
+    _, _, (code, bitcode) = library.serialize_using_object_code()
+    final = binding.parse_bitcode(bitcode)
+    needs = machine_code.declared(final)
+    unfit = _raises(final) or machine_code.is_foreign(needs) or library.has_dynamic_globals
+    return (b"", []) if unfit else (code, needs)
+
+
+def _raises(module: Any) -> bool:
+    """Whether code holds exceptions."""
+    return any(".picklebuf" in g.name for g in module.global_variables)
+
+
+def _thorough(library: Any) -> Callable[[], None]:
+    """Optimise again if exceptions are left: those that never happen can need a second look."""
+    optimise = library._optimize_final_module
+
+    def optimise_twice() -> None:
+        """Optimise, and once more if exceptions are left."""
+        optimise()
+        if _raises(library._final_module):
+            optimise()
+
+    return optimise_twice
+
+
+def _c_function(name: str, described: Any) -> ir.Module:
+    """Module with the C function of a compiled entry; what ends by an exception returns 0, "died"."""
+    convention = cpu_target.target_context.call_conv
+    module, word = ir.Module(name), ir.IntType(64)
+    form = convention.get_function_type(described.restype, described.argtypes)
+    inner = ir.Function(module, form, described.llvm_func_name)
+    outer = ir.Function(module, ir.FunctionType(word, [word] * 3), name)
+    builder = ir.IRBuilder(outer.append_basic_block("entry"))
+    status, result = convention.call_function(
+        builder, inner, described.restype, described.argtypes, outer.args
+    )
+    builder.ret(builder.select(status.is_ok, result, word(0)))
+    return module
+
+
+# ------------------------------------------------------------------------------------------------ intrinsics
+
+
+@intrinsic
+def _view(typingctx, where, shape, dtype):
+    """Array of the given final shape over memory that somebody else owns; no copy, no reference count."""
+    n = len(shape) if isinstance(shape, types.BaseTuple) else 1
+    form = types.UniTuple(types.int64, n) if isinstance(shape, types.BaseTuple) else types.int64
+    made = types.Array(dtype.dtype, n, "C")
+
+    def generate(context, builder, signature, args):
+        """Machine code of a view: extents and address become an array."""
+        extents = cgutils.unpack_tuple(builder, args[1]) if form is not types.int64 else [args[1]]
+        item = context.get_abi_sizeof(context.get_data_type(made.dtype))
+        strides = [context.get_constant(types.intp, item)]
+        for extent in reversed(extents[1:]):
+            strides.insert(0, builder.mul(extent, strides[0]))
+        array = context.make_array(made)(context, builder)
+        data = builder.inttoptr(args[0], context.get_data_type(made.dtype).as_pointer())
+        populate_array(array, data, extents, strides, strides[-1], None)
+        return array._getvalue()
+
+    return made(types.int64, form, dtype), generate
+
+
+_INTRINSICS = {"view": _view, "call": call_entry, "call_law": call_law}
+
+
+def intrinsic_type(name: str) -> Any:
+    """Numba's type of an intrinsic."""
+    return cpu_target.typing_context.resolve_value_type(_INTRINSICS[name])
+
+
+# ----------------------------------------------------------------------------------------------------- probe
+
+_RECORD = np.dtype([("size", "f8"), ("table", "f8", (2, 2))], align=True)
+
+
+@door.kernel
+def _inner(one, k):
+    """What the probe calls: items, a power, a branch."""
+    return one["table"][k, 1] + one["size"] ** 2 if k > 0 else 0.0
+
+
+@door.kernel
+def _probed(ctl, rec, n):
+    """The entry of the probe: a view, a loop, calls with and without constants."""
+    record, total = door.view(rec, n, _RECORD), 0.0
+    for k in range(n):
+        total += _inner(record[k], k) + _inner(record[k], 1)
+    return int(total)
+
+
+def probe() -> bool:
+    """Whether an entry that is compiled and linked this way returns the right number."""
+    record = np.zeros(2, _RECORD)
+    record["size"], record["table"] = [3.0, 4.0], [[1.0, 2.0], [5.0, 7.0]]
+    code, needs = standalone(_probed.py_func, "pitchpoint_probe")
+    where = machine_code.link("pitchpoint_probe", code, needs) if code else None
+    return where is not None and door.invoke_address(where, 0, record.ctypes.data, 2) == 16 + 2 * 23

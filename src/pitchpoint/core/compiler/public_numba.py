@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Compiles kernels, entries and user laws through the public interface of Numba.
+
+`kernel` imports it on demand. Where the version of Numba is one of those that `compiler.private_numba` knows,
+that module replaces the slow parts of this one; ``PITCHPOINT_STOCK_NUMBA=1`` switches it off. Both make the
+same numbers and keep the machine code of entries in the same way, in folders of their own.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import re
+from collections.abc import Callable
+from typing import Any
+
+import numba
+from llvmlite import binding
+from numba import carray, cfunc, config, njit, typeof
+from numba.extending import typeof_impl
+
+from pitchpoint.core import kernel as door
+from pitchpoint.core.compiler import machine_code
+from pitchpoint.core.compiler.intrinsics import ENTRY, FLAGS, LAW, call_entry, call_law, pointer
+from pitchpoint.core.notices import notice
+
+TESTED = (0, 61), (0, 69)
+"""Versions of Numba for which `compiler.private_numba` was tested: from the first up to below the second."""
+
+
+_ways: list[Any] = []
+"""The faster way, once it is known: a module or None."""
+
+
+def private() -> Any:
+    """Module with the faster way through Numba's private parts; None where it does not fit."""
+    if not _ways:
+        _ways.append(None)
+        reason = "" if machine_code.is_stock() else _misfit()
+        if reason:
+            _ways[:] = [None]
+            notice(
+                f"Numba {numba.__version__} {reason}: kernels compile through its public interface, "
+                "which takes about twice as long"
+            )
+    return _ways[0]
+
+
+def _misfit() -> str:
+    """Take the faster way if version and probe fit; otherwise the reason why not."""
+    version = tuple(int(n) for n in re.findall(r"\d+", numba.__version__)[:2])
+    low, high = TESTED
+    if not low <= version < high:
+        return f"is outside the tested range {low[0]}.{low[1]} to {high[0]}.{high[1] - 1}"
+    try:
+        from pitchpoint.core.compiler import private_numba
+
+        _ways[:] = [private_numba]  # the probe compiles, too
+        return "" if private_numba.probe() else "does not pass the probe"
+    except Exception as found:
+        return f"does not pass the probe ({type(found).__name__})"
+
+
+@typeof_impl.register(door.Kernel)
+def _type_of_kernel(kernel: door.Kernel, _: Any) -> Any:
+    """The type by which Numba knows a kernel that another one calls."""
+    return typeof(kernel.dispatcher)
+
+
+@typeof_impl.register(door.Intrinsic)
+def _type_of_intrinsic(found: door.Intrinsic, _: Any) -> Any:
+    return private().intrinsic_type(found.__name__) if private() else typeof(_INTRINSICS[found.__name__])
+
+
+# ------------------------------------------------------------------------------------- kernels and entries
+
+
+def dispatcher(kernel: door.Kernel) -> Any:
+    """Make what represents a kernel inside other kernels."""
+    return private().dispatcher(kernel) if private() else njit(nogil=True, **FLAGS)(kernel.py_func)
+
+
+def python_callable(kernel: door.Kernel) -> Any:
+    """Make what a call of a kernel from Python runs: a compilation with a wrapper."""
+    return private().python_callable(kernel) if private() else njit(nogil=True, **FLAGS)(kernel.py_func)
+
+
+def entry_address(kernel: door.Kernel) -> tuple[int, Any]:
+    """Compile an entry; its address, and what has to be kept for it.
+
+    The machine code is written to disk if it does not need Numba at run time. Otherwise (it may raise, or it
+    allocates) Numba's own callback is used, which every process compiles again.
+    """
+    source, name = kernel.py_func, machine_code.symbol(kernel.py_func)
+    made = None
+    if not config.BOUNDSCHECK and not machine_code.is_refused(source):
+        try:
+            if private():
+                code, needs = private().standalone(source, name)
+            else:
+                made = cfunc(ENTRY, **FLAGS)(source)
+                code, needs = _standalone(made, name)
+            where = machine_code.link(name, code, needs) if code else None
+        except Exception:  # a fault of the kernel itself appears again below
+            where, code, needs = None, b"", []
+        if where:
+            machine_code.save(source, code, needs)
+            return where, None
+    made = made or cfunc(ENTRY, **FLAGS)(source)
+    if not config.BOUNDSCHECK:
+        machine_code.save(source, b"", [])  # the next process need not try
+    return int(made.address), made
+
+
+def _standalone(made: Any, name: str) -> tuple[bytes, list[str]]:
+    """Object file of a callback and the symbols that it expects; empty if it needs Numba at run time.
+
+    Numba's text has a way out to the interpreter for exceptions. LLVM removes it where it sees the whole
+    program and no exception can occur: everything but the callback itself is made internal to the module.
+    """
+    text = made.inspect_llvm()
+    if "numba.dynamic.globals" in text:
+        return b"", []
+    module = binding.parse_assembly(text.replace(made.native_name, name))
+    for each in (*module.functions, *module.global_variables):
+        if not each.is_declaration and each.name != name:
+            each.linkage = "internal"
+    machine = binding.Target.from_triple(binding.get_process_triple()).create_target_machine(
+        cpu=binding.get_host_cpu_name(),
+        features=binding.get_host_cpu_features().flatten(),
+        opt=3,
+        codemodel="jitdefault",
+        jit=True,
+    )
+    builder = binding.create_pass_builder(machine, binding.create_pipeline_tuning_options(speed_level=3))
+    builder.getModulePassManager().run(module, builder)
+    needs = machine_code.declared(module)
+    return (b"", []) if machine_code.is_foreign(needs) else (machine.emit_object(module), needs)
+
+
+# ------------------------------------------------------------------------------------------------------ laws
+
+
+def law_callback(function: Any, plain: Callable[..., float]) -> Any:
+    """Compile a user law; whatever the compiler refuses is called back as plain Python.
+
+    Parameters
+    ----------
+    function
+        The law.
+    plain
+        The same for the interpreter, with exceptions caught.
+    """
+    try:
+        return cfunc(LAW, **FLAGS)(_caught(function))
+    except Exception:
+        kind = ctypes.CFUNCTYPE(
+            ctypes.c_double, ctypes.c_double, ctypes.c_double, ctypes.POINTER(ctypes.c_double)
+        )
+        return kind(plain)
+
+
+def _caught(function: Any) -> Any:
+    """A law to compile; an exception raised in compiled code would otherwise return an unmarked zero."""
+    inner = njit(nogil=True, **FLAGS)(getattr(function, "py_func", function))
+
+    def law(t, x, p):
+        """The law, with NaN in place of an exception."""
+        try:
+            return float(inner(t, x, p))
+        except Exception:
+            return math.nan
+
+    return law
+
+
+# ------------------------------------------------------------------------------------------------ intrinsics
+
+
+@njit(nogil=True, **FLAGS)
+def _view(where, shape, dtype):
+    return carray(pointer(where), shape, dtype)
+
+
+@njit(nogil=True, **FLAGS)
+def _call(where, a, b, c):
+    return call_entry(where, a, b, c)
+
+
+@njit(nogil=True, **FLAGS)
+def _call_law(where, t, x, p):
+    return call_law(where, t, x, p)
+
+
+_INTRINSICS = {"view": _view, "call": _call, "call_law": _call_law}

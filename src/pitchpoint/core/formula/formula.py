@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Formulas in model files: a small language of its own, never evaluated as Python.
+
+A text such as ``150 N m * (1 + 0.1*sin(2*pi*25 Hz*t))`` becomes a postfix programme of integers and
+constants. The same programme runs over arrays here and inside compiled loops in
+`pitchpoint.core.formula.kernel`. Only the functions of `FUNCTIONS`, the constant pi, numbers with units
+and the declared variables exist; there is nothing else to reach.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.formula.language import (
+    ARITY,
+    CONST,
+    CONSTANTS,
+    FUNCTIONS,
+    MAX_DEPTH,
+    MAX_TEXT,
+    MAX_VARIABLES,
+    VAR,
+    FormulaError,
+    apply,
+)
+from pitchpoint.core.formula.parser import Parser
+
+__all__ = ["CONSTANTS", "FUNCTIONS", "MAX_DEPTH", "Formula", "FormulaError"]
+
+
+@dataclass(frozen=True, eq=False)
+class Formula:
+    """A formula of up to three variables as a postfix programme.
+
+    Parameters
+    ----------
+    text
+        The formula as it was written.
+    variables
+        Names of the variables, in the order of the arguments.
+    ops
+        Programme, int64, shape (n,): the first entry is the number of constants, every further one an
+        operation in the low byte and its argument above.
+    consts
+        Constants in SI units, float64.
+    depth
+        Number of stack places that the programme needs.
+    """
+
+    text: str
+    variables: tuple[str, ...]
+    ops: NDArray[np.int64]
+    consts: NDArray[np.float64]
+    depth: int
+
+    @classmethod
+    def parse(cls, text: str, variables: tuple[str, ...] = ("t",), dimension: str = "") -> Formula:
+        """Read a formula.
+
+        Parameters
+        ----------
+        text
+            The formula; numbers may carry units, powers are written ^ or **.
+        variables
+            Up to three names that it may use.
+        dimension
+            Name of a row of `DIMENSIONS` that the units in the formula have to give; empty for any.
+
+        Raises
+        ------
+        FormulaError
+            For units that contradict each other and for anything outside the language; nothing of the text
+            is ever executed.
+
+        Examples
+        --------
+        >>> Formula.parse("2 kN m * step(t - 1 ms) + 1 N m")(np.array([0.0, 1.0]))
+        array([1.000e+00, 2.001e+03])
+        """
+        if not isinstance(text, str):
+            raise FormulaError(f"{text!r} is not a formula")
+        if len(text) > MAX_TEXT:
+            raise FormulaError(f"the formula has {len(text)} characters (limit {MAX_TEXT})")
+        if len(variables) > MAX_VARIABLES:
+            raise FormulaError(f"a formula has at most {MAX_VARIABLES} variables")
+        parser = Parser(text, tuple(variables), dimension)
+        parser.run()
+        consts = np.array(parser.consts, dtype=np.float64)
+        ops = np.array([consts.size, *(op | arg << 8 for op, arg in parser.code)], dtype=np.int64)
+        ops.flags.writeable = consts.flags.writeable = False
+        return cls(text, tuple(variables), ops, consts, parser.depth)
+
+    def __call__(self, *values: float | NDArray[np.float64]) -> Any:
+        """Evaluate for numbers or arrays; outside its domain the result is NaN or infinite.
+
+        Parameters
+        ----------
+        *values
+            One value per variable, numbers or arrays of one shape.
+        """
+        if len(values) != len(self.variables):
+            raise FormulaError(f"the formula needs {len(self.variables)} values: {', '.join(self.variables)}")
+        stack: list[Any] = []
+        with np.errstate(all="ignore"):
+            for word in self.ops[1:]:
+                op, arg = int(word) & 255, int(word) >> 8
+                if op == CONST:
+                    stack.append(self.consts[arg])
+                elif op == VAR:
+                    stack.append(np.asarray(values[arg], dtype=np.float64))
+                else:
+                    n = ARITY[op]
+                    operands = stack[-n:]
+                    del stack[-n:]
+                    stack.append(apply(op, *operands))
+        shape = np.broadcast_shapes(*(np.shape(v) for v in values))
+        result = np.broadcast_to(np.asarray(stack[0], dtype=np.float64), shape)
+        return float(result) if shape == () else np.array(result)
+
+    def workspace(self) -> NDArray[np.float64]:
+        """Make the array that the compiled evaluation needs: constants, then values and slopes."""
+        return np.concatenate([self.consts, np.zeros(2 * self.depth)])
+
+    def uses(self, name: str) -> bool:
+        """Whether a variable occurs in the formula.
+
+        Parameters
+        ----------
+        name
+            One of the declared variables.
+        """
+        code = VAR | self.variables.index(name) << 8
+        return bool(np.any(self.ops[1:] == code))

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Constraint row of two bodies that never part, from their place of contact and its changes.
+
+The row is the gap, g = h. The places of contact on both bodies are not unknowns: they are eliminated with
+their derivatives, as the geometry gives how the normal n and the place Q move with both bodies (dn, dQ). With
+u the velocity of body i against body j at Q,
+
+    g' = n . u,    g'' = n . u' + n' . u,    u' = sum of +-(a + alpha x r + omega x (Q' - v)),
+
+where n' and Q' are dn and dQ times the rates of both bodies: Q' runs along the curves and surfaces. The load
+lambda of the row turns with n, and its place runs with Q.
+"""
+
+from __future__ import annotations
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.contacts.wrench import change, moved
+from pitchpoint.multibody.channels import F8
+from pitchpoint.multibody.vectors import cross, dot, plus, triple
+
+FORCE = ("contact_force", "N", "force that presses the bodies apart; negative where they would part")
+
+
+@kernel
+def _rate(A, f, g):
+    """Rate of a vector from its changes (3, 12) and the rates of both bodies."""
+    x = (0.0, 0.0, 0.0)
+    for k in range(12):
+        speed = f["tw"][k] if k < 6 else g["tw"][k - 6]
+        x = plus(x, speed, change(A, k))
+    return x
+
+
+@kernel
+def _acceleration(o, Q, run):
+    """Rate of the velocity of body o at a place Q that moves with `run`."""
+    w = triple(o["tw"], 3)
+    away = plus(run, -1.0, triple(o["tw"], 0))
+    a = plus(triple(o["ac"], 0), 1.0, cross(triple(o["ac"], 3), plus(Q, -1.0, triple(o["r"], 0))))
+    return plus(a, 1.0, cross(w, away))
+
+
+@kernel
+def _velocity(o, Q):
+    """Velocity of body o at Q."""
+    return plus(triple(o["tw"], 0), 1.0, cross(triple(o["tw"], 3), plus(Q, -1.0, triple(o["r"], 0))))
+
+
+@kernel
+def second_rate(b, f, g):
+    """Second time derivative of the gap at the rates and accelerations in the frames."""
+    n = triple(b["n"], 0)
+    Q = triple(b["Q"], 0)
+    run = _rate(b["dQ"], f, g)
+    u = plus(_velocity(f, Q), -1.0, _velocity(g, Q))
+    du = plus(_acceleration(f, Q, run), -1.0, _acceleration(g, Q, run))
+    return dot(n, du) + dot(_rate(b["dn"], f, g), u)
+
+
+@kernel
+def _tangent(b, ctl, f, g, lam):
+    """Add the change of the wrenches of the load with the places of both bodies."""
+    kk = view(ctl["kk"], (ctl["np"], 6, 6), F8)
+    s = ctl["ck"] * lam
+    n = triple(b["n"], 0)
+    Q = triple(b["Q"], 0)
+    ai = plus(Q, -1.0, triple(f["r"], 0))
+    aj = plus(Q, -1.0, triple(g["r"], 0))
+    for k in range(12):
+        if k >= 6 and b["j"] == 0:
+            break
+        c = k % 6
+        dn = change(b["dn"], k)
+        di = change(b["dQ"], k)
+        dj = di
+        if c < 3 and k < 6:
+            di = plus(di, -1.0, moved(c, ai))
+        elif c < 3:
+            dj = plus(dj, -1.0, moved(c, aj))
+        mi = plus(cross(di, n), 1.0, cross(ai, dn))
+        mj = plus(cross(dj, n), 1.0, cross(aj, dn))
+        ki = kk[b["ii"]] if k < 6 else kk[b["ij"]]
+        kj = kk[b["ji"]] if k < 6 else kk[b["jj"]]
+        for r in range(3):
+            ki[r, c] += s * dn[r]
+            ki[3 + r, c] += s * mi[r]
+            if b["j"] != 0:
+                kj[r, c] -= s * dn[r]
+                kj[3 + r, c] -= s * mj[r]
+
+
+@kernel
+def hold(b, ctl, f, o, g, gtt, Gf):
+    """Fill in the row of the place of contact in the record; returns its load."""
+    r = b["row"]
+    n = triple(b["n"], 0)
+    Q = triple(b["Q"], 0)
+    g[r] = b["h"]
+    mi = cross(plus(Q, -1.0, triple(f["r"], 0)), n)
+    mj = cross(plus(Q, -1.0, triple(o["r"], 0)), n)
+    for k in range(3):
+        Gf[r, 0, k] = n[k]
+        Gf[r, 0, 3 + k] = mi[k]
+        Gf[r, 1, k] = -n[k]
+        Gf[r, 1, 3 + k] = -mj[k]
+    gtt[r] = second_rate(b, f, o)
+    lam = view(ctl["lam"], ctl["nc"], F8)[r]
+    if ctl["jac"] != 0 and ctl["ck"] != 0.0 and lam != 0.0:
+        _tangent(b, ctl, f, o, lam)
+    return lam

@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forces of one flank of a bevel mesh: where its nodes lie; `mesh.sums.add_node` is what each of them does.
+
+Along a contact line the path position is p = p_0 + lam ln(R/R_m) base pitches, so straight teeth touch along
+rays. Five Gauss points on every piece between kinks (start and end of contact, ends of the ramps, where the
+flanks separate, the pitch ray where sliding reverses) integrate force, couples and tangents. Slices of a pair
+at different R are similar: the stiffness per face width is the same along the face.
+
+Where nothing is observed, `watch` is None, and what only observations need is not compiled.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.contact.flank_law import flank_energy
+from pitchpoint.contact.lift_off import MOST_STEPS, narrowed, secant
+from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.mesh.bevel.record import N_OUT, N_OWN, PHASE
+from pitchpoint.elements.mesh.observations import add_pair_force
+from pitchpoint.elements.mesh.sums import across, add_node
+from pitchpoint.multibody.channels import F8
+
+_PLACES = (-0.906179845938664, -0.5384693101056831, 0.0, 0.5384693101056831, 0.906179845938664)
+_WEIGHTS = (
+    0.2369268850561891,
+    0.4786286704993665,
+    0.5688888888888889,
+    0.4786286704993665,
+    0.2369268850561891,
+)
+
+
+@kernel
+def _stand(b, R, sigma):
+    """Levers of a node; gives its penetration along the base tangent [m]."""
+    now = b["now"]
+    lever = b["lever"]
+    c = math.cos(sigma)
+    s = math.sin(sigma)
+    lever[0] = c
+    lever[1] = s
+    lever[2] = R
+    lever[3] = 1.0
+    lever[4] = R * c
+    lever[5] = R * s
+    return across(b, now["x"]) - now["lacks"] * R / b["R_m"]
+
+
+@kernel
+def _add(b, watch, x, k, limit, feed):
+    """Add the node whose levers are set: its displacement over that at R_m is R/R_m."""
+    size = b["lever"][2] / b["R_m"]
+    return add_node(b, watch, x, k, limit, feed, None, size * size)
+
+
+@kernel
+def _ray(b, p):
+    """Angle of the ray at the path position p from the pitch ray [rad]."""
+    return (b["now"]["xi_A"] + p * b["p_bt"]) / b["R_m"]
+
+
+@kernel
+def _line_at(b, p_0, R):
+    """Path position of a contact line at the cone distance R; along straight teeth always the same."""
+    now = b["now"]
+    if now["lam"] == 0.0:
+        return p_0
+    return p_0 + now["lam"] * math.log(R / b["R_m"])
+
+
+@kernel
+def _aside(b, sigma, p_rate):
+    """Rate of the penetration of a place that the contact line runs over at p_rate base pitches/s."""
+    now = b["now"]
+    rate = (now["xi_A_rate"] + p_rate * b["p_bt"]) / b["R_m"]
+    return rate * (now["x"][1] * math.cos(sigma) - now["x"][0] * math.sin(sigma))
+
+
+@kernel
+def _pair_node(b, watch, p_0, R, weight):
+    """One node of the pair whose contact line is at p_0 at R_m, with its share of the face width [m]."""
+    now = b["now"]
+    p = _line_at(b, p_0, R)
+    sigma = _ray(b, p)
+    x = _stand(b, R, sigma)
+    scale = b["c_prime"] * weight
+    k_rate = 0.0
+    x_rate = 0.0
+    if watch is not None:
+        p_rate = now["phase_rate"][0 if now["flank"] > 0 else 1]
+        wider = b["T_R"] * now["eps_rate"]
+        k_rate = scale * pair_shape_rate(p, p_rate, now["eps"], now["eps_rate"], b["S_R"], now["L"], wider)
+        x_rate = _aside(b, sigma, p_rate)
+    k = scale * pair_shape(p, now["eps"], b["S_R"], now["L"])
+    return _add(b, watch, x, k, b["load_limit"] * weight, (k_rate, x_rate, 0.0))
+
+
+@kernel
+def _total_node(b, watch, R, weight):
+    """One node of a constant total stiffness, which acts along the pitch ray."""
+    x = _stand(b, R, 0.0)
+    return _add(b, watch, x, b["c_prime"] * b["spread"] * weight, 0.0, (0.0, 0.0, 0.0))
+
+
+@kernel
+def _depth(b, p_0, R):
+    """Penetration along the base tangent of a contact line at R [m]."""
+    return _stand(b, R, 0.0 if b["source"] == PHASE else _ray(b, _line_at(b, p_0, R)))
+
+
+@kernel
+def _edge(b, p_0, a, c, x_a, x_c):
+    """Where between a and c, at which it has different signs, the penetration is zero."""
+    bracket = (a, c, x_a, x_c, 0)
+    small = 1e-15 * (abs(x_a) + abs(x_c))
+    R = c
+    for _ in range(MOST_STEPS):
+        R = secant(bracket)
+        x = _depth(b, p_0, R)
+        if abs(x) <= small:
+            break
+        bracket = narrowed(bracket, R, x)
+    return R
+
+
+@kernel
+def _gauss(b, watch, p_0, a, c):
+    """Five Gauss points between the cone distances a and c."""
+    half = 0.5 * (c - a)
+    f = 0.0
+    for k in range(5):
+        R = a + half * (1.0 + _PLACES[k])
+        if b["source"] == PHASE:
+            f += _total_node(b, watch, R, half * _WEIGHTS[k])
+        else:
+            f += _pair_node(b, watch, p_0, R, half * _WEIGHTS[k])
+    return f
+
+
+@kernel
+def _piece(b, watch, p_0, a, c):
+    """The part of a smooth piece on which the flanks touch."""
+    x_a = _depth(b, p_0, a)
+    x_c = _depth(b, p_0, c)
+    if (x_a > 0.0) == (x_c > 0.0):
+        return _gauss(b, watch, p_0, a, c)
+    edge = _edge(b, p_0, a, c, x_a, x_c)
+    if x_a > 0.0:
+        return _gauss(b, watch, p_0, a, edge)
+    return _gauss(b, watch, p_0, edge, c)
+
+
+@kernel
+def _crossing(b, p_0, p):
+    """Cone distance at which a contact line is at the path position p."""
+    return b["R_m"] * math.exp((p - p_0) / b["now"]["lam"])
+
+
+@kernel
+def _end(b, p_0, p, leaves):
+    """Parametric power of the end of a contact line without ramp, at the path position p.
+
+    `leaves` is the rate at which the contact line passes that end [base pitches/s].
+    """
+    now = b["now"]
+    R = _crossing(b, p_0, p)
+    if R <= b["R_m"] + now["lo"] or R >= b["R_m"] + now["hi"]:
+        return
+    x = _depth(b, p_0, R)
+    if x > 0.0 and b["S_R"] > 0.0:
+        energy = flank_energy(b["contact"], x, x, b["c_prime"] * b["S_R"], b["load_limit"], None)[0]
+        b["sums"]["parametric_power"] += energy * leaves * R / abs(now["lam"])
+
+
+@kernel
+def _pair(b, watch, p_0):
+    """Sum over one contact line, split at its kinks."""
+    now = b["now"]
+    R = b["R_m"] + now["lo"]
+    end = b["R_m"] + now["hi"]
+    eps = now["eps"]
+    lam = now["lam"]
+    if R >= end:
+        return 0.0
+    if lam == 0.0:
+        return _piece(b, watch, p_0, R, end) if p_0 >= 0.0 and p_0 <= eps else 0.0
+    if watch is not None and now["L"] == 0.0:
+        rate = now["phase_rate"][0 if now["flank"] > 0 else 1]
+        _end(b, p_0, 0.0, rate)
+        _end(b, p_0, eps, now["eps_rate"] - rate)
+    L = min(now["L"], 0.5 * eps)
+    to_A = _crossing(b, p_0, 0.0)
+    to_E = _crossing(b, p_0, eps)
+    R = max(R, min(to_A, to_E))
+    end = min(end, max(to_A, to_E))
+    f = 0.0
+    while R < end:
+        stop = end
+        for k in range(3):
+            at = _crossing(b, p_0, L if k == 0 else eps - L if k == 1 else -now["xi_A"] / b["p_bt"])
+            if at > R and at < stop:
+                stop = at
+        f += _piece(b, watch, p_0, R, stop)
+        R = stop
+    return f
+
+
+@kernel
+def _nominal(b):
+    """The whole shared face, teeth in their places."""
+    now = b["now"]
+    now["lo"] = b["z_lo"]
+    now["hi"] = b["z_hi"]
+    now["lacks"] = 0.0
+
+
+@kernel
+def _own(b, q):
+    """Deviations of the two teeth of the pair q: the tooth of gear 1 and the one ahead of or behind the space
+    of gear 2. Displaced teeth are ahead of their place on one flank and behind it on the other."""
+    now = b["now"]
+    flank = now["flank"]
+    pair = flank * (int(q) - now["tooth"])
+    for gear in range(2):
+        n = b["n_t"][gear]
+        if n == 0:
+            continue
+        first = b["t1_0"] + pair if gear == 0 else b["t2_0"] - pair + (1 if flank < 0 else 0)
+        table = view(b["pool"] + 8 * b["teeth"][gear], (n, N_OWN), F8)
+        tooth = first % n
+        now["lo"] = max(now["lo"], table[tooth, 0])
+        now["hi"] = min(now["hi"], table[tooth, 1])
+        now["lacks"] -= flank * table[tooth, 2]
+
+
+@kernel
+def sum_flank(b, watch):
+    """All pairs of the current flank, or its constant total stiffness."""
+    now = b["now"]
+    _nominal(b)
+    if b["source"] == PHASE:
+        _piece(b, watch, 0.0, b["R_m"] + b["z_lo"], b["R_m"] + b["z_hi"])
+        return
+    first = _line_at(b, now["psi"], b["R_m"] + b["z_lo"])
+    last = _line_at(b, now["psi"], b["R_m"] + b["z_hi"])
+    q = float(math.ceil(-max(first, last)))
+    stop = math.floor(now["eps"] - min(first, last))
+    while q <= stop:
+        if b["n_sep"] > 0:
+            _nominal(b)
+            _own(b, q)
+        f = _pair(b, watch, now["psi"] + q)
+        if watch is not None and b["request"]["out"] != 0 and b["n_pair"] > 0:
+            add_pair_force(b, N_OUT, (now["tooth"] - int(q)) % b["n_pair"], now["flank"] * f)
+        q += 1.0

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contact lines of one flank of a mesh: where they lie and what they carry, for pictures.
+
+Solvers do not use them. The mesh was observed before, so its record holds the line of action; loads come from
+the nodes that `mesh.tooth_pairs` sums, one by one. With the bodies at rest they are the elastic part.
+
+A pair of teeth keeps its number N while in mesh: its contact line is p(z) = phase - N + lam z from
+the start A of the path, in base pitches. Slot N mod n_pair is that of its channel `pair_force`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.status import OK
+from pitchpoint.elements.mesh.flank_deviations import begin_separation, find_rows
+from pitchpoint.elements.mesh.force_directions import flank_tilt
+from pitchpoint.elements.mesh.line_of_action import begin_flank, countable
+from pitchpoint.elements.mesh.record import PROFILE, RECORD, ROWS
+from pitchpoint.elements.mesh.sums import begin_sums
+from pitchpoint.elements.mesh.tooth_pairs import pair_line, pair_node, pair_teeth
+from pitchpoint.multibody.channels import F8
+
+#: One question about one flank, and its answer.
+LINES = np.dtype(
+    [
+        ("record", "i8"),  # address of the record of the mesh
+        ("flank", "i8"),  # 1 front, -1 back
+        ("deflection", "f8"),  # travel of the gears along the base tangent less its excitation [m]
+        ("stations", "i8"),  # places along each line, at least 2
+        ("pairs", "i8"),  # answer: whole pairs that went by, and
+        ("psi", "f8"),  # the rest: pairs + psi is the phase of the flank
+        ("forces", "i8"),  # address of the forces of the slots [n_pair], base tangent, front positive [N]
+        ("loads", "i8"),  # address of their loads [n_pair, stations], per width [N/m]
+    ],
+    align=True,
+)
+
+_INSIDE = 1e-9
+"""Part of a line that its first and last station are away from its ends, where loads may jump."""
+
+
+@kernel
+def _begin(b, flank, deflection):
+    """What the nodes of a flank read, into the scratch, for bodies at rest; gives its penetration."""
+    now = b["now"]
+    begin_flank(b, flank, 1.0)
+    now["kappa"] = 0.0
+    if b["fixed"] == 0:
+        flank_tilt(b, flank)
+    now["tilt"] = now["kappa"] * (1.0 + b["tan_b"] * b["tan_b"])
+    now["growth"] = 0.0
+    for k in range(ROWS):
+        b["rate"][k] = 0.0
+    b["request"]["jac"] = 0
+    begin_sums(b)
+    if b["n_sep"] > 0:
+        begin_separation(b)
+    return flank * deflection - 0.5 * now["gap"]
+
+
+@kernel
+def _loads(b, p_0, x_q, deviating, loads):
+    """Loads per width at even places on the part of a contact line that lies on the flanks."""
+    now = b["now"]
+    a = now["z_lo"]
+    end = now["z_hi"]
+    lam = now["lam"]
+    if lam != 0.0:
+        u = -p_0 / lam
+        v = (now["eps"] - p_0) / lam
+        a = max(a, min(u, v))
+        end = min(end, max(u, v))
+    n = loads.size
+    for s in range(n):
+        share = _INSIDE + (1.0 - 2.0 * _INSIDE) * s / (n - 1)
+        loads[s] = pair_node(b, None, p_0, x_q, a + share * (end - a), 1.0, deviating)
+
+
+@kernel
+def contact_lines(b, question):
+    """Forces and loads of all pairs of one flank."""
+    now = b["now"]
+    n = b["n_pair"]
+    stations = question["stations"]
+    forces = view(question["forces"], n, F8)
+    loads = view(question["loads"], (n, stations), F8)
+    flank = question["flank"]
+    deflection = question["deflection"]
+    x_0 = _begin(b, flank, deflection)
+    question["pairs"] = now["tooth"]
+    question["psi"] = now["psi"]
+    for k in range(n):
+        forces[k] = 0.0
+        for s in range(stations):
+            loads[k, s] = 0.0
+    if b["source"] != PROFILE or n == 0 or now["eps"] <= 0.0 or now["z_hi"] <= now["z_lo"]:
+        return
+    if countable(deflection, now["travel"], b["p_bt"], now["eps"]) != OK:
+        return
+    middle = now["psi"] + 0.5 * now["lam"] * (now["z_lo"] + now["z_hi"])
+    reach = 0.5 * abs(now["lam"]) * (now["z_hi"] - now["z_lo"])
+    q = float(math.ceil(-middle - reach))
+    last = math.floor(now["eps"] - middle + reach)
+    while q <= last:
+        p_0 = now["psi"] + q
+        x_q = x_0 - now["kappa"] * flank * b["tan_b"] * (now["xi_A"] + p_0 * b["p_bt"])
+        slot = (now["tooth"] - int(q)) % n
+        if b["n_sep"] > 0 and find_rows(b, pair_teeth(b, q)):
+            forces[slot] += flank * pair_line(b, None, p_0, x_q, 1)
+            _loads(b, p_0, x_q, 1, loads[slot])
+        else:
+            forces[slot] += flank * pair_line(b, None, p_0, x_q, None)
+            _loads(b, p_0, x_q, None, loads[slot])
+        q += 1.0
+
+
+@kernel
+def answer(_, where, n):
+    """Answer n questions about flanks; `where` is the address of the first."""
+    questions = view(where, n, LINES)
+    for k in range(n):
+        contact_lines(view(questions[k]["record"], 1, RECORD)[0], questions[k])
+    return OK

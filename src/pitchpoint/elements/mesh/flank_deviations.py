@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Deviations of flanks from the involute: grids of both gears, read at the point of contact.
+
+Of every gear there are two stacks of grids over its width and its length of roll. The first holds gaps along
+the base tangent and added compliances, both from station to station; the second, finer where it has to be,
+levels: what is broken or worn out of the flank is the positive part of a level, whose zero line is the edge.
+A table per gear lists for every flank and tooth which rows of the stacks are its own, and between which
+stations they change over the width; a tooth without rows is nominal.
+"""
+
+from __future__ import annotations
+
+import math
+
+from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.mesh.line_of_action import pooled
+from pitchpoint.elements.mesh.record import N_ROW
+from pitchpoint.multibody.channels import F8
+
+_NEAR = 1e-9
+"""Part of a cell that a station may lie before the end of a piece without making one of its own."""
+
+
+@kernel
+def begin_separation(b):
+    """What all nodes of a flank need to read the grids, into the scratch."""
+    now = b["now"]
+    now["tan_a"] = now["sin_a"] / now["cos_a"]
+    now["tan_rate"] = now["xi_A_rate"] / b["r_b2"]
+    for s in range(4):
+        gear = s % 2
+        now["per_z"][s] = (b["n_sz"][s] - 1) / (b["b1"] if gear == 0 else b["b2"])
+        now["per_roll"][s] = (b["n_sx"][s] - 1) / (b["roll"][gear, 1] - b["roll"][gear, 0])
+
+
+@kernel
+def runs_damped(b):
+    """Whether contact damping feels how fast contacts run over separated flanks."""
+    return b["n_sep"] > 0 and (
+        b["contact"]["d_in"] > 0.0 or b["contact"]["d_out"] > 0.0 or b["contact"]["chi"] > 0.0
+    )
+
+
+@kernel
+def find_rows(b, teeth):
+    """Whether one of two teeth has rows of its own; they go into the scratch."""
+    now = b["now"]
+    flank = 0 if now["flank"] > 0 else 1
+    found = False
+    for gear in range(2):
+        n = b["n_t"][gear]
+        table = view(pooled(b, b["teeth"][gear]), (2, n, N_ROW), F8)
+        tooth = (teeth[0] if gear == 0 else teeth[1]) % n
+        for k in range(N_ROW):
+            now["rows"][gear, k] = int(table[flank, tooth, k])
+        if now["rows"][gear, 0] >= 0 or now["rows"][gear, 1] >= 0 or now["rows"][gear, 2] >= 0:
+            found = True
+    return found
+
+
+@kernel
+def _place_on(b, gear, z, xi):
+    """Place on the flank of a gear: width from its mid-face and length of roll [m].
+
+    z counts from the plane of the pitch point; each grid has its own mid-face.
+    """
+    now = b["now"]
+    z1 = z + b["w1"] * now["dz"]
+    if gear == 0:
+        return z1, xi + b["r_b1"] * now["tan_a"]
+    return z1 - now["dz"], b["r_b2"] * now["tan_a"] - xi
+
+
+@kernel
+def pair_separation(b, z, xi, z_rate, xi_rate):
+    """What the two teeth of `find_rows` have of their own at width z and path position xi [m].
+
+    Gap along the base tangent [m], its rate where the place moves at z_rate and xi_rate [m/s], its slope over
+    xi; what is broken out [m] and its rate; added compliance per face width [m^2/N] and its rate.
+    """
+    now = b["now"]
+    gap = gap_rate = slope = level = level_rate = soft = soft_rate = 0.0
+    z_rate += b["w1"] * now["dz_rate"]
+    for gear in range(2):
+        at, roll = _place_on(b, gear, z, xi)
+        way = 1.0 if gear == 0 else -1.0
+        along = way * xi_rate + (b["r_b1"] if gear == 0 else b["r_b2"]) * now["tan_rate"]
+        across = z_rate if gear == 0 else z_rate - now["dz_rate"]
+        row = now["rows"][gear, 0]
+        if row >= 0:
+            value, over_z, over_roll = _read(b, gear, row, at, roll)
+            gap += value
+            gap_rate += over_z * across + over_roll * along
+            slope += way * over_roll
+        row = now["rows"][gear, 1]
+        if row >= 0:
+            value, over_z, over_roll = _read(b, gear, row, at, roll)
+            soft += value
+            soft_rate += over_z * across + over_roll * along
+        row = now["rows"][gear, 2]
+        if row >= 0:
+            value, over_z, over_roll = _read(b, 2 + gear, row, at, roll)
+            if value > 0.0:
+                level += value
+                level_rate += over_z * across + over_roll * along
+    return gap, gap_rate, slope, level, level_rate, soft, soft_rate
+
+
+@kernel
+def has_level(b, gear):
+    """Whether something may be broken out of the tooth of gear 1 or 2 (0 or 1)."""
+    return b["now"]["rows"][gear, 2] >= 0
+
+
+@kernel
+def level_at(b, gear, z, xi):
+    """Level of the tooth of gear 1 or 2 (0 or 1) at a place of a contact line [m]; below 0: whole."""
+    at, roll = _place_on(b, gear, z, xi)
+    return _read(b, 2 + gear, b["now"]["rows"][gear, 2], at, roll)[0]
+
+
+@kernel
+def gap_at(b, z, xi):
+    """All that both teeth lack at a place of a contact line [m]."""
+    now = b["now"]
+    gap = 0.0
+    for gear in range(2):
+        at, roll = _place_on(b, gear, z, xi)
+        row = now["rows"][gear, 0]
+        if row >= 0:
+            gap += _read(b, gear, row, at, roll)[0]
+        row = now["rows"][gear, 2]
+        if row >= 0:
+            gap += max(0.0, _read(b, 2 + gear, row, at, roll)[0])
+    return gap
+
+
+@kernel
+def softening_at(b, z, xi):
+    """Compliance that both teeth add at a place of a contact line [m^2/N]."""
+    soft = 0.0
+    for gear in range(2):
+        row = b["now"]["rows"][gear, 1]
+        if row >= 0:
+            at, roll = _place_on(b, gear, z, xi)
+            soft += _read(b, gear, row, at, roll)[0]
+    return soft
+
+
+@kernel
+def next_station(b, a, end):
+    """Where behind `a` a contact line crosses the next station over the width at which rows change.
+
+    Of gaps and compliances, which are smooth, pieces span several stations (`stride`).
+    """
+    now = b["now"]
+    for s in range(4):
+        gear = s % 2
+        first = now["rows"][gear, 3 + 2 * (s // 2)]
+        last = now["rows"][gear, 4 + 2 * (s // 2)]
+        if last <= first:
+            continue
+        zero = 0.5 * (b["n_sz"][s] - 1) / now["per_z"][s]
+        shift = b["w1"] * now["dz"]
+        if gear == 1:
+            shift -= now["dz"]
+        stride = b["stride"] if s < 2 else 1
+        here = (a + shift + zero) * now["per_z"][s] + _NEAR
+        i = min(max(first, (int(math.floor(here / stride)) + 1) * stride), last)
+        if i > here:
+            stop = i / now["per_z"][s] - zero - shift
+            if stop > a and stop < end:
+                end = stop
+    return end
+
+
+@kernel
+def spin_direction(b):
+    """Row 0 of the wrench basis where the gears only spin: the torques of a base-tangent force of one."""
+    now = b["now"]
+    m = now["m"]
+    for k in range(3):
+        b["basis_i"][0, k] = b["basis_j"][0, k] = 0.0
+        b["basis_i"][0, 3 + k] = -now["flank"] * b["r_b1"] * m[k]
+        b["basis_j"][0, 3 + k] = -now["flank"] * b["r_b2"] * m[k]
+
+
+@kernel
+def add_roll_tangent(b, kk, rows):
+    """Tangent of the contact damping over the rate at which the contact runs over separated flanks.
+
+    That of the mean travel, half of r_b1 omega1 - r_b2 omega2; `rows` of the wrench basis are in use. How the
+    place of the contact moves with the other rates is neglected, like the rotation of the line of action.
+    """
+    now = b["now"]
+    m = now["m"]
+    half = 0.5 * now["flank"]
+    for p in range(rows):
+        c1 = half * b["r_b1"] * b["sums"]["roll"][p]
+        c2 = half * b["r_b2"] * b["sums"]["roll"][p]
+        for k in range(6):
+            Bi = b["basis_i"][p, k]
+            Bj = b["basis_j"][p, k]
+            for n in range(3):
+                kk[b["request"]["ii"], k, 3 + n] -= Bi * c1 * m[n]
+                kk[b["request"]["ij"], k, 3 + n] += Bi * c2 * m[n]
+                kk[b["request"]["ji"], k, 3 + n] -= Bj * c1 * m[n]
+                kk[b["request"]["jj"], k, 3 + n] += Bj * c2 * m[n]
+
+
+@kernel
+def _read(b, stack, row, z, roll):
+    """Value of a row at width z from mid-face and length of roll |roll| [m], its slopes over z and roll.
+
+    `stack` 0 and 1: gaps and compliances of gear 1 and 2; 2 and 3: levels. Bilinear between the stations,
+    constant beyond the edges.
+    """
+    now = b["now"]
+    nz = b["n_sz"][stack]
+    nx = b["n_sx"][stack]
+    grid = view(pooled(b, b["sep"][stack] + row * nz * nx), (nz, nx), F8)
+    per_z = now["per_z"][stack]
+    per_roll = now["per_roll"][stack]
+    sign = 1.0 if roll > 0.0 else -1.0
+    z = z * per_z + 0.5 * (nz - 1)
+    x = (sign * roll - b["roll"][stack % 2, 0]) * per_roll
+    inside_z = per_z if z > 0.0 and z < nz - 1 else 0.0
+    inside_x = sign * per_roll if x > 0.0 and x < nx - 1 else 0.0
+    z = min(max(z, 0.0), nz - 1.0)
+    x = min(max(x, 0.0), nx - 1.0)
+    i = max(min(int(z), nz - 2), 0)
+    j = min(int(x), nx - 2)
+    i1 = min(i + 1, nz - 1)
+    z -= i
+    x -= j
+    a0 = grid[i, j]
+    a1 = grid[i1, j]
+    d0 = grid[i, j + 1] - a0
+    d1 = grid[i1, j + 1] - a1
+    g0 = a0 + d0 * x
+    g1 = a1 + d1 * x
+    return g0 + (g1 - g0) * z, (g1 - g0) * inside_z, (d0 + (d1 - d0) * z) * inside_x

@@ -1,0 +1,248 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What one gear mesh is to the compiled core: its numbers, its outputs, its scratch.
+
+All lengths in m, angles in rad; gear 1 is body `i`, gear 2 is body `j`; base radii and numbers of teeth are
+signed (internal: negative), so that one set of formulas serves external and internal pairs.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pitchpoint.contact.flank_law import FLANK_LAW
+from pitchpoint.elements.mesh.sums import scratch_of_sums
+
+#: Sources of the stiffness, field `source`.
+PROFILE = 0  # one tooth pair over its path of contact, superposed over all pairs (parabola or table)
+PHASE = 1  # prescribed total stiffness over the mesh phase
+
+#: Form of a prescribed stiffness given by a user law; the others are those of `contact.pair_shape`.
+USER = 3
+
+ROWS = 5
+"""Rows of the wrench basis: normal force times 1 and y, friction times 1, z and xi. With the lever
+y = z + f tan(beta_b) xi of the normal force: axial force times path and transverse force times width turn the
+gears about the same axis."""
+
+#: What the table of a gear holds for a tooth: row of its gap, of its added compliance and of its level, -1
+#: where it has none; first and last station between which gap and compliance, and the level, change over z.
+N_ROW = 7
+
+_BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
+
+_GEOMETRY = [
+    ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
+    ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both are on one base
+    ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body
+    ("seats", "i8"),  # where the gears sit on their bodies, offset in the pool; see `mesh.eccentricity`
+    ("z1", "i8"),
+    ("z2", "i8"),  # signed numbers of teeth
+    ("r_b1", "f8"),
+    ("r_b2", "f8"),  # signed base radii
+    ("p_bt", "f8"),  # transverse base pitch
+    ("w1", "f8"),  # z1 / (z1 + z2): where the pitch point divides the line from gear 1 to gear 2
+    ("w_z", "f8"),  # how far the shared width moves from the pitch point per axial offset of the gears
+    ("tan_b", "f8"),  # tan beta_b of gear 1, right hand positive
+    ("zc1", "f8"),
+    ("zc2", "f8"),  # mid-face positions along the spin axes of the bodies
+    ("b1", "f8"),
+    ("b2", "f8"),  # face widths
+    ("cos1", "f8"),
+    ("sin1", "f8"),  # nominal direction from gear 1 to the pitch point, in the frame of body i
+    ("cos2", "f8"),
+    ("sin2", "f8"),  # the same direction in the frame of body j
+    ("skew", "f8", 2),  # tilt of axis 2 against axis 1 by the housing: along t, along e [rad]
+    ("u0", "f8"),  # base-tangent travel that remains from the assembly, 0 = teeth centred in the backlash
+    ("inv_w0", "f8"),  # involute of the working angle without backlash (allowances included)
+    (
+        "xi_0",
+        "f8",
+    ),  # mean path position of the front flank at zero angles, from the pitch point, less inv part
+    ("xi_b", "f8"),  # the same for the back flank
+    ("rho_a1", "f8"),
+    ("rho_a2", "f8"),  # lengths of roll up to the tips: sqrt(r_a^2 - r_b^2)
+]
+
+_STIFFNESS = [
+    ("source", "i8"),
+    ("slices", "i8"),  # 0: exact width integral
+    ("c_prime", "f8"),  # PROFILE: of one pair per face width [N/m^(power + 1)]; PHASE: mean total [N/m]
+    ("S_R", "f8"),
+    ("T_R", "f8"),
+    ("n_table", "i8"),
+    ("table", "i8"),  # PROFILE: table of the pair, as offset in the pool; n_table 0 is the parabola
+    ("form", "i8"),  # PHASE: FOURIER, TABLE, RECTANGULAR, USER
+    ("n_k", "i8"),
+    ("cosine", "i8"),
+    ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
+    ("deviating", "i8"),  # `tooth_pairs.deviating_line`, where some teeth have grids of their own
+    ("turning", "i8"),  # address of `mesh.exact_tangent.turning`, where exact tangents are required
+    ("law", "i8"),  # PHASE, USER: address of the law
+    ("params", "i8"),  # its parameters, offset in the pool
+    ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
+    ("k_step", "f8"),  # usual slope of the force, from which time steps are guessed [N/m]
+]
+
+_LOSSES = [
+    ("contact", FLANK_LAW),
+    ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
+]
+
+_EXCITATION = [
+    ("n_e", "i8"),  # harmonics of the transmission error over the mesh phase
+    ("e_cos", "i8"),
+    ("e_sin", "i8"),
+    ("n_e1", "i8"),  # orders of shaft 1: rows (order, amplitude, phase)
+    ("e1", "i8"),
+    ("n_e2", "i8"),
+    ("e2", "i8"),
+    ("t1_0", "i8"),
+    ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
+    ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh.flank_deviations`
+    ("n_t", "i8", 2),  # teeth that the tables of both gears distinguish
+    ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
+    ("n_sz", "i8", 4),
+    ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
+    ("sep", "i8", 4),  # offsets of the stacks of grids [row, width, roll], likewise
+    ("roll", "f8", (2, 2)),  # lengths of roll that the grids of both gears span [m]
+    ("stride", "i8"),  # stations of gaps and compliances that one piece of a contact line spans
+    ("sep_min", "f8"),  # smallest sum of both separations
+]
+
+#: Scratch: filled and read within one call, carries nothing from call to call.
+_SCRATCH = [
+    ("m", "f8", 3),  # mean axis
+    ("e", "f8", 3),  # from gear 1 towards the pitch point
+    ("t", "f8", 3),  # m x e
+    ("P", "f8", 3),  # pitch point in the plane of zero tilt gap
+    ("dn", "f8", 3),  # axis of gear 2 less axis of gear 1
+    ("a", "f8"),  # centre distance, signed
+    ("c1", "f8"),
+    ("c2", "f8"),  # e . n of either axis n, zero for parallel axes
+    ("inv_m", "f8"),  # 1 / length of the weighted sum of both axes
+    ("q_e", "f8", 3),
+    ("q_m", "f8", 3),
+    ("q_n", "f8", 3),  # coefficients of a gradient over e, m and dn
+    ("cos_a", "f8"),
+    ("sin_a", "f8"),
+    ("inv_a", "f8"),
+    ("dz", "f8"),  # axial position of gear 2 less that of gear 1
+    ("u", "f8"),  # base-tangent travel from mid-gap: r_b1 phi1 + r_b2 phi2 + ...
+    ("travel", "f8"),  # mean travel along the line of action (phase times p_bt)
+    ("turn", "i8"),  # whole base pitches subtracted from `travel`, modulo a common multiple
+    ("gap", "f8"),  # total backlash along the base tangent at the actual centre distance
+    ("e_t", "f8"),
+    ("e_rate", "f8"),  # excitation and its rate
+    ("travel_rate", "f8"),
+    ("phase_rate", "f8", 2),  # d psi/dt of front and back flank
+    ("dz_rate", "f8"),
+    ("xi_A_rate", "f8"),
+    ("eps_rate", "f8"),
+    ("lo_rate", "f8"),
+    ("hi_rate", "f8"),  # rates of the fields without `_rate`
+    ("line_rate", "f8", 3),
+    ("m_rate", "f8", 3),
+    ("dir_rate", "f8", 3),  # rates of the line between the mid-faces, of m and of e
+    ("xi_A", "f8"),
+    ("eps", "f8"),  # path of contact: start from the pitch point [m], length [base pitches]
+    ("L", "f8"),  # ramp at both ends of the path [base pitches]
+    ("start", "f8", 2),  # share of the place of the gears in the mesh phase of either flank [base pitches]
+    ("flank", "i8"),  # the flank being summed: +1 front, -1 back
+    ("psi", "f8"),
+    ("tooth", "i8"),  # mesh phase in [0, 1) and the whole base pitches that belong to it
+    ("lam", "f8"),  # base pitches per metre of face width along a contact line
+    ("kappa", "f8"),  # n_f . dn, loss of penetration per lever y
+    ("tilt", "f8"),  # loss of penetration per width along a contact line
+    ("tan_a", "f8"),
+    ("tan_rate", "f8"),  # tan alpha and its rate, where flanks have separations
+    ("per_z", "f8", 4),
+    ("per_roll", "f8", 4),  # steps of the grids per metre
+    ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
+    ("line", "f8", 3),  # of a contact line for `deviating_line`: path position, penetration at z = 0, force
+    ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
+    ("z_lo", "f8"),
+    ("z_hi", "f8"),  # shared face width
+    ("lo_slope", "f8"),
+    ("hi_slope", "f8"),  # their change per axial offset of the gears
+    ("moved", "f8", (2, 12)),  # exact tangents: change of its first rows with one motion of one body
+    ("slope", "f8", (2, 12)),  # and of the normal rates with each motion of both bodies
+]
+
+RECORD = np.dtype(
+    [
+        *_BODIES,
+        *_GEOMETRY,
+        *_STIFFNESS,
+        *_LOSSES,
+        *_EXCITATION,
+        ("now", np.dtype(_SCRATCH, align=True)),
+        *scratch_of_sums(ROWS),
+        ("here", "i8"),  # address of this record, for calls through an address
+        ("n_pair", "i8"),
+        ("rubs", "i8"),  # 1: torques of friction are observed
+        ("pool", "i8"),  # address of the float array that holds all tables
+        ("ev", "i8"),
+        ("out", "i8"),
+    ],
+    align=True,
+)
+
+#: Observations of one mesh, in the order they are written; `n_pair` pair forces follow, then `FRICTION`.
+OUTPUTS = (
+    ("transmission_error", "m", "travel of both gears along the base tangent, from mid-gap"),
+    ("deflection", "m", "transmission error less its static excitation"),
+    ("mesh_force", "N", "force along the base tangent, front flank positive"),
+    ("mesh_stiffness", "N/m", "stiffness of the flanks in contact along the base tangent"),
+    ("mesh_phase", "1", "position in the mesh cycle, 0 where a pair enters at mid-face"),
+    ("contact_state", "1", "1 front flank, 0 separated, -1 back flank, 2 both"),
+    ("normal_force", "N", "force normal to the flanks"),
+    ("circumferential_force", "N", "circumferential part on gear 2 at the working circle"),
+    ("radial_force", "N", "separating part"),
+    ("axial_force", "N", "axial part on gear 2"),
+    ("friction_power", "W", "power lost to sliding friction"),
+    ("damping_power", "W", "power lost to contact damping and mesh damper"),
+    ("parametric_power", "W", "power fed in by what moves with the mesh phase: stiffness and excitation"),
+    ("elastic_energy", "J", "energy stored in the flanks"),
+    ("penetration", "m", "overlap of the flanks normal to them at the pitch point, below 0 their distance"),
+)
+N_OUT = len(OUTPUTS)
+
+#: Observations of a mesh with friction. Both torques are those of the forces along the teeth alone.
+FRICTION = (
+    ("friction_torque_1", "N m", "friction of the flanks on gear 1 about its axis"),
+    ("friction_torque_2", "N m", "friction of the flanks on gear 2 about its axis"),
+)
+
+#: Event functions of one mesh: they change sign at the instants that users request. Those of contact are
+#: positive exactly where the forces of a flank add up to more than zero, as in `contact_state`; without
+#: contact damping perfect flanks give their penetration [m]. Those of pairs rise with the mesh phase and fall
+#: where it decreases: a pair that passes A backwards leaves contact there. Each wraps from 1/2 to -1/2 half a
+#: base pitch away, which does not count as an event, and is valid on the nearer flank only.
+EVENTS = (
+    ("front_gap", "front flank touches or parts"),
+    ("back_gap", "back flank touches or parts"),
+    ("turning_reversal", "the mean travel of the gears reverses"),
+    ("pair_entry", "a tooth pair passes the start A of the path of the front flanks at mid-face"),
+    ("pair_exit", "a tooth pair passes the end E of the path of the front flanks at mid-face"),
+    ("sliding_reversal", "a tooth pair of the front flanks passes the pitch point at mid-face"),
+    ("back_pair_entry", "a tooth pair passes the start A of the path of the back flanks at mid-face"),
+    ("back_pair_exit", "a tooth pair passes the end E of the path of the back flanks at mid-face"),
+    ("back_sliding_reversal", "a tooth pair of the back flanks passes the pitch point at mid-face"),
+)
+
+
+def mesh_outputs(
+    record: np.void, of_all: tuple[tuple[str, str, str], ...]
+) -> tuple[tuple[str, str, str], ...]:
+    """Observations of one record of a mesh.
+
+    Parameters
+    ----------
+    record
+        A mesh of cylindrical or bevel gears.
+    of_all
+        Those that every mesh of its kind has.
+    """
+    pairs = range(int(record["n_pair"]))
+    forces = ((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs)
+    return (*of_all, *forces, *(FRICTION if record["rubs"] else ()))

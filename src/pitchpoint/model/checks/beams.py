@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of beams: sections of one shape, ends at two places."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.model.components.beam import SHAPES
+from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.beam import Beam, BeamSection
+    from pitchpoint.model.parts import Parts
+
+
+def check_beams(parts: Parts, report: Reader) -> None:
+    """Everything about a beam that more than one key decides, once bodies have their places."""
+    for name, beam in parts.beams.items():
+        at: Place = ("beams", name)
+        if name in parts.bodies and beam.pieces > 1:
+            report.problem(at, "has the name of a body", remedy="give the beam a name of its own")
+        if (*at, "section") not in report.tainted:
+            _section(beam.section, (*at, "section"), report)
+        if (*at, "ends") not in report.tainted:
+            _place(parts, beam, at, report)
+
+
+def _section(section: BeamSection, at: Place, report: Reader) -> None:
+    given = section.given
+    whole = [shape for shape in SHAPES if given == shape]
+    if not whole:
+        report.problem(
+            at,
+            f"gives {', '.join(given)}" if given else "is not given",
+            remedy="give diameter, or width and height, or area, bending and torsion",
+        )
+        return
+    if section.bore and given != SHAPES[0]:
+        report.problem((*at, "bore"), "is for round sections", remedy="give diameter, or leave it out")
+    if any(section.shear) and given != SHAPES[2]:
+        report.problem(
+            (*at, "shear"), "follows from the shape of round and rectangular sections", remedy="leave it out"
+        )
+    if section.diameter is not None and section.bore >= section.diameter:
+        report.problem(
+            (*at, "bore"),
+            "leaves nothing of the beam",
+            value=f"{section.bore * 1e3:.6g} mm",
+            limit=f"below the diameter {section.diameter * 1e3:.6g} mm",
+            remedy="give diameters, not radii",
+        )
+    if section.bending and len(section.bending) != 2:
+        report.problem(
+            (*at, "bending"),
+            f"has {len(section.bending)} entries",
+            remedy="give two second moments: against bending towards axis 1 and towards axis 2",
+        )
+
+
+def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
+    one, two = beam.ends
+    if any(split(e)[0] not in {*parts.bodies, GROUND} for e in beam.ends):
+        return  # reported already
+    first, second = place_of(parts, one), place_of(parts, two)
+    if first is None or second is None:
+        return
+    way = second - first
+    length = float(np.linalg.norm(way))
+    if not length > 1e-9:
+        report.problem(
+            (*at, "ends"),
+            "lie at one place",
+            value=f"({', '.join(f'{x * 1e3:.6g}' for x in first)}) mm",
+            remedy="place the bodies, or name markers of them, so that the beam has a length",
+        )
+        return
+    if beam.axis is not None:
+        _axis(beam, way / length, at, report)
+
+
+def _axis(beam: Beam, along: np.ndarray, at: Place, report: Reader) -> None:
+    axis = unit(beam.axis or (0.0, 0.0, 0.0))
+    if not np.any(axis):
+        report.problem((*at, "axis"), "has no direction", remedy="give a direction across the beam")
+    elif abs(float(axis @ along)) > ALONG:
+        angle = math.degrees(math.acos(min(1.0, abs(float(axis @ along)))))
+        report.problem(
+            (*at, "axis"),
+            "points along the beam",
+            value=f"{angle:.3g} deg from it",
+            remedy="give a direction across the beam",
+        )

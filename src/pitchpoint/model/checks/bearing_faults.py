@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of the faults of bearings, and where the elements and tracks of rolling ones are."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, LooseBearing
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.bearing import Bearing
+    from pitchpoint.model.components.bearing_fault import SpallFault
+    from pitchpoint.model.components.rolling_bearing import RollingBearing
+
+
+def track_radius(part: RollingBearing, inner: bool) -> float:
+    """Radius of the circle on which the elements touch a race [m]."""
+    reach = 0.5 * part.element_diameter * math.cos(part.contact_angle)
+    return 0.5 * part.pitch_diameter + (-reach if inner else reach)
+
+
+def element_angles(part: RollingBearing, severity: float | None = None) -> NDArray[np.float64]:
+    """Azimuth of every element against the cage [rad], shape (elements,); their mean is that of even gaps.
+
+    `severity` takes the place of that of every fault.
+    """
+    n = part.elements
+    found: NDArray[np.float64] = 2.0 * math.pi / n * np.arange(n, dtype=np.float64)
+    for fault in part.faults.values():
+        if isinstance(fault, CageFault):
+            share = fault.severity if severity is None else severity
+            behind = (np.arange(n) - fault.element - 1) % n
+            found += share * fault.widening * (0.5 - behind / (n - 1.0))
+    return found
+
+
+def check_bearing_faults(name: str, bearing: RollingBearing, report: Reader) -> None:
+    """Faults lie on elements that exist, spalls on a part of their track, elements do not overlap."""
+    numbered = True
+    for label, fault in bearing.faults.items():
+        at: Place = ("rolling_bearings", name, "faults", label)
+        if isinstance(fault, ElementFault | CageFault) and fault.element >= bearing.elements:
+            numbered = False
+            report.problem(
+                (*at, "element"),
+                f"does not exist in a bearing of {bearing.elements} elements",
+                value=str(fault.element),
+                limit=f"0 to {bearing.elements - 1}",
+                remedy="elements count from 0",
+            )
+        if not isinstance(fault, CageFault | LooseBearing):
+            _spall(bearing, fault, at, report)
+    cages = [label for label, fault in bearing.faults.items() if isinstance(fault, CageFault)]
+    if cages and numbered:
+        _room(bearing, ("rolling_bearings", name, "faults", cages[-1], "widening"), report)
+
+
+def check_seat(name: str, bearing: Bearing, report: Reader) -> None:
+    """The ring of a loose bearing turns and travels in its seat: springs are alike all round, and apart."""
+    at: Place = ("bearings", name)
+    if not bearing.faults or at in report.tainted:
+        return
+    label = next(iter(bearing.faults))
+    if bearing.stiffness.matrix6()[5][5] != 0.0:
+        report.problem(
+            (*at, "faults", label),
+            f"lets the ring turn in its seat, and the bearing holds the spin of {bearing.body}",
+            limit="torsion: 0",
+            remedy="leave torsion out",
+        )
+    matrices = {"stiffness": bearing.stiffness.matrix6()}
+    if bearing.damping is not None:
+        matrices["damping"] = bearing.damping.matrix6()
+    for key, matrix in matrices.items():
+        crossed = any(matrix[i][j] != 0.0 for i in (0, 1) for j in range(6) if i != j)
+        if matrix[0][0] != matrix[1][1] or crossed:
+            report.problem(
+                (*at, key),
+                "is not the same in all radial directions and apart from the others; the bearing is loose",
+                remedy="give radial, axial and tilt",
+            )
+
+
+def _spall(bearing: RollingBearing, fault: SpallFault, at: Place, report: Reader) -> None:
+    own = 0.5 * bearing.element_diameter
+    of_element = isinstance(fault, ElementFault)
+    track = own if of_element else track_radius(bearing, fault.form == "inner_race")
+    most = {"length": min(2.0 * own, math.pi * track), "depth": own}
+    for key, limit in most.items():
+        if getattr(fault, key) >= limit:
+            report.problem(
+                (*at, key),
+                f"is more than a rolling element of {bearing.element_diameter * 1e3:.6g} mm can roll over",
+                value=f"{getattr(fault, key) * 1e3:.6g} mm",
+                limit=f"< {limit * 1e3:.6g} mm",
+                remedy="give it with a unit, such as 2 mm or 50 um",
+            )
+
+
+def _room(bearing: RollingBearing, at: Place, report: Reader) -> None:
+    """Elements of a worn cage do not pass through each other."""
+    angles = element_angles(bearing, 1.0)
+    gaps = np.diff(np.append(angles, angles[0] + 2.0 * math.pi))
+    ratio = bearing.element_diameter / bearing.pitch_diameter
+    if ratio >= 1.0 or 2.0 * math.pi / bearing.elements < 2.0 * math.asin(ratio):
+        return  # reported elsewhere, or elements that touch already
+    least = 2.0 * math.asin(ratio)
+    if gaps.min() < least:
+        most = (2.0 * math.pi / bearing.elements - least) * (bearing.elements - 1)
+        report.problem(
+            at,
+            "pushes the other elements into each other",
+            limit=f"<= {math.degrees(most):.6g} deg for all wider gaps together",
+            remedy="widen less",
+        )

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keys of a component that exclude each other or belong together, by their descriptions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import is_dataclass
+from typing import Any
+
+from pitchpoint.model.keys import Place, keys_of
+from pitchpoint.model.parts import Parts
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.sections import groups_of
+
+
+def check_given(parts: Parts, report: Reader) -> None:
+    """Check `one_of` and `needs` of the keys of all components, at any depth."""
+    for group in groups_of(parts):
+        _within(getattr(parts, group), (group,), report)
+
+
+def _within(value: Any, at: Place, report: Reader) -> None:
+    if isinstance(value, Mapping):
+        for name, each in value.items():
+            _within(each, (*at, str(name)), report)
+    elif isinstance(value, tuple):
+        for k, each in enumerate(value):
+            if is_dataclass(each):
+                _within(each, (*at, k), report)
+    elif is_dataclass(value) and not isinstance(value, type):
+        _component(value, at, report)
+
+
+def _component(part: Any, at: Place, report: Reader) -> None:
+    exclusive: dict[str, list[str]] = {}
+    for name, key in keys_of(type(part)).items():
+        value = getattr(part, name)
+        _within(value, (*at, name), report)
+        if key.one_of:
+            exclusive.setdefault(key.one_of, []).append(name)
+        if key.needs and value is not None and getattr(part, key.needs) is None and at not in report.tainted:
+            report.problem((*at, name), f"requires {key.needs}", remedy=f"give {key.needs}")
+    for names in exclusive.values():
+        exactly_one(part, names, at, report)
+
+
+def exactly_one(part: Any, keys: Iterable[str], at: Place, report: Reader) -> None:
+    """Report a component that gives none or several of some keys."""
+    given = [k for k in keys if getattr(part, k) is not None]
+    if len(given) != 1 and at not in report.tainted:
+        message = "gives none of its keys" if not given else f"gives {' and '.join(given)} at once"
+        report.problem(at, message, remedy=f"give exactly one of {', '.join(keys)}")

@@ -1,0 +1,275 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of contacts: pairs of shapes that can touch, sizes, axes, files of triangles, contact laws."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.contact import (
+        CamContact,
+        ContactCurve,
+        ContactFriction,
+        ContactLaw,
+        ContactSurface,
+        CurveContact,
+        SurfaceContact,
+    )
+    from pitchpoint.model.parts import Parts
+
+
+#: Sizes that a surface needs against a sphere or triangles.
+SIZES: dict[str, tuple[str, ...]] = {
+    "plane": (),
+    "sphere": ("radius",),
+    "cylinder": ("radius",),
+    "cone": ("half_angle",),
+    "torus": ("radius", "tube"),
+    "triangles": ("file",),
+}
+#: Sizes that both surfaces of other pairs need; the order of a pair with a plane does not matter.
+PAIRS: dict[tuple[str, str], tuple[tuple[str, ...], tuple[str, ...]]] = {
+    ("cylinder", "plane"): (("radius", "length"), ()),
+    ("torus", "plane"): (("radius", "tube"), ()),
+    ("cylinder", "cylinder"): (("radius", "length"), ("radius", "length")),
+}
+PARALLEL = 0.02
+"""Sine between two axes below which cylinders do not cross."""
+
+
+def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Reader) -> None:
+    """A contact of two surfaces.
+
+    Parameters
+    ----------
+    parts
+        Sections of the model.
+    name, contact
+        Its name and the contact.
+    report
+        Takes the problems.
+    """
+    at: Place = ("surface_contacts", name)
+    one, two = (contact.first, "first"), (contact.second, "second")
+    shapes = {contact.first.shape, contact.second.shape}
+    for part, key in (one, two):
+        check_file(part, (*at, key), report)
+    if contact.line and shapes != {"cylinder"}:
+        report.problem((*at, "line"), "has no effect: only two cylinders have a choice", remedy="remove it")
+    if contact.permanent:
+        _held(contact, at, report)
+    if "triangles" in shapes or any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
+        for part, key in (one, two):
+            _sizes(part, SIZES[part.shape], (*at, key), report)
+        return
+    if one[0].shape == "plane":
+        one, two = two, one
+    pair = (one[0].shape, two[0].shape)
+    bore = pair == ("cylinder", "cylinder") and one[0].hollow != two[0].hollow
+    if pair not in PAIRS or (not bore and (one[0].hollow or two[0].hollow)):
+        hollow = "hollow " * (one[0].hollow or two[0].hollow)
+        report.problem(
+            at,
+            f"is of a {hollow}{pair[0]} and a {pair[1]}, which is not known",
+            remedy="spheres and triangles touch everything, cylinder and torus a plane, cylinders each "
+            "other; use triangles for others",
+        )
+        return
+    for (part, key), needed in zip((one, two), PAIRS[pair], strict=True):
+        _sizes(part, needed, (*at, key), report)
+    if bore:
+        _bore(contact, at, report)
+    elif pair == ("cylinder", "cylinder") and not contact.line:
+        _crossed(parts, contact, at, report)
+
+
+def _held(contact: SurfaceContact, at: Place, report: Reader) -> None:
+    """Only a sphere on a smooth surface can be kept in contact."""
+    shapes = [contact.first.shape, contact.second.shape]
+    balls = [p.shape == "sphere" and not p.hollow for p in (contact.first, contact.second)]
+    if not any(balls) or "triangles" in shapes:
+        report.problem(
+            (*at, "permanent"),
+            f"is of a {shapes[0]} and a {shapes[1]}; what stays is a sphere on any surface but triangles",
+            remedy="give a law instead",
+        )
+
+
+def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
+    """The triangles of a surface, and keys that only they have.
+
+    Parameters
+    ----------
+    part
+        The surface.
+    at
+        Its place in the model.
+    report
+        Takes the problems.
+    """
+    if part.shape != "triangles":
+        for key in ("file", "unit", "open"):
+            if getattr(part, key) not in (None, False):
+                report.problem((*at, key), f"has no effect: a {part.shape} has no file", remedy="remove it")
+        return
+    if part.file is None or (*at, "file") in report.tainted:
+        return
+    if part.file.lower().endswith(".stl") and part.unit is None:
+        if (*at, "unit") not in report.tainted:
+            report.problem(
+                (*at, "unit"),
+                "is missing: an STL file does not contain its unit",
+                remedy="add unit: 1 mm, for example",
+            )
+        return
+    from pitchpoint.geometry.triangle_file import read_triangles, triangle_faults
+
+    try:
+        found = read_triangles(part.file)
+    except GeometryError as error:
+        report.hand_on((*at, "file"), error.problem.changed(where=""))
+        return
+    for wrong in triangle_faults(found, part.unit or 1.0, part.open, part.hollow):
+        report.hand_on((*at, "file"), wrong)
+
+
+def _bore(contact: SurfaceContact, at: Place, report: Reader) -> None:
+    """What goes into a bore is thinner than it."""
+    pin, bore = contact.first, contact.second
+    if pin.hollow:
+        pin, bore = bore, pin
+    if pin.radius is not None and bore.radius is not None and pin.radius >= bore.radius:
+        key = "first" if pin is contact.first else "second"
+        report.problem(
+            (*at, key, "radius"),
+            "does not go into the bore",
+            value=f"{pin.radius:g} m",
+            limit=f"< {bore.radius:g} m",
+            remedy="give the play between them",
+        )
+
+
+def _crossed(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -> None:
+    """Cylinders that touch at one place have axes that cross."""
+    from pitchpoint.model.frames import GROUND, axes_of, split
+
+    if (*at, "ends") in report.tainted or any(
+        split(end)[0] not in (*parts.bodies, GROUND) for end in contact.ends
+    ):
+        return
+    a, b = (axes_of(parts, end)[:, 2] for end in contact.ends)
+    sine = math.sqrt(max(0.0, 1.0 - float(a @ b) ** 2))
+    if sine < PARALLEL:
+        report.problem(
+            at,
+            "is of two cylinders side by side, which touch at no single place",
+            value=f"{math.degrees(math.asin(sine)):.3g} deg between their axes",
+            remedy="write line: true, and the law for the whole line",
+        )
+
+
+def _sizes(part: ContactSurface, needed: tuple[str, ...], at: Place, report: Reader) -> None:
+    for key in needed:
+        if getattr(part, key) is None and (*at, key) not in report.tainted:
+            report.problem((*at, key), f"is missing: the {part.shape} needs it", remedy=f"add {key}")
+    if part.half_angle is not None and part.half_angle >= 0.5 * math.pi:
+        report.problem(
+            (*at, "half_angle"), "is not a cone", limit="< 90 deg", remedy="give the half of its angle"
+        )
+
+
+def check_contacts(parts: Parts, report: Reader) -> None:
+    """Everything about a contact that more than one key decides."""
+    for name, cam in parts.cam_contacts.items():
+        _cam(cam, ("cam_contacts", name), report)
+    for name, pair in parts.curve_contacts.items():
+        at: Place = ("curve_contacts", name)
+        _curve(pair.first, (*at, "first"), report)
+        _curve(pair.second, (*at, "second"), report)
+        _permanent(pair, at, ("law", "friction", "depth", "margin"), report)
+        _forces(pair, at, report)
+    for name, contact in parts.surface_contacts.items():
+        check_surfaces(parts, name, contact, report)
+        held = ("law", "friction", "depth")
+        _permanent(contact, ("surface_contacts", name), held, report)
+        _forces(contact, ("surface_contacts", name), report)
+
+
+def _cam(cam: CamContact, at: Place, report: Reader) -> None:
+    _curve(cam.curve, (*at, "curve"), report)
+    _permanent(cam, at, ("law", "friction", "depth"), report)
+    _forces(cam, at, report)
+
+
+def _permanent(
+    part: CamContact | CurveContact | SurfaceContact, at: Place, forces: tuple[str, ...], report: Reader
+) -> None:
+    """What never parts has no law, and all else has one."""
+    if part.permanent:
+        for key in forces:
+            if getattr(part, key) is not None:
+                report.problem((*at, key), "has no effect: what never parts has no law", remedy="remove it")
+    elif part.law is None and (*at, "law") not in report.tainted:
+        report.problem(
+            (*at, "law"),
+            "is missing: bodies that may part",
+            remedy="add law: {force: 1 kN, depth: 0.1 mm}, or permanent: true",
+        )
+
+
+def _forces(part: CamContact | CurveContact | SurfaceContact, at: Place, report: Reader) -> None:
+    if part.law is not None:
+        _law(part.law, (*at, "law"), report)
+    if part.friction is not None:
+        _friction(part.friction, (*at, "friction"), report)
+
+
+def _law(law: ContactLaw, at: Place, report: Reader) -> None:
+    if law.restitution is not None and law.damping > 0.0:
+        report.problem((*at, "damping"), "cannot be combined with restitution", remedy="give one of the two")
+
+
+def _friction(friction: ContactFriction, at: Place, report: Reader) -> None:
+    if max(friction.static, friction.dynamic) > 0.0 and not friction.static_speed < friction.slip_speed:
+        report.problem(
+            (*at, "static_speed"),
+            "is not below slip_speed",
+            value=f"{friction.static_speed:g} m/s",
+            limit=f"< {friction.slip_speed:g} m/s",
+            remedy="exchange them",
+        )
+
+
+def _curve(curve: ContactCurve, at: Place, report: Reader) -> None:
+    if curve.shape in ("circle", "involute") and curve.radius is None:
+        report.problem((*at, "radius"), f"is missing: the {curve.shape} has one", remedy="add radius: 20 mm")
+    if curve.shape == "involute":
+        roll = curve.roll
+        if len(roll) != 2 or not min(roll, default=0.0) > 0.0 or roll[0] == roll[1]:
+            report.problem(
+                (*at, "roll"),
+                "is not two different angles above zero",
+                remedy="write for example [10 deg, 40 deg]",
+            )
+        return
+    if curve.shape == "circle":
+        return
+    least = 3 if curve.closed else 2
+    if len(curve.x) != len(curve.y) or len(curve.x) < least:
+        report.problem(
+            (*at, "x"),
+            f"has {len(curve.x)} points, and y has {len(curve.y)}",
+            limit=f"the same number, at least {least}",
+            remedy="give both for every point",
+        )
+    elif curve.shape == "polygon" and curve.radii and len(curve.radii) != len(curve.x):
+        report.problem(
+            (*at, "radii"),
+            f"has {len(curve.radii)} entries for {len(curve.x)} corners",
+            remedy="give one radius per corner",
+        )

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of loads and force elements."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.bearing_faults import check_bearing_faults, check_seat
+from pitchpoint.model.checks.references import known
+from pitchpoint.model.components.law import Balance, Constant, TableLaw
+from pitchpoint.model.frames import GROUND
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.speed_ratios import trains
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.body import Body
+    from pitchpoint.model.components.clutch import Clutch
+    from pitchpoint.model.components.load import Load
+    from pitchpoint.model.components.rolling_bearing import RollingBearing
+    from pitchpoint.model.parts import Parts
+
+
+TURNING = ("torsion_springs", "torsion_maxwells", "clutches")
+"""Sections whose elements act about the spin axes of one or two bodies."""
+
+
+def check_forces(parts: Parts, report: Reader) -> None:
+    """Everything about one of them that more than one key decides."""
+    for name, load in parts.loads.items():
+        _load(parts, name, load, report)
+    for name, bushing in parts.bushings.items():
+        if bushing.damping is not None and bushing.damping.ratio is not None:
+            report.problem(
+                ("bushings", name, "damping", "ratio"),
+                "has no meaning: a bushing has no inertia of its own",
+                remedy="give radial, axial, tilt and torsion, or a matrix",
+            )
+    _turning(parts, report)
+    for name, clutch in parts.clutches.items():
+        _capacity(name, clutch, report)
+    for name, bearing in parts.rolling_bearings.items():
+        _rolling(name, bearing, report)
+        check_bearing_faults(name, bearing, report)
+    for name, support in parts.bearings.items():
+        check_seat(name, support, report)
+    _states(parts, report)
+
+
+def check_unbalances(parts: Parts, report: Reader) -> None:
+    """Unbalances sit on bodies that move and know how their mass lies, once it is known how they move."""
+    for name, unbalance in parts.unbalances.items():
+        at: Place = ("unbalances", name, "body")
+        body = parts.bodies.get(unbalance.body)
+        if body is not None and body.motion == "fixed":
+            report.problem(at, f"names {unbalance.body}, which is fixed", remedy="remove it")
+        elif body is not None and _is_polar(body):
+            report.problem(
+                at,
+                f"names {unbalance.body}, which has inertia about its axis alone",
+                remedy=f"give transverse_inertia of {unbalance.body} too",
+            )
+
+
+def _is_polar(body: Body) -> bool:
+    """Whether a body has inertia about its axis alone and does more than spin about it on ground."""
+    alone = body.is_round and body.inertia is not None and body.transverse_inertia is None
+    alone = alone and body.solid is None
+    return alone and not body.gears and not body.bevel_gears and body.moves != "torsion"
+
+
+def _turning(parts: Parts, report: Reader) -> None:
+    """Bodies of elements that act about spin axes."""
+    for group in TURNING:
+        for name, part in getattr(parts, group).items():
+            at: Place = (group, name, "bodies")
+            for body in part.bodies:
+                if body == GROUND:
+                    report.problem(at, "names ground", remedy="write the one body alone: the other is ground")
+                else:
+                    known(parts, "bodies", body, at, report)
+            if len(set(part.bodies)) < len(part.bodies):
+                report.problem(at, f"names {part.bodies[0]} twice", remedy="name two bodies, or one alone")
+
+
+def _capacity(name: str, clutch: Clutch, report: Reader) -> None:
+    at: Place = ("clutches", name, "capacity")
+    if isinstance(clutch.capacity, Balance):
+        report.problem(at, "cannot be balanced", remedy="give a torque")
+    values = [clutch.capacity.value] if isinstance(clutch.capacity, Constant) else []
+    values += clutch.capacity.values if isinstance(clutch.capacity, TableLaw) else []
+    if any(v < 0.0 for v in values):
+        report.problem(at, "is negative", limit=">= 0", remedy="leave the sign out: friction brakes")
+
+
+def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
+    at: Place = ("rolling_bearings", name)
+    if bearing.element_diameter * bearing.elements > math.pi * bearing.pitch_diameter:
+        report.problem(
+            (*at, "elements"),
+            f"have no room on a circle of {bearing.pitch_diameter * 1e3:.6g} mm",
+            value=str(bearing.elements),
+            limit=f"<= {int(math.pi * bearing.pitch_diameter / bearing.element_diameter)}",
+            remedy="correct the number or the diameters",
+        )
+    elif bearing.element_diameter * math.cos(bearing.contact_angle) >= bearing.pitch_diameter:
+        report.problem(
+            (*at, "element_diameter"),
+            "leaves no room for the inner ring",
+            value=f"{bearing.element_diameter * 1e3:.6g} mm",
+            limit=f"below {bearing.pitch_diameter * 1e3:.6g} mm, the pitch diameter",
+            remedy="correct one of the diameters",
+        )
+    own, other = (
+        ("grooves", "effective_length") if bearing.type == "ball" else ("effective_length", "grooves")
+    )
+    if getattr(bearing, other) is not None:
+        report.problem(
+            (*at, other),
+            f"is not for a bearing of type {bearing.type}",
+            remedy=f"give {own}, or correct type",
+        )
+    elif bearing.stiffness is None and getattr(bearing, own) is None and at not in report.tainted:
+        report.problem(at, f"gives neither {own} nor stiffness", remedy=f"give {own}")
+
+
+def _states(parts: Parts, report: Reader) -> None:
+    """Elements with a state of their own are distinguished by their names."""
+    seen: dict[str, str] = {}
+    for group, names in states_of(parts).items():
+        for name in names:
+            first = seen.setdefault(name, group)
+            if first != group:
+                report.problem(
+                    (group, name), f"has the name of one of {first}", remedy="give it a name of its own"
+                )
+
+
+def states_of(machine: Any) -> dict[str, list[str]]:
+    """Names of the elements that have a state, by section; of a model or the parts of one."""
+    return {
+        "maxwells": list(machine.maxwells),
+        "torsion_maxwells": list(machine.torsion_maxwells),
+        "clutches": [n for n, c in machine.clutches.items() if c.law == "bristles"],
+    }
+
+
+def check_loads(parts: Parts, report: Reader) -> None:
+    """Loads do something, and balance has one meaning."""
+    balanced = [n for n, load in parts.loads.items() if isinstance(load.torque, Balance)]
+    for name, load in parts.loads.items():
+        at: Place = ("loads", name)
+        if load.torque is None and load.force is None and at not in report.tainted:
+            report.problem(at, "has neither torque nor force", remedy="give torque or force")
+        body = parts.bodies.get(load.body)
+        if load.force is None or body is None:
+            continue
+        if any(isinstance(f, Balance) for f in load.force):
+            report.problem((*at, "force"), "cannot be balanced", remedy="balance a torque")
+        sideways = any(not (isinstance(f, Constant) and f.value == 0.0) for f in load.force)
+        if body.moves == "torsion" and sideways and _on_axis(load, body):
+            report.problem(
+                (*at, "force"),
+                f"acts on the axis of {load.body}, which only turns",
+                remedy="give the body motion: planar or free, or the load a position off the axis",
+            )
+    for train in trains(parts):
+        names = [n for n in balanced if parts.loads[n].body in train]
+        for name in names[1:]:
+            report.problem(
+                ("loads", name, "torque"),
+                f"is balance, like that of {names[0]} on the same train; their split is open",
+                remedy="give all but one torque as a value",
+            )
+
+
+def _on_axis(load: Load, body: Body) -> bool:
+    """Whether a force acts on the axis of its body."""
+    if load.marker is None:
+        return load.position[:2] == (0.0, 0.0)
+    return load.marker in body.markers and body.markers[load.marker].position[:2] == (0.0, 0.0)
+
+
+def _load(parts: Parts, name: str, load: Load, report: Reader) -> None:
+    at: Place = ("loads", name)
+    if load.reaction is not None:
+        if load.reaction == load.body:
+            report.problem((*at, "reaction"), f"acts on {load.body} itself", remedy="name another body")
+        elif load.reaction != GROUND:
+            known(parts, "bodies", load.reaction, (*at, "reaction"), report)
+    body = parts.bodies.get(load.body)
+    if load.marker is None:
+        if load.along == "marker":
+            report.problem((*at, "along"), "is marker, and no marker is given", remedy="add marker: NAME")
+        return
+    if any(load.position):
+        report.problem((*at, "position"), "cannot be combined with marker", remedy="give one of the two")
+    if load.force is None:
+        report.problem((*at, "marker"), "has no effect on a torque", remedy="remove it, or give a force")
+    if body is not None and load.marker not in body.markers:
+        have = f"there are {', '.join(body.markers)}" if body.markers else f"{load.body} has no markers"
+        report.problem(
+            (*at, "marker"),
+            f"names the marker {load.marker[:40]!r}, which {load.body} does not have",
+            remedy=did_you_mean(load.marker, body.markers) + have,
+        )

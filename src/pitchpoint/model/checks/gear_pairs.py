@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Problems and warnings of the geometry of gears and pairs, at the keys of the file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError, Message, PitchpointError
+from pitchpoint.geometry.tooth_problems import TIP_THICKNESS_LIMIT, at_key
+from pitchpoint.model.checks.tooth_faults import check_faults
+from pitchpoint.model.keys import Place
+from pitchpoint.model.phasing import assemble
+from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.mesh import Backlash, Mesh
+    from pitchpoint.model.parts import Parts
+
+OFFSET_TOLERANCE = 1e-4
+"""Base pitches by which an assembly may exceed its backlash: the deflection of elastic teeth."""
+
+
+def check_gear(parts: Parts, name: str, report: Reader) -> None:
+    """Report everything that makes one gear impossible; hands and modules of its pairs are still checked."""
+    gear = parts.gears[name]
+
+    def problems() -> list[Message]:
+        """What makes it impossible, at the keys of the file."""
+        return [at_tip_diameter(gear, problem) for problem in gear.geometry.problems()]
+
+    if not impossible_shape(parts, ("gears", name), problems, report):
+        _check_modifications(gear, ("gears", name, "modifications"), report)
+        _check_deviations(gear, ("gears", name, "deviations"), report)
+        check_faults(gear, ("gears", name, "faults"), report)
+        _check_wheel_body(gear, ("gears", name), report)
+
+
+def impossible_shape(parts: Parts, at: Place, find: Callable[[], list[Message]], report: Reader) -> bool:
+    """Whether something makes the shape of the gear at a place impossible; it is reported and noted there.
+
+    Parameters
+    ----------
+    parts
+        The parts of the model.
+    at
+        Section and name of the gear.
+    find
+        Lists the problems, or raises one.
+    report
+        Where problems go.
+    """
+    try:
+        problems = find()
+    except GeometryError as error:
+        problems = [error.problem]
+    for problem in problems:
+        report.hand_on(at, problem, taint=False)
+        parts.misshapen.add(str(at[1]))
+    return bool(problems)
+
+
+def at_tip_diameter(gear: Gear, problem: Message, where: str = "") -> Message:
+    """A thin or pointed tooth, reported at the tip diameter where the file gives one.
+
+    Parameters
+    ----------
+    gear
+        The gear, as in the model.
+    problem
+        What its geometry reports.
+    where
+        Place of the gear in the problem.
+    """
+    if gear.tip_diameter is None or problem.where != at_key(where, "profile_shift_coefficient"):
+        return problem
+    from pitchpoint.geometry.bisection import bisect
+    from pitchpoint.geometry.tooth_thickness import tip_thickness
+
+    shape = gear.geometry
+
+    def spare(d_a: float) -> float:
+        """Thickness at the tip above the limit, at a tip diameter [m]."""
+        return tip_thickness(shape.replace(tip_diameter=d_a)) - TIP_THICKNESS_LIMIT * shape.m_n
+
+    try:
+        # signed diameters: towards the root is down for internal gears, too
+        ends = (max(shape.d_Ff, shape.d_b), shape.sign * gear.tip_diameter)
+        if not spare(ends[0]) > 0.0 > spare(ends[1]):
+            return problem
+        last = bisect(spare, *ends)
+    except GeometryError:
+        return problem
+    edge = abs(math.floor(last * 1e5)) * 1e-2
+    return problem.changed(
+        where=at_key(where, "tip_diameter"),
+        value=f"{gear.tip_diameter * 1e3:.6g} mm",
+        limit=f"{problem.limit}, at {edge:.2f} mm",
+        remedy=f"use at {'least' if shape.is_internal else 'most'} {edge:.2f} mm",
+    )
+
+
+def _check_wheel_body(gear: Gear, at: Place, report: Reader) -> None:
+    """Report a rim or web that is larger than the gear it is part of."""
+    shape = gear.geometry
+    room = 0.5 * (shape.d_f - gear.bore_diameter)  # of an external gear, from the root to the bore
+    rim = gear.rim_thickness
+    if not shape.is_internal and rim is not None and 0.0 < room < rim * (1.0 - 1e-9):
+        report.problem(
+            (*at, "rim_thickness"),
+            "is more than lies between root and bore",
+            value=f"{rim * 1e3:.6g} mm",
+            limit=f"<= {room * 1e3:.6g} mm",
+            remedy="reduce it, or leave it out for a solid gear",
+            taint=False,
+        )
+    if gear.web_thickness is not None and gear.web_thickness > gear.face_width:
+        report.problem(
+            (*at, "web_thickness"),
+            "is wider than the gear",
+            value=f"{gear.web_thickness * 1e3:.6g} mm",
+            limit=f"<= {gear.face_width * 1e3:.6g} mm",
+            remedy="reduce it, or leave it out for a web of the face width",
+            taint=False,
+        )
+
+
+def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
+    """Report reliefs that do not fit the flanks they are cut into."""
+    from pitchpoint.geometry.modifications import modification_problems
+
+    for side in ("left", "right", "both") if gear.modifications is not None else ():
+        flank = getattr(gear.modifications, side)
+        if flank is None:
+            continue
+        try:
+            problems = modification_problems(flank.of_geometry(), gear.geometry)
+        except GeometryError as error:
+            problems = [error.problem]
+        for problem in problems:
+            report.hand_on((*at, side), problem, taint=False)
+
+
+def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:
+    """Report deviations that no tooth can have."""
+    from pitchpoint.geometry.deviations import deviation_problems
+
+    if gear.deviations is not None:
+        for problem in deviation_problems(gear.deviations.of_geometry(), gear.geometry):
+            report.hand_on(at, problem, taint=False)
+
+
+def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
+    """Make the pair of a mesh, settle its centre distance, report everything that makes it impossible."""
+    one, two = (parts.gears[g] for g in mesh.gears)
+    if (
+        one.x is None
+        or two.x is None
+        or not {"center_distance", "gears"}.isdisjoint(
+            p[2] for p in report.tainted if p[:2] == ("meshes", name) and len(p) > 2
+        )
+    ):
+        return
+    before = len(report.problems)
+    try:
+        pair = _pair(one.geometry, two.geometry, mesh.center_distance)
+        for problem in pair.problems("", mesh.gears, gears=False):
+            report.hand_on(("meshes", name), problem)
+        if len(report.problems) > before or not parts.misshapen.isdisjoint(mesh.gears):
+            return
+        _ = pair.eps_alpha, pair.j_bt
+    except GeometryError as error:
+        if parts.misshapen.isdisjoint(mesh.gears):
+            report.hand_on(("meshes", name), error.problem)
+    else:
+        parts.pairs[name] = pair
+        parts.meshes[name] = replace(mesh, a_w=pair.a_w)
+
+
+def _pair(one: CylindricalGear, two: CylindricalGear, distance: float | None) -> GearPair:
+    from pitchpoint.geometry.gear_pair import GearPair
+
+    if distance is not None:
+        return GearPair.at_distance(one, two, distance)
+    try:
+        return GearPair.from_profile_shifts(one, two)
+    except GeometryError:
+        # Gears that cannot belong together are better explained by that than by a missing centre distance.
+        guess = GearPair.at_distance(one, two, 0.5 * (abs(one.d) + abs(two.d)))
+        if guess.problems("", ("", ""), gears=False) and _mismatched(one, two):
+            return guess
+        raise
+
+
+def _mismatched(one: CylindricalGear, two: CylindricalGear) -> bool:
+    return one.is_internal or (two.is_internal and -two.z <= one.z) or one.m_n != two.m_n
+
+
+def check_phasing(parts: Parts, report: Reader) -> None:
+    """Teeth of gears that are placed twice must find the gaps of their mates."""
+    meshes = {n: m for n, m in parts.meshes.items() if n in parts.pairs}
+    offsets = assemble(parts.gears, meshes).offset
+    for name, offset in offsets.items():
+        if ("meshes", name) in report.tainted:
+            continue
+        pair, mesh = parts.pairs[name], meshes[name]
+        room = 0.5 * max(0.0, gap(pair, mesh)) + OFFSET_TOLERANCE * abs(pair.p_et)
+        if abs(offset) <= room:
+            continue
+        second = mesh.gears[1]
+        given = all(parts.gears[g].initial_angle is not None for g in mesh.gears)
+        report.problem(
+            ("gears", second, "initial_angle") if given else ("meshes", name),
+            f"lets teeth of {mesh.gears[0]} and {second} overlap by {(abs(offset) - room) * 1e3:.4g} mm",
+            limit=f"{room * 1e3:.4g} mm off the middle of the gap",
+            remedy="leave initial_angle out on one of the gears"
+            if given
+            else "change the directions or teeth of the loop of meshes",
+        )
+
+
+def gap(pair: GearPair, mesh: Mesh) -> float:
+    """Total gap along the base tangent at the centre distance of the mesh [m]: given, or of the geometry."""
+    if mesh.backlash is None:
+        return pair.j_bt
+    return along_base_tangent(mesh.backlash, pair.alpha_wt, pair.gear1.beta_b)
+
+
+def along_base_tangent(given: Backlash, alpha: float, beta_b: float) -> float:
+    """Gap along the base tangent [m] of a backlash in any of its directions, which has exactly one.
+
+    `alpha` and `beta_b` are the transverse working pressure angle and the base helix or spiral angle [rad].
+    """
+    if given.base_tangent is not None:
+        return given.base_tangent
+    if given.circumferential is not None:
+        return given.circumferential * math.cos(alpha)
+    if given.normal is None:
+        raise PitchpointError("a backlash without any of its directions")
+    return given.normal / math.cos(beta_b)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whatever names something else names something that exists, once: gears, bodies, markers, meshes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.frames import GROUND, split
+from pitchpoint.model.keys import Place, keys_of
+from pitchpoint.model.parts import Parts
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.sections import groups_of
+
+
+def check_references(parts: Parts, report: Reader) -> None:
+    """Keys with `names` name components that exist, each once; two gears mesh once."""
+    for group in groups_of(parts):
+        for name, part in list(getattr(parts, group).items()):
+            for key, description in keys_of(type(part)).items():
+                if not description.names:
+                    continue
+                given = getattr(part, key)
+                at: Place = (group, name, key)
+                words = (given,) if isinstance(given, str) else tuple(given)
+                for word in words:
+                    known(parts, description.names, word, at, report)
+                if len(set(words)) < len(words):
+                    what = description.names.replace("_", " ")
+                    report.problem(at, f"names {words[0]} twice", remedy=f"name two {what}")
+    _same_pairs(parts, report)
+
+
+def _same_pairs(parts: Parts, report: Reader) -> None:
+    """Two gears mesh once; a second mesh between them would carry the load a second time."""
+    seen: dict[frozenset[str], str] = {}
+    for name, mesh in parts.meshes.items():
+        first = seen.setdefault(frozenset(mesh.gears), name)
+        if first != name:
+            report.problem(
+                ("meshes", name, "gears"),
+                f"are the gears of {first} already",
+                value=" and ".join(mesh.gears),
+                remedy="leave one of the two meshes out",
+            )
+
+
+def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> bool:
+    """Whether a name exists; reports it with the nearest one if not."""
+    if parts.has(group, name):
+        return True
+    names = parts.known(group)
+    guess = did_you_mean(name, names)
+    single = {"gears": "gear", "bevel_gears": "bevel gear", "bodies": "body", "meshes": "mesh"}[group]
+    have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {group.replace('_', ' ')}"
+    report.problem(at, f"names the {single} {name[:40]!r}, which does not exist", remedy=guess + have)
+    return False
+
+
+def check_carriers(parts: Parts, report: Reader) -> None:
+    """Every gear sits on one body; no mesh joins gears of one body."""
+    carriers: dict[str, str] = {}
+    for name, body in parts.bodies.items():
+        for gear in body.gears:
+            if gear in carriers:
+                report.problem(
+                    ("bodies", name, "gears"),
+                    f"carries {gear}, which sits on {carriers[gear]} already",
+                    remedy="leave it on one of the two bodies",
+                )
+            carriers.setdefault(gear, name)
+    complete = set(parts.bodies) == parts.known("bodies") and ("bodies",) not in report.tainted
+    for name, mesh in parts.meshes.items():
+        bodies = [carriers.get(g) for g in mesh.gears]
+        if bodies[0] is not None and bodies[0] == bodies[1] and mesh.gears[0] != mesh.gears[1]:
+            report.problem(
+                ("meshes", name, "gears"),
+                f"joins two gears of the body {bodies[0]}",
+                value=" and ".join(mesh.gears),
+                remedy="put them on two bodies",
+            )
+        elif parts.bodies and complete:
+            for gear in mesh.gears:
+                if gear not in carriers and gear in parts.gears:
+                    report.problem(
+                        ("gears", gear),
+                        f"is in the mesh {name}, but no body carries it",
+                        remedy=f"add {gear} to gears of a body",
+                    )
+
+
+# --- places on bodies ---------------------------------------------------------------------------------------
+def check_places(parts: Parts, report: Reader) -> None:
+    """Whatever names a place on a body names a body and a marker that exist."""
+    if GROUND in parts.known("bodies"):
+        report.problem(
+            ("bodies", GROUND), "is the name of what does not move", remedy="call the body something else"
+        )
+    for group, name, key, given in ends_of(parts):
+        many = not isinstance(given, str)
+        for i, end in enumerate(given if many else (given,)):
+            at: Place = (group, name, key, i) if many else (group, name, key)
+            _known_end(parts, end, at, report)
+        if many and len(given) == 2 and len({split(e)[0] for e in given}) == 1:
+            body = parts.bodies.get(split(given[0])[0])
+            if group == "sensors" and body is not None and (body.shaft or body.elastic):
+                continue  # how it bends and twists
+            report.problem(
+                (group, name, key),
+                f"lie on one body, {split(given[0])[0]}",
+                value=" and ".join(given),
+                remedy="name places on two bodies",
+            )
+
+
+def ends_of(machine: Any) -> Iterator[tuple[str, str, str, Any]]:
+    """Every place on a body that a component names: section, name, key and value."""
+    for group in groups_of(machine):
+        components: Mapping[str, Any] = getattr(machine, group)
+        for name, part in components.items():
+            for key, description in keys_of(type(part)).items():
+                given = getattr(part, key)
+                if description.kind in ("end", "ends") and given is not None:
+                    yield group, name, key, given
+
+
+def _known_end(parts: Parts, end: str, at: Place, report: Reader) -> None:
+    body, marker = split(end)
+    if body == GROUND:
+        if marker:
+            report.problem(
+                at,
+                f"names a marker of ground, {end}",
+                remedy="give the place as position, or put the marker on a body with motion: fixed",
+            )
+        return
+    if not known(parts, "bodies", body, at, report) or not marker or body not in parts.bodies:
+        return
+    markers = parts.bodies[body].markers
+    if marker not in markers and ("bodies", body, "markers") not in report.tainted:
+        have = f"there are {', '.join(markers)}" if markers else f"{body} has no markers"
+        report.problem(
+            at,
+            f"names the marker {marker[:40]!r}, which {body} does not have",
+            remedy=did_you_mean(marker, markers) + have,
+        )

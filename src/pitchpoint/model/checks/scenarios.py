@@ -1,0 +1,260 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of scenarios."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pitchpoint.model.carried_trains import has_carriers
+from pitchpoint.model.checks.choices import exactly_one
+from pitchpoint.model.checks.references import known
+from pitchpoint.model.components.law import Constant, PythonLaw
+from pitchpoint.model.keys import Place
+from pitchpoint.model.mechanism import coordinate
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.speed_ratios import (
+    SPEED_TOLERANCE,
+    fixed_bodies,
+    links_of,
+    locked_links,
+    start_speeds,
+    sweep_meshes,
+    train_of,
+)
+
+if TYPE_CHECKING:
+    from pitchpoint.model.parts import Parts
+    from pitchpoint.model.scenario import Scenario
+
+MOST_STEPS = 1e12
+"""Steps of a run beyond which a time step or a sample rate can only be a slip: days of computing."""
+
+
+def check_scenarios(parts: Parts, report: Reader) -> None:
+    """Check every scenario against the bodies and meshes it names."""
+    for name, scenario in parts.scenarios.items():
+        at: Place = ("scenarios", name)
+        if not parts.bodies and ("bodies",) not in report.tainted and not parts.known("bodies"):
+            report.problem(
+                at, "needs bodies, and the file has none", remedy="add bodies that carry the gears"
+            )
+            continue
+        _names(parts, scenario, at, report)
+        _speeds(parts, scenario, at, report)
+        if at in report.tainted:
+            continue
+        if scenario.kind == "time":
+            _time(scenario, at, report)
+        elif scenario.sweep is not None:
+            _sweep(parts, scenario, (*at, "sweep"), report)
+        if scenario.sweep is not None and scenario.quasi_static is not None:
+            report.problem(at, "has sweep and quasi_static at once", remedy="make two scenarios of it")
+
+
+def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    for key in ("speed", "drive", "hold"):
+        for body in getattr(scenario, key):
+            if key == "drive" and "." in body:
+                continue  # a coordinate of a joint, see `checks.mechanism`
+            place = (*at, key, body) if key != "hold" else (*at, key)
+            if known(parts, "bodies", body, place, report):
+                _turns(parts, body, place, report)
+    for body, drive in scenario.drive.items():
+        keys = ("speed", "angle", "velocity", "position") if "." in body else ("speed", "angle")
+        exactly_one(drive, keys, (*at, "drive", body), report)
+    if scenario.sweep is not None and known(
+        parts, "bodies", scenario.sweep.body, (*at, "sweep", "body"), report
+    ):
+        _turns(parts, scenario.sweep.body, (*at, "sweep", "body"), report)
+    for key in ("sweep", "quasi_static"):
+        part = getattr(scenario, key)
+        if part is not None and part.mesh is not None and part.mesh not in parts.known("bevel_meshes"):
+            known(parts, "meshes", part.mesh, (*at, key, "mesh"), report)
+    count = len(parts.meshes) + len(parts.bevel_meshes)
+    if scenario.quasi_static is not None and scenario.quasi_static.mesh is None and count != 1:
+        names = sorted(parts.known("meshes") | parts.known("bevel_meshes"))
+        report.problem(
+            (*at, "quasi_static", "mesh"),
+            f"is missing, and there are {count} meshes",
+            remedy=f"name one of {', '.join(names) or 'them'}",
+        )
+
+
+def _turns(parts: Parts, body: str, at: Place, report: Reader) -> None:
+    """A body that a joint carries has a spin of its own only with some joints."""
+    if body not in parts.bodies or parts.bodies[body].moves != "joint":
+        return
+    found = coordinate(parts.mechanism, parts, body)
+    if isinstance(found, str):
+        report.problem(at, found, remedy="name a body that spins, or drive a coordinate of its joint")
+
+
+def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    free = {b: s for b, s in scenario.speed.items() if b not in scenario.drive}
+    _locked(parts, scenario, at, report)
+    for body in scenario.speed:
+        part = parts.bodies.get(body)
+        if part is not None and part.moves == "fixed" and scenario.speed[body] != 0.0:
+            report.problem((*at, "speed", body), "is the speed of a fixed body", remedy="remove it")
+    for k, body in enumerate(scenario.hold):
+        if body in scenario.drive:
+            report.problem(
+                (*at, "hold"), f"names {body}, which is driven", remedy="hold or drive it, not both"
+            )
+        if body in scenario.hold[:k]:
+            report.problem((*at, "hold"), f"names {body} twice", remedy="name each body once")
+    for key, bodies in (("drive", tuple(scenario.drive)), ("hold", scenario.hold)):
+        for body in bodies:
+            if body in parts.bodies and parts.bodies[body].moves == "fixed":
+                report.problem(
+                    (*at, key, body) if key == "drive" else (*at, key),
+                    f"names {body}, which is fixed and cannot turn",
+                    remedy="remove it, or give the body motion: torsion",
+                )
+    for body, drive in scenario.drive.items():
+        if body in scenario.speed and isinstance(drive.speed, Constant):
+            given, driven = scenario.speed[body], drive.speed.value
+            if abs(given - driven) > SPEED_TOLERANCE * abs(driven):
+                report.problem(
+                    (*at, "speed", body),
+                    "is not the speed at which the body is driven",
+                    value=f"{given:.6g} rad/s",
+                    limit=f"{driven:.6g} rad/s",
+                    remedy="leave it out: what is driven starts at the speed of its drive",
+                )
+        if isinstance(drive.value, PythonLaw):
+            key, rate = ("angle", "speed") if drive.angle is not None else ("position", "velocity")
+            report.problem(
+                (*at, "drive", body, key),
+                f"is a Python function; only a {rate} can be one, its {key} follows without differencing",
+                remedy=f"give {rate}: {{python: ...}}, or the {key} as a formula or table",
+            )
+    for body, fitting in start_speeds(parts, free)[1]:
+        report.problem(
+            (*at, "speed", body),
+            "does not fit the ratio to the other given speeds",
+            value=f"{free[body]:.6g} rad/s",
+            limit=f"{fitting:.6g} rad/s",
+            remedy="correct it or leave it out; the other speeds follow from the ratios (a drive may differ)",
+        )
+
+
+def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    """Speeds inside a loop whose ratios contradict each other."""
+    turned: dict[str, Place] = {b: (*at, "speed", b) for b, speed in scenario.speed.items() if speed != 0.0}
+    turned |= {b: (*at, "drive", b) for b in scenario.drive}
+    if scenario.sweep is not None:
+        turned[scenario.sweep.body] = (*at, "sweep", "body")
+    reported: set[Place] = set()
+    fixed = fixed_bodies(parts)
+    links = links_of(parts)
+    linked = {body for link in links for body in link[1:3]}
+    plain = not has_carriers(parts, links)
+    for body, place in turned.items():
+        if body not in parts.bodies or body not in linked or body in fixed:
+            continue
+        locked = locked_links(parts, body)
+        if plain and not locked:  # nor does any other body of its train find one
+            linked -= train_of(parts, body)
+        for link, one, two, _ in locked:
+            if link in reported:
+                continue
+            reported.add(link)
+            still = {one, two} & fixed
+            where = ".".join(map(str, link))
+            if still:
+                what = f"{where} meshes it, or what turns with it, with {still.pop()}, which is fixed"
+                remedy = "leave the speed at zero, or give the fixed body another motion"
+            else:
+                what = (
+                    f"{where} locks {one} and {two}, which other meshes and couplings turn at another ratio"
+                )
+                remedy = "take one of the loop out, or leave the speed at zero"
+            report.problem(place, f"cannot turn {body}: {what}", remedy=remedy)
+
+
+def _time(scenario: Scenario, at: Place, report: Reader) -> None:
+    if scenario.duration is None:
+        report.problem(
+            (*at, "duration"), "is missing", remedy="add duration: 0.5 s (or sweep, or quasi_static)"
+        )
+        return
+    if scenario.form == "SI1" and scenario.method == "generalized_alpha":
+        report.problem(
+            (*at, "form"),
+            "is none that generalized_alpha has",
+            value="SI1",
+            limit="I3 or SI2",
+            remedy="write form: SI2, or a stiff method such as gstiff",
+        )
+    if scenario.settle_time is not None and scenario.settle_time >= scenario.duration:
+        report.problem(
+            (*at, "settle_time"),
+            "leaves nothing to measure",
+            value=f"{scenario.settle_time:g} s",
+            limit=f"< {scenario.duration:g} s",
+            remedy="shorten it or lengthen duration",
+        )
+    window = scenario.duration - scenario.statistics_start
+    if scenario.step is not None and scenario.step > 0.5 * window > 0.0:
+        report.problem(
+            (*at, "step"),
+            "is longer than half the time that is measured, from settle_time to duration",
+            value=f"{scenario.step:g} s",
+            limit=f"<= {0.5 * window:g} s",
+            remedy="write a shorter step, or leave it out",
+        )
+    for key, count in (
+        ("step", scenario.duration / scenario.step if scenario.step else 0.0),
+        ("sample_rate", scenario.duration * (scenario.sample_rate or 0.0)),
+    ):
+        if count > MOST_STEPS:
+            report.problem(
+                (*at, key),
+                f"makes {count:.2g} steps out of the duration",
+                limit=f"<= {MOST_STEPS:g} steps",
+                remedy=f"correct {key} or duration, or leave {key} out",
+            )
+
+
+def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
+    sweep = scenario.sweep
+    if sweep is None:
+        return
+    if scenario.drive:
+        report.problem(
+            (*at[:-1], "drive"),
+            "cannot be combined with sweep, which prescribes the speed itself",
+            remedy=f"write hold: [{', '.join(scenario.drive)}] for bodies that keep the speed of each point",
+        )
+    bounds = sweep.mesh_frequency or sweep.speed
+    key = "mesh_frequency" if sweep.mesh_frequency is not None else "speed"
+    if bounds is not None and bounds[0] >= bounds[1]:
+        report.problem(
+            (*at, key), "does not rise", remedy="write [lowest, highest]; direction gives the order"
+        )
+    if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
+        return
+    own = parts.bodies[sweep.body].gears if sweep.body in parts.bodies else {}
+    if not parts.gears.keys() >= set(own):
+        return  # a gear that cannot be read may be the one in mesh
+    teeth = sweep_meshes(parts, sweep.body)
+    every = {**parts.meshes, **parts.bevel_meshes}
+    if not teeth:
+        report.problem(
+            (*at, "body"),
+            f"names {sweep.body}, which has no gear in mesh",
+            remedy="name a body with a gear in mesh",
+        )
+    elif sweep.mesh is None and len(set(teeth.values())) > 1:
+        report.problem(
+            (*at, "mesh"),
+            f"is missing, and {sweep.body} has several meshes with different frequencies",
+            remedy=f"name one of {', '.join(teeth)}",
+        )
+    elif sweep.mesh is not None and sweep.mesh not in teeth and sweep.mesh in every:
+        report.problem(
+            (*at, "mesh"),
+            f"names {sweep.mesh}, which is not a mesh of {sweep.body}",
+            remedy=f"name one of {', '.join(teeth)}",
+        )

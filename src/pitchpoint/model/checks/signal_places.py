@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of what sensors and torques name: coordinates, observations, bodies and how these move.
+
+Each problem is reported as soon as the parts it depends on could be read, in addition to all others.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.mechanism import coordinates_listed
+from pitchpoint.model.components.actuator import TorqueActuator
+from pitchpoint.model.components.sensor import JointSensor, Listener, LoadSensor
+from pitchpoint.model.frames import GROUND, axes_of, split
+from pitchpoint.model.keys import Place, keys_of
+from pitchpoint.model.mechanism import coordinate, seat_frame
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.sections import GROUPS, Contents, groups_of
+
+if TYPE_CHECKING:
+    from pitchpoint.model.parts import Parts
+
+SAME = math.sqrt(0.5)
+"""Cosine of the angle of two spin axes up to which a torque has an axis half-way between them."""
+PARALLEL = 1.0 - 1e-9
+NO_HOLD = ("free", "shaft")
+"""Joints that leave all six displacements free."""
+IDLE = {
+    "bodies": ("position", "mass", "inertia", "transverse_inertia", "center_of_mass"),
+    "joints": ("position", "start", "speed", "friction", "lead"),
+}
+"""Keys that may be wrong without a doubt about which joint carries which body along which axes."""
+BODIES = ("bodies", "shafts", "elastic_bodies")
+
+
+def check_signal_places(parts: Parts, report: Reader) -> None:
+    """Sensors and actuators fit to how the bodies move, as far as that is known."""
+    whole = _tree_known(parts, report)
+    for name, sensor in parts.sensors.items():
+        at: Place = ("sensors", name)
+        if isinstance(sensor, JointSensor):
+            _joint_sensor(parts, at, sensor, report, whole)
+        elif isinstance(sensor, LoadSensor):
+            _load_sensor(parts, at, sensor, report, whole)
+        elif isinstance(sensor, Listener):
+            _listener(parts, at, sensor, report)
+    for name, actuator in parts.actuators.items():
+        if isinstance(actuator, TorqueActuator):
+            _torque(parts, ("actuators", name, "bodies"), actuator, report, whole)
+
+
+def _tree_known(parts: Parts, report: Reader) -> bool:
+    """Whether all that decides how the bodies hang on each other could be read."""
+    if not _all_read(parts, report, ("joints", *BODIES)) or parts.mechanism.floating:
+        return False
+    if any(parts.known(group) - set(getattr(parts, group)) for group in ("joints", *BODIES)):
+        return False
+    return all(p[2] in IDLE[str(p[0])] for p in report.tainted if p[0] in IDLE and len(p) > 2)
+
+
+def _all_read(parts: Parts, report: Reader, groups: tuple[str, ...]) -> bool:
+    """Whether the names of all parts of some sections are known: no such section is misspelled."""
+    values = set(keys_of(Contents)) - set(GROUPS)
+    broken = {str(p[0]) for p in report.tainted if len(p) == 1} - values
+    lost = {word for word in broken if not parts.known(word)}
+    return not any(word in groups or word not in GROUPS for word in lost)
+
+
+def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader, whole: bool) -> None:
+    """The coordinate exists; what the tree decides about it only if the tree is known."""
+    found = coordinate(parts.mechanism, parts, sensor.coordinate) if whole else None
+    if not whole and _names_nothing(parts, sensor.coordinate, report):
+        found = coordinate(parts.mechanism, parts, sensor.coordinate)
+    if isinstance(found, str):
+        remedy = (
+            coordinates_listed(parts) if whole else did_you_mean(*_meant(parts, sensor.coordinate)).strip()
+        )
+        report.problem((*at, "coordinate"), found, remedy=remedy or None)
+    if found is None or isinstance(found, str):
+        return
+    seat = parts.mechanism.seats[found[0]]
+    word = seat.coordinates[found[1]]
+    tilts = "alpha" in seat.coordinates or "beta" in seat.coordinates
+    quantity = ("angle", "angular_velocity", "angular_acceleration")[sensor.derivative]
+    remedy = f"write {{type: frames, quantity: {quantity}, ends: [{found[0]}, {seat.parent}]}}"
+    if seat.kind == "user":
+        report.problem(
+            (*at, "coordinate"),
+            f"names {sensor.coordinate}, whose joint moves by functions",
+            remedy="sense positions and angles between frames: type: frames",
+        )
+    elif tilts and word in ("alpha", "beta", "spin"):
+        report.problem(
+            (*at, "coordinate"),
+            f"names {sensor.coordinate}, a turn among others ({seat.kind}), which is not an angle in a plane",
+            remedy=remedy,
+        )
+
+
+def _meant(parts: Parts, name: str) -> tuple[str, set[str]]:
+    """The part of the name of a coordinate that is wrong, and the names that it could be."""
+    part, dot, word = name.partition(".")
+    if dot and part in parts.joints:
+        return word, set(parts.joints[part].names)
+    return part, parts.known("joints") if dot else _body_names(parts)
+
+
+def _names_nothing(parts: Parts, name: str, report: Reader) -> bool:
+    """Whether a coordinate is none, however the bodies hang on each other."""
+    part, dot, word = name.partition(".")
+    if not dot:
+        return part not in _body_names(parts) and _all_read(parts, report, BODIES)
+    if part not in parts.known("joints"):
+        return _all_read(parts, report, ("joints",))
+    doubtful = {p[2] for p in report.tainted if p[:2] == ("joints", part) and len(p) > 2}
+    return (
+        part in parts.joints
+        and word not in parts.joints[part].names
+        and doubtful <= {*IDLE["joints"], "bodies", "axes"}
+    )
+
+
+def _body_names(parts: Parts) -> set[str]:
+    return {name for group in BODIES for name in parts.known(group)}
+
+
+def _load_sensor(parts: Parts, at: Place, sensor: LoadSensor, report: Reader, whole: bool) -> None:
+    body = split(sensor.at)[0]
+    if body == GROUND:
+        report.problem((*at, "at"), "is ground, which no joint carries", remedy="name a body")
+        return
+    seat = parts.mechanism.seats.get(body)
+    if whole and seat is not None and seat.kind in NO_HOLD:
+        how = f"the joint {seat.joint}" if seat.joint is not None else "its motion"
+        report.problem(
+            (*at, "at"),
+            f"names {body}, which nothing holds: {how} leaves all directions free",
+            remedy="sense the force of a bearing or spring: type: observation",
+        )
+
+
+def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None:
+    from pitchpoint.core.nomenclature import table
+
+    where = (*at, "channel")
+    match = re.fullmatch(r"(\w+)\[([^\[\]]+)\]", sensor.channel)
+    if match is None:
+        report.problem(
+            where,
+            f"{sensor.channel[:40]!r} is not an observation",
+            remedy="write for example tension[SPRING]",
+        )
+        return
+    if match[1] == "signal":
+        report.problem(where, "is a signal", remedy="read it by its name where it is needed")
+        return
+    if match[1] not in table():
+        report.problem(
+            where,
+            f"{match[1][:40]!r} is not a quantity of results",
+            remedy=did_you_mean(match[1], table()) + "the names are those of a result file",
+        )
+        return
+    if not _all_read(parts, report, GROUPS):
+        return
+    known = {n for group in groups_of(parts) for n in parts.known(group)}
+    whole, first = match[2], match[2].split(".")[0]
+    if whole not in known and first not in known:
+        report.problem(
+            where,
+            f"names {whole[:40]!r}, which does not exist",
+            remedy=did_you_mean(first, known).strip() or None,
+        )
+
+
+def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader, whole: bool) -> None:
+    bodies = [split(end)[0] for end in actuator.bodies]
+    if bodies[0] == GROUND:
+        report.problem(at, "name ground first", remedy="name the driven body first")
+        return
+    if not whole or any(b != GROUND and b not in parts.mechanism.seats for b in bodies):
+        return
+    driven = coordinate(parts.mechanism, parts, bodies[0])
+    if isinstance(driven, str):
+        report.problem(at, driven, remedy="write {type: force, quantity: moment, ...} instead")
+        return
+    if len(bodies) == 1 or bodies[1] == GROUND:
+        return
+    one, two = (_spin_axis(parts, body) for body in bodies)
+    along = abs(float(one @ two))
+    spins = not isinstance(coordinate(parts.mechanism, parts, bodies[1]), str)
+    # a body without a spin takes the torque whatever its axes, but for one nearly along it
+    if along < SAME if spins else SAME < along < PARALLEL:
+        report.problem(
+            at,
+            f"are tilted by {math.degrees(math.acos(along)):.4g} deg: {bodies[0]} and {bodies[1]}",
+            limit="45 deg" if spins else "0 deg, or above 45 deg",
+            remedy="let the torque act back on the body that carries the driven one, or write "
+            "{type: force, quantity: moment, ...}",
+        )
+
+
+def _spin_axis(parts: Parts, body: str) -> Any:
+    seat = parts.mechanism.seats[body]
+    if seat.kind == "fixed":
+        return axes_of(parts, body)[:, 2]
+    return seat_frame(parts, seat)[1][:, 2]

@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of sensors, blocks, controllers and actuators: names, loops, numbers, functions."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.components import block as bl
+from pitchpoint.model.components.block import LawBlock
+from pitchpoint.model.components.controller import PythonController
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS, SECTIONS, TIME, at_once, made, read
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.law import PythonLaw
+    from pitchpoint.model.parts import Parts
+
+
+Definition = ast.FunctionDef | ast.AsyncFunctionDef
+
+
+def check_functions(parts: Parts, report: Reader) -> None:
+    """Files and functions exist and take what they are called with."""
+    for name, block in parts.blocks.items():
+        if isinstance(block, LawBlock):
+            _function(block.function, LAW_ARGUMENTS, ("blocks", name, "function"), report)
+    for name, part in parts.controllers.items():
+        if isinstance(part, PythonController):
+            _function(part.function, CONTROLLER_ARGUMENTS, ("controllers", name, "function"), report)
+
+
+def _function(law: PythonLaw, arguments: tuple[str, ...], at: Place, report: Reader) -> None:
+    file = Path(law.file)
+    try:
+        tree = ast.parse(file.read_bytes(), file.name)
+    except OSError:
+        report.problem(
+            at,
+            f"names the file '{file.name}', which is not there",
+            remedy="give it relative to the model file",
+        )
+        return
+    except SyntaxError as error:
+        report.problem(
+            at, f"names '{file.name}', which is not valid Python: {error.msg} (its line {error.lineno})"
+        )
+        return
+    except ValueError:
+        report.problem(at, f"names '{file.name}', which is not Python text")
+        return
+    known = {node.name: node for node in tree.body if isinstance(node, Definition)}
+    if law.function not in known:
+        if not _may_bind(tree, law.function):
+            listed = ", ".join(known) or "none"
+            report.problem(
+                at,
+                f"names the function {law.function!r}, which '{file.name}' does not define",
+                remedy=f"{did_you_mean(law.function, known)}functions there: {listed}",
+            )
+        return
+    node = known[law.function]
+    count = len(node.args.posonlyargs) + len(node.args.args)
+    if count != len(arguments) and not node.decorator_list:
+        report.problem(
+            at,
+            f"names {law.function} of '{file.name}' (its line {node.lineno}), which takes {count} arguments",
+            limit=str(len(arguments)),
+            remedy=f"define it as {law.function}({', '.join(arguments)})",
+        )
+
+
+def _may_bind(tree: ast.Module, name: str) -> bool:
+    """Whether statements other than definitions may define a name, which only running them would show."""
+    simple = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Expr)
+    for node in tree.body:
+        if isinstance(node, ast.Import | ast.ImportFrom):
+            if any((a.asname or a.name).split(".")[0] in (name, "*") for a in node.names):
+                return True
+        elif (
+            isinstance(node, ast.ClassDef)
+            and node.name == name
+            or not isinstance(node, simple)
+            and any(
+                isinstance(n, ast.Name) and n.id == name or isinstance(n, Definition) and n.name == name
+                for n in ast.walk(node)
+            )
+        ):
+            return True
+    return False
+
+
+def check_signals(parts: Parts, report: Reader) -> None:
+    """Whatever does not depend on how the machine hangs together."""
+    if not any(parts.known(section) for section in SECTIONS):
+        return
+    names = _names(parts, report)
+    for name, block in parts.blocks.items():
+        _block(("blocks", name), block, report)
+    for name, part in parts.controllers.items():
+        _controller(("controllers", name), part, report)
+    check_functions(parts, report)
+    if names and not any((section,) in report.tainted for section in SECTIONS):
+        _loops(parts, report)
+
+
+# --- names --------------------------------------------------------------------------------------------------
+def _names(parts: Parts, report: Reader) -> bool:
+    """Every signal is made once, and whatever is read is made; whether all names could be followed."""
+    seen: dict[str, Place] = {}
+    for name, at in made(parts):
+        if name == TIME:
+            report.problem(at, "is the name of the time in formulas", remedy="call the signal something else")
+        elif name in seen:
+            _taken(name, at, seen[name], report)
+        elif at[0] != "controllers" or report.good_name(name, at[:2]):
+            seen[name] = at
+    for name in parts.actuators:
+        if name in seen:
+            _taken(name, ("actuators", name), seen[name], report)
+    whole = all(set(getattr(parts, s)) == parts.known(s) for s in SECTIONS)
+    unread = {n for s in ("sensors", "blocks") for n in parts.known(s)} - set(seen)
+    found = True
+    for name, at in read(parts):
+        if (
+            name in seen
+            or name in unread
+            or (not whole and parts.known("controllers") - set(parts.controllers))
+        ):
+            continue
+        found = False
+        if name in parts.actuators:
+            remedy = f"name the signal that it follows, {parts.actuators[name].signal}"
+            report.problem(at, f"names {name}, which is an actuator", remedy=remedy)
+            continue
+        have = f"there are {', '.join(seen)}" if seen else "there are none: add sensors or blocks"
+        report.problem(
+            at,
+            f"names the signal {name[:40]!r}, which does not exist",
+            remedy=did_you_mean(name, seen) + have,
+        )
+    return found and whole
+
+
+def _taken(name: str, at: Place, first: Place, report: Reader) -> None:
+    who = ".".join(str(step) for step in first[:2])
+    remedy = "give each signal and each actuator a name of its own"
+    report.problem(at, f"has a name that is taken: {who} makes signal[{name}]", remedy=remedy)
+
+
+def _loops(parts: Parts, report: Reader) -> None:
+    """Signals that follow themselves without a state between, with the names in the loop."""
+    follows = at_once(parts)
+    done: set[str] = set()
+    for first in follows:
+        trail: list[str] = []
+        stack: list[tuple[str, int]] = [(first, 0)]
+        while stack:
+            name, k = stack.pop()
+            del trail[len(stack) :]
+            if name in done and k == 0:
+                continue
+            trail.append(name)
+            if k == len(follows[name]):
+                done.add(name)
+                continue
+            stack.append((name, k + 1))
+            wanted = follows[name][k]
+            if wanted in trail:
+                _loop(parts, trail[trail.index(wanted) :], report)
+                done.update(trail)
+                break
+            if wanted not in done:
+                stack.append((wanted, 0))
+
+
+def _loop(parts: Parts, loop: list[str], report: Reader) -> None:
+    k = next(k for k, name in enumerate(loop) if name in parts.blocks or name in parts.actuators)
+    first = loop[k]
+    report.problem(
+        ("blocks" if first in parts.blocks else "actuators", first),
+        f"follows itself at once: {' <- '.join([*loop[k:], *loop[:k], first])}",
+        remedy="put a state between them, such as a filter",
+    )
+
+
+# --- blocks and controllers ---------------------------------------------------------------------------------
+def _block(at: Place, block: bl.Block, report: Reader) -> None:
+    """Keys of one block that belong together."""
+    if isinstance(block, bl.Limits | bl.Pid):
+        _limits(at, block.limits, report)
+    if isinstance(block, bl.FormulaBlock):
+        _formula(at, block, report)
+    elif isinstance(block, bl.TransferFunction):
+        _transfer_function(at, block, report)
+    elif isinstance(block, bl.Pid):
+        _pid(at, block, report)
+
+
+def _limits(at: Place, limits: tuple[float, float] | None, report: Reader) -> None:
+    if limits is not None and not limits[0] < limits[1]:
+        report.problem(
+            (*at, "limits"),
+            "leave no room",
+            value=f"{limits[0]:.6g} to {limits[1]:.6g}",
+            remedy="write [least, greatest]",
+        )
+
+
+def _formula(at: Place, block: bl.FormulaBlock, report: Reader) -> None:
+    from pitchpoint.core.formula.formula import Formula, FormulaError
+
+    for i, name in enumerate(block.inputs):
+        try:
+            Formula.parse(name, (name,))
+        except FormulaError:
+            report.problem(
+                (*at, "inputs", i),
+                f"{name[:40]!r} is not a name that a formula can use",
+                remedy="call the signal a word of letters, digits and '_' that is not a function",
+            )
+            return
+    try:
+        formula = Formula.parse(block.formula, block.inputs)
+    except FormulaError as error:
+        remedy = error.remedy or f"a formula may use {', '.join(block.inputs)}, pi, numbers and functions"
+        report.problem((*at, "formula"), f"cannot be read as a formula: {error}", remedy=remedy)
+        return
+    for i, name in enumerate(block.inputs):
+        if not formula.uses(name):
+            report.problem((*at, "inputs", i), f"{name}, is not in the formula", remedy="use or remove it")
+
+
+def _transfer_function(at: Place, block: bl.TransferFunction, report: Reader) -> None:
+    if block.denominator[0] == 0.0:
+        report.problem((*at, "denominator", 0), "is zero", remedy="leave leading zeros out")
+    elif len(block.numerator) > len(block.denominator):
+        report.problem(
+            (*at, "numerator"),
+            "is of higher order than the denominator: it would differentiate",
+            value=f"order {len(block.numerator) - 1}",
+            limit=f"<= {len(block.denominator) - 1}",
+            remedy="add a pole to the denominator",
+        )
+
+
+def _pid(at: Place, block: bl.Pid, report: Reader) -> None:
+    if block.derivative != 0.0 and block.filter_time == 0.0:
+        report.problem(
+            (*at, "filter_time"),
+            "is missing: a derivative needs one",
+            remedy="add for example filter_time: 1 ms",
+        )
+    follows = block.limits is not None and block.integral != 0.0 and block.tracking_time is None
+    if follows and not block.proportional / block.integral > 0.0:
+        report.problem(
+            (*at, "tracking_time"),
+            "does not follow from these gains: proportional over integral is not positive",
+            remedy="add for example tracking_time: 100 ms",
+        )
+
+
+def _controller(at: Place, part: Any, report: Reader) -> None:
+    if not isinstance(part, PythonController):
+        _limits(at, part.limits, report)
+    elif part.start and len(part.start) != len(part.outputs):
+        report.problem(
+            (*at, "start"),
+            f"has {len(part.start)} numbers for {len(part.outputs)} outputs",
+            remedy="give one for each, or leave it out",
+        )

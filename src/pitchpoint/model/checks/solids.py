@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of directions of axes, and of the solids of CAD programs in gears, shafts and bodies."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError, MissingDependencyError
+from pitchpoint.model.keys import Place
+from pitchpoint.model.parts import Parts
+from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.marker import Axes
+    from pitchpoint.model.components.solid import SolidReference
+
+
+SQUARE = 1e-6
+"""Cosine of the angle up to which two directions count as perpendicular."""
+
+
+def check_directions(parts: Parts, report: Reader) -> None:
+    """Axes are directions, and x is at right angles to z."""
+    for name, body in parts.bodies.items():
+        check_axes(body.axes, ("bodies", name, "axes"), report)
+        for word, marker in body.markers.items():
+            check_axes(marker.axes, ("bodies", name, "markers", word, "axes"), report)
+    for name, joint in parts.joints.items():
+        check_axes(joint.axes, ("joints", name, "axes"), report)
+
+
+def check_axes(axes: Axes | None, at: Place, report: Reader) -> None:
+    """Directions are not zero, and at right angles to each other."""
+    if axes is None:
+        return
+    for key in ("z", "x"):
+        given = getattr(axes, key)
+        if given is not None and not any(given):
+            report.problem(
+                (*at, key),
+                "is not a direction: all its numbers are zero",
+                remedy="write for example [1, 0, 0]",
+            )
+            return
+    if axes.x is None:
+        return
+    cosine = math.fsum(a * b for a, b in zip(axes.z, axes.x, strict=True))
+    cosine /= math.hypot(*axes.z) * math.hypot(*axes.x)
+    if abs(cosine) > SQUARE:
+        report.problem(
+            (*at, "x"),
+            "is not at right angles to z",
+            value=f"{math.degrees(math.acos(max(-1.0, min(1.0, cosine)))):.6g} deg",
+            limit="90 deg",
+            remedy="correct one of them, or leave x out",
+        )
+
+
+def check_solids(parts: Parts, report: Reader) -> None:
+    """Read the solids of gears, shafts and bodies; those that cannot be read are omitted later on."""
+    for group in ("gears", "shafts", "bodies"):
+        components = getattr(parts, group)
+        for name, component in list(components.items()):
+            if component.solid is None:
+                continue
+            at: Place = (group, name, "solid")
+            if any((*at, k) in report.tainted for k in ("file", "unit", "axes", "material", "density")):
+                good = False
+            else:
+                good = _check(component.solid, at, group, report)
+            if not good:
+                components[name] = dataclasses.replace(component, solid=None)
+                report.tainted |= {(group, name, k) for k in ("mass", "inertia", "transverse_inertia")}
+
+
+def _check(part: SolidReference, at: Place, group: str, report: Reader) -> bool:
+    if part.density is not None and part.material is not None:
+        report.problem((*at, "density"), "cannot be combined with material", remedy="give one of the two")
+        return False
+    if part.origin is not None and group != "bodies":
+        single = group.removesuffix("s")
+        report.problem(
+            (*at, "origin"),
+            f"has no effect: a {single} lies where its body or its section is",
+            remedy="remove it",
+        )
+        return False
+    if part.axes is not None and not _directions(part, at, report):
+        return False
+    try:
+        if group == "bodies":
+            part.solid()
+        else:
+            part.about_axis()
+    except GeometryError as error:
+        report.hand_on(at if error.problem.where else (*at, "file"), error.problem)
+        return False
+    except MissingDependencyError as error:
+        what, _, remedy = str(error).partition("; ")
+        report.problem((*at, "file"), f"cannot be read: {what}", remedy=remedy)
+        return False
+    return True
+
+
+def _directions(part: SolidReference, at: Place, report: Reader) -> bool:
+    before = len(report.problems)
+    check_axes(part.axes, (*at, "axes"), report)
+    return len(report.problems) == before

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bearings and couplings sit on the axes of their bodies, and what they join lies along one axis."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.model.checks.forces import TURNING
+from pitchpoint.model.frames import GROUND, Array, axes_of, body_frame, place_of, split
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.parts import Parts
+
+HOUSED = 1e-3
+"""Distance of a bearing from the named place of its housing [m]; what is less is a rigid arm."""
+TILTED = math.radians(5.0)
+"""Angle from which rings do not share one axis; no bearing is mounted with that tilt."""
+COAXIAL = 1e-6
+"""Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""
+
+
+def check_positions(parts: Parts, report: Reader) -> None:
+    """Springs act between axes, which do not turn with the bodies; a place off the axis would turn."""
+    for group in ("bearings", "couplings"):
+        for name, part in getattr(parts, group).items():
+            x, y, z = part.position
+            if x == 0.0 and y == 0.0:
+                continue
+            body = part.body if group == "bearings" else part.bodies[0]
+            shown = ", ".join(f"{v * 1e3:.6g}" for v in part.position)
+            report.problem(
+                (group, name, "position"),
+                f"lies off the axis of {body}",
+                value=f"[{shown}] mm",
+                limit="x = y = 0",
+                remedy=f"write [0, 0, {z * 1e3:.6g} mm]; the axis lies where the position of {body} puts it",
+                taint=False,
+            )
+
+
+def check_housings(parts: Parts, report: Reader) -> None:
+    """A bearing in a housing sits where the named place of it is, and leaves the spin free."""
+    for name, part in parts.bearings.items():
+        at: Place = ("bearings", name)
+        if part.housing is None or part.housing == GROUND or at in report.tainted:
+            continue
+        body, marker = split(part.housing)
+        if body == part.body:
+            report.problem(
+                (*at, "housing"),
+                f"is the body that runs in the bearing, {body}",
+                remedy="name another body, or leave housing out for ground",
+            )
+            continue
+        if part.stiffness.matrix6()[5][5] != 0.0:
+            report.problem(
+                (*at, "stiffness"),
+                f"holds the spin of {part.body} against the housing {body}",
+                limit="torsion: 0",
+                remedy="use a coupling for that, or leave torsion out",
+            )
+        if part.body not in parts.bodies or body not in parts.bodies:
+            continue
+        owner, there = parts.bodies[part.body], place_of(parts, part.housing)
+        if owner.origin is None or there is None or not marker:
+            continue
+        center = np.array(owner.origin) + body_frame(parts, part.body)[1] @ [0.0, 0.0, part.position[2]]
+        apart = float(np.linalg.norm(center - there))
+        limit = HOUSED * max(1.0, float(np.abs(center).max()))
+        if apart > limit:
+            report.problem(
+                (*at, "housing"),
+                f"lies {apart * 1e3:.6g} mm from the bearing",
+                value=part.housing,
+                limit=f"{limit * 1e3:.4g} mm",
+                remedy=f"correct the place of {marker}, or the position of the bearing or of {part.body}",
+            )
+
+
+def check_couplings(parts: Parts, report: Reader) -> None:
+    """Forces between axes that lie apart would turn the bodies without a spring that gives the work."""
+    for name, coupling in parts.couplings.items():
+        bodies = [parts.bodies.get(b) for b in coupling.bodies]
+        if None in bodies or all(b.moves in ("torsion", "fixed") for b in bodies if b is not None):
+            continue
+        places = [b.origin for b in bodies if b is not None and b.origin is not None]
+        if len(places) < 2 or not _holds_sideways(coupling):
+            continue
+        if _tilted(parts, "couplings", name, coupling.bodies, report):
+            continue
+        z = body_frame(parts, coupling.bodies[0])[1][:, 2]
+        apart = float(np.linalg.norm(np.cross(z, np.subtract(places[1], places[0]))))
+        if apart > COAXIAL:
+            first, second = coupling.bodies
+            report.problem(
+                ("couplings", name, "bodies"),
+                f"have axes {apart * 1e3:.6g} mm apart, and the coupling holds more than their rotation",
+                value=f"{first} and {second}",
+                limit=f"{COAXIAL * 1e3:g} mm",
+                remedy=f"put {first} and {second} on one axis, or give the coupling torsion only",
+            )
+
+
+def check_turning(parts: Parts, report: Reader) -> None:
+    """The angle between two bodies is one about an axis of both: about others it depends on the way there."""
+    for group in TURNING:
+        for name, part in getattr(parts, group).items():
+            if len(part.bodies) == 2 and all(b in parts.bodies for b in part.bodies):
+                _tilted(parts, group, name, part.bodies, report)
+
+
+def _tilted(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report: Reader) -> bool:
+    """Whether two bodies have different z axes as drawn, which is reported."""
+    z, other = (body_frame(parts, b)[1][:, 2] for b in bodies)
+    cosine = float(z @ other)
+    if cosine < 1.0 - COAXIAL**2:
+        report.problem(
+            (group, name, "bodies"),
+            f"have axes {math.degrees(math.acos(max(-1.0, cosine))):.6g} deg apart",
+            value=" and ".join(bodies),
+            remedy="give both bodies the same z axis, or join them by a universal joint",
+        )
+        return True
+    return False
+
+
+def check_rings(parts: Parts, report: Reader) -> None:
+    """The rings of rolling and plain bearings lie at one place, about one axis; ground is the origin."""
+    for group in ("rolling_bearings", "plain_bearings"):
+        for name, bearing in getattr(parts, group).items():
+            places = [place_of(parts, end) for end in bearing.ends]
+            if (group, name) in report.tainted or places[0] is None or places[1] is None:
+                continue
+            if _apart(parts, (group, name, "ends"), bearing.ends, (places[0], places[1]), report):
+                continue
+            z, other = (axes_of(parts, end)[:, 2] for end in bearing.ends)
+            angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), abs(float(z @ other)))
+            if angle > TILTED:
+                inner, outer = bearing.ends
+                report.problem(
+                    (group, name, "ends"),
+                    f"have z axes {math.degrees(angle):.6g} deg apart",
+                    value=f"{inner} and {outer}",
+                    limit=f"{math.degrees(TILTED):.3g} deg",
+                    remedy=f"give the marker {outer} axes whose z lies along that of {inner}; on ground it "
+                    "takes a body with motion: fixed and a marker",
+                )
+
+
+def _apart(
+    parts: Parts, at: Place, ends: tuple[str, str], places: tuple[Array, Array], report: Reader
+) -> bool:
+    """Whether the rings of a bearing lie at different places as drawn; if so, it is reported."""
+    distance = float(np.linalg.norm(places[0] - places[1]))
+    limit = HOUSED * max(1.0, *(float(np.abs(p).max()) for p in places))
+    if distance <= limit:
+        return False
+    remedy = "correct the places of the bodies or markers"
+    if GROUND in ends:
+        body = ends[ends[0] == GROUND]
+        where = ", ".join(f"{v * 1e3:.6g} mm" for v in places[ends[0] == GROUND])
+        remedy = (
+            f"ground is the origin of the world: add a body {{motion: fixed, position: [{where}]}} "
+            f"where {body} lies, and name it instead of ground"
+        )
+    report.problem(
+        at,
+        f"lie {distance * 1e3:.6g} mm from each other as drawn",
+        value=" and ".join(ends),
+        limit=f"{limit * 1e3:.4g} mm",
+        remedy=remedy,
+    )
+    return True
+
+
+def _holds_sideways(coupling: Coupling) -> bool:
+    """Whether anything but the rotation about the axis is sprung or damped."""
+    matrices = [coupling.stiffness.matrix6()]
+    if coupling.damping is not None:
+        matrices.append(coupling.damping.matrix6())  # a ratio damps what the stiffness holds
+    return any(m[i][j] != 0.0 for m in matrices for i in range(6) for j in range(6) if (i, j) != (5, 5))

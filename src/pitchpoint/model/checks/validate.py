@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All checks of a model, one after the other."""
+
+from __future__ import annotations
+
+from pitchpoint.model.assembly import resolve
+from pitchpoint.model.checks.beams import check_beams
+from pitchpoint.model.checks.bevel_gears import check_bevel_gears, check_bevel_names, check_bevel_pairs
+from pitchpoint.model.checks.choices import check_given
+from pitchpoint.model.checks.contacts import check_contacts
+from pitchpoint.model.checks.elastic_bodies import add_elastic_bodies, check_elastic_bodies
+from pitchpoint.model.checks.forces import check_forces, check_loads, check_unbalances
+from pitchpoint.model.checks.gear_pairs import check_phasing
+from pitchpoint.model.checks.gears import check_choices
+from pitchpoint.model.checks.joints import check_joints
+from pitchpoint.model.checks.masses import check_masses, check_motions
+from pitchpoint.model.checks.mechanism import check_mechanism
+from pitchpoint.model.checks.references import check_carriers, check_places, check_references
+from pitchpoint.model.checks.scenarios import check_scenarios
+from pitchpoint.model.checks.signal_places import check_signal_places
+from pitchpoint.model.checks.signals import check_signals
+from pitchpoint.model.checks.solids import check_directions, check_solids
+from pitchpoint.model.checks.supports import (
+    check_couplings,
+    check_housings,
+    check_positions,
+    check_rings,
+    check_turning,
+)
+from pitchpoint.model.checks.tooth_faults import check_fault_laws
+from pitchpoint.model.parts import Parts
+from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.shafts import add_shafts, check_shaft_places
+
+CHECKS = (
+    check_given,
+    check_solids,
+    add_shafts,
+    add_elastic_bodies,
+    check_references,
+    check_bevel_gears,
+    check_bevel_names,
+    check_places,
+    check_carriers,
+    check_choices,
+    check_directions,
+    check_masses,
+    check_joints,
+    check_forces,
+    check_contacts,
+    check_elastic_bodies,
+    check_signals,
+    check_positions,
+    resolve,
+    check_fault_laws,
+    check_shaft_places,
+    check_mechanism,
+    check_signal_places,
+    check_beams,
+    check_couplings,
+    check_housings,
+    check_rings,
+    check_turning,
+    check_motions,
+    check_unbalances,
+    check_loads,
+    check_scenarios,
+    check_phasing,
+    check_bevel_pairs,
+)
+"""In the order in which a later one may rely on an earlier one."""
+
+
+def check(parts: Parts, report: Reader) -> None:
+    """Check the parts of a model and settle what follows from them; problems go to the report."""
+    for each in CHECKS:
+        each(parts, report)

@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers and points in text files that a model file names: columns, grids, tooth profiles."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.errors import UnitError
+from pitchpoint.core.units import parse_quantity
+from pitchpoint.model.components.tooth_profile import Points, ToothProfile
+from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.show import shown
+
+if TYPE_CHECKING:
+    from pitchpoint.model.reading.reader import Reader
+
+_MAX_BYTES = 10_000_000
+_SEPARATOR = re.compile(r"[,;\t]")
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)", re.IGNORECASE)
+_HEADING = re.compile(r"([^\[\]]*)\[([^\[\]]+)\]")
+_SHOWN = 5
+"""Bad lines of one file that are reported one by one."""
+
+Line = tuple[int, list[str]]
+"""Number of a line in its file, and its cells."""
+
+
+def lines(reader: Reader, name: str, path: Place, instead: str) -> Any:
+    """Cells of every line of a text file that holds any; '#' starts a comment. BAD if it cannot be read."""
+    file = Path(reader.directory) / name
+    try:
+        if not file.is_file():
+            return reader.problem(path, f"there is no file '{name}'", remedy=f"give {instead}")
+        if file.stat().st_size > _MAX_BYTES:
+            return reader.problem(path, f"the file '{name}' is larger than 10 MB", remedy="split it")
+        with file.open(encoding="utf-8-sig") as stream:
+            found = [(n, line.split("#")[0].strip()) for n, line in enumerate(stream, start=1)]
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "it is not a text file"
+        return reader.problem(path, f"the file '{name}' cannot be read: {reason}", remedy=f"give {instead}")
+    return [(n, _cells(text)) for n, text in found if text]
+
+
+def _cells(text: str) -> list[str]:
+    """Cells between commas, semicolons or tabs; a line of plain numbers may have blanks between them."""
+    parts = text.split()
+    if not _SEPARATOR.search(text) and all(_NUMBER.fullmatch(part) for part in parts):
+        return parts
+    return [cell.strip() for cell in _SEPARATOR.split(text)]
+
+
+def _quantities(reader: Reader, name: str, found: list[Line], dimension: str, path: Place) -> Any:
+    """Quantities of all lines; a first line such as 'f_p [um]' gives the bare numbers below it their unit."""
+    unit = ""
+    if found and len(found[0][1]) == 1:
+        match = _HEADING.fullmatch(found[0][1][0])
+        if match:
+            unit, found = f" {match[2]}", found[1:]
+    rows: list[list[float]] = []
+    faults = 0
+    for number, cells in found:
+        try:
+            row = []
+            for cell in cells:
+                bare = _NUMBER.fullmatch(cell)
+                row.append(parse_quantity(f"{cell}{unit}" if bare else cell, dimension))
+            rows.append(row)
+        except UnitError as error:
+            faults += 1
+            if faults <= _SHOWN:
+                remedy = "write numbers between commas or blanks; a first line [um] gives their unit"
+                reader.problem(path, f"{error} (file '{name}', line {number})", remedy=remedy)
+    if faults > _SHOWN:
+        reader.problem(path, f"there are {faults - _SHOWN} more such lines in '{name}'")
+    return BAD if faults else rows
+
+
+def column(reader: Reader, key: Key, name: str, path: Place) -> Any:
+    """Read a text file with one quantity per line, or several."""
+    found = lines(reader, name, path, "a list of quantities")
+    if found is BAD:
+        return BAD
+    rows = _quantities(reader, name, found, key.dimension, path)
+    return BAD if rows is BAD else [cell for row in rows for cell in row]
+
+
+def grid(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a rectangular list of lists of quantities, or a text file with one row a line."""
+    if isinstance(data, str):
+        found = lines(reader, data, path, "a list of rows")
+        data = BAD if found is BAD else _quantities(reader, data, found, key.dimension, path)
+        if data is BAD:
+            return BAD
+    row = Key("quantities", "", dimension=key.dimension, length=(1, 10**6))
+    rows = reader.sequence(row, data, path, reader.numbers)
+    if rows is BAD:
+        return BAD
+    if len({len(r) for r in rows}) != 1:
+        return reader.problem(path, "has rows of different length", remedy="give every row the same length")
+    return rows
+
+
+def pitch(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read deviations for both flanks (a list or the name of a file), or a mapping of left and right."""
+    if isinstance(data, Mapping):
+        return reader.component(key.of, data, path)
+    return reader.numbers(key, data, path)
+
+
+def tooth_profile(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read the points of a tooth and keep those of the tooth that is meant."""
+    found = reader.component(ToothProfile, data, path)
+    if found is BAD:
+        return BAD
+    chosen: ToothProfile = found.of_number()
+    empty = [n for n in chosen.given if getattr(found, n).teeth and not getattr(chosen, n).xy]
+    for name in empty:
+        source = getattr(found, name)
+        reader.problem(
+            (*path, name),
+            f"has no points of the tooth {found.number} in '{source.file}'",
+            limit=f"{min(source.teeth)} to {max(source.teeth)}",
+            remedy="set number to a tooth of the file",
+        )
+    return BAD if empty else chosen
+
+
+def points(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read points of an outline: the name of a CSV file, or a list of [x, y]."""
+    if isinstance(data, str):
+        found = lines(reader, data, path, "a list of [x, y]")
+        return BAD if found is BAD else _from_file(reader, data, found, path)
+    number = Key("quantity", "", dimension="length")
+    pair = Key("quantities", "", dimension="length", length=(2, 2))
+    if not isinstance(data, list | tuple):
+        return reader.problem(
+            path, "are not points", value=shown(data), remedy="name a CSV file, or give [[x, y], ...]"
+        )
+    rows = [
+        reader.sequence(pair, row, (*path, i), lambda _, v, at: reader.number(number, v, at))
+        for i, row in enumerate(data)
+    ]
+    return BAD if any(row is BAD for row in rows) else Points(tuple(rows))
+
+
+def _from_file(reader: Reader, name: str, found: list[Line], path: Place) -> Any:
+    heading = _columns(reader, name, found, path)
+    if heading is BAD:
+        return BAD
+    places, scales = heading
+    xy, numbers, teeth = [], [], []
+    faults = 0
+    for number, cells in found[1:]:
+        try:
+            point = [float(cells[places[c]]) * scales[c] for c in "xy"]
+            tooth = int(cells[places["tooth"]]) if "tooth" in places else 0
+            if not all(math.isfinite(v) for v in point):
+                raise ValueError
+        except (ValueError, IndexError):
+            faults += 1
+            if faults <= _SHOWN:
+                reader.problem(
+                    path,
+                    f"is not a point (file '{name}', line {number})",
+                    value=shown(",".join(cells)),
+                    remedy="give finite numbers in the units of the heading, with a decimal point",
+                )
+            continue
+        xy.append((point[0], point[1]))
+        numbers.append(number)
+        teeth.append(tooth)
+    if faults > _SHOWN:
+        reader.problem(path, f"there are {faults - _SHOWN} more such lines in '{name}'")
+    if faults:
+        return BAD
+    return Points(tuple(xy), name, tuple(numbers), tuple(teeth) if "tooth" in places else ())
+
+
+def _columns(reader: Reader, name: str, found: list[Line], path: Place) -> Any:
+    """Places of the columns x, y and, if there is one, tooth; factors of x and y to metres."""
+    number, cells = found[0] if found else (1, [])
+    here = f"(file '{name}', line {number})"
+    places: dict[str, int] = {}
+    scales: dict[str, float] = {}
+    for i, cell in enumerate(cells):
+        match = _HEADING.fullmatch(cell)
+        word = (match[1] if match else cell).strip().lower()
+        if word not in ("x", "y", "tooth"):
+            continue
+        if word in places:
+            return reader.problem(path, f"has two columns {word} {here}", remedy="leave one out")
+        places[word] = i
+        if match and word != "tooth":
+            try:
+                scales[word] = parse_quantity(f"1 {match[2].strip()}", "length")
+            except UnitError:
+                return reader.problem(
+                    path,
+                    f"is not a unit of length {here}",
+                    value=shown(match[2]),
+                    remedy="write mm, um, m or inch",
+                )
+    if not {"x", "y"} <= set(places) or set(scales) != {"x", "y"}:
+        return reader.problem(
+            path,
+            f"begins without a heading that names columns and units {here}",
+            value=shown(",".join(cells)),
+            remedy="begin with x [mm],y [mm]",
+        )
+    return places, scales

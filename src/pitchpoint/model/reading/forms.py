@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Readers of values with a form of their own: gears of a body, speeds by name, matrices, orders."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.show import shown
+
+if TYPE_CHECKING:
+    from pitchpoint.model.reading.reader import Reader
+
+
+ROUNDED = 1e-3
+"""Negative eigenvalue of a scaled matrix that may come from entries written with few digits."""
+
+
+def gears(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a list of gear names or a mapping of names to axial offsets."""
+    if isinstance(data, Mapping):
+        axial = Key("quantity", key.meaning, dimension="length")
+        offsets = {str(n): reader.number(axial, v, (*path, str(n))) for n, v in data.items()}
+        return BAD if any(v is BAD for v in offsets.values()) else offsets
+    found = reader.names(key, data, path)
+    if found is BAD:
+        return BAD
+    twice = sorted({n for n in found if found.count(n) > 1})
+    if twice:
+        return reader.problem(path, f"names {', '.join(twice)} twice", remedy="name each gear once")
+    return dict.fromkeys(found, 0.0)
+
+
+def speeds(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a mapping of names to quantities."""
+    if not isinstance(data, Mapping):
+        return reader.problem(
+            path, "is not a mapping of names", value=shown(data), remedy="write {BODY: 1500 rpm}"
+        )
+    speeds = {str(n): reader.number(key, v, (*path, str(n))) for n, v in data.items()}
+    return BAD if any(v is BAD for v in speeds.values()) else speeds
+
+
+def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a symmetric 6x6 matrix of SI numbers."""
+    row = Key("quantities", "", dimension="dimensionless", length=(6, 6))
+    rows = reader.sequence(row, data, path, reader.numbers)
+    if rows is BAD:
+        return BAD
+    size = max(abs(v) for r in rows for v in r)
+    for i in range(6):
+        for j in range(i):
+            if abs(rows[i][j] - rows[j][i]) > 1e-9 * size:
+                remedy = f"entries [{i}][{j}] and [{j}][{i}] must agree"
+                return reader.problem(path, "is not symmetric", remedy=remedy)
+    least = _least_eigenvalue(rows)
+    if least < -ROUNDED:
+        return reader.problem(
+            path,
+            "pushes away in some direction: one of its eigenvalues is negative",
+            remedy="correct the signs, or the off-diagonal entries",
+        )
+    return rows
+
+
+def _least_eigenvalue(rows: Sequence[Sequence[float]]) -> float:
+    """Smallest eigenvalue of a symmetric matrix with its diagonal scaled to 1: it mixes N/m and N m/rad."""
+    import numpy as np
+
+    matrix = np.array(rows)
+    size = np.abs(matrix.diagonal())
+    scale = np.sqrt(np.where(size > 0.0, size, max(float(np.max(np.abs(matrix))), 1e-300)))
+    return float(np.linalg.eigvalsh(matrix / np.outer(scale, scale))[0])
+
+
+def orders(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a mapping of orders to [amplitude, phase]."""
+    if not isinstance(data, Mapping):
+        return reader.problem(path, "is not a mapping", value=shown(data), remedy="write {1: [20 um, 0 deg]}")
+    whole = Key("integer", "", minimum=1, maximum=10**6)
+    length, angle = Key("quantity", "", dimension="length"), Key("quantity", "", dimension="angle")
+    out = []
+    for order, pair in data.items():
+        at = (*path, str(order))
+        n = reader.whole(whole, int(order) if str(order).isdecimal() and len(str(order)) < 9 else order, at)
+        if not isinstance(pair, list | tuple) or len(pair) != 2:
+            reader.problem(at, "is not [amplitude, phase]", value=shown(pair), remedy="write [20 um, 0 deg]")
+            continue
+        found = (n, reader.number(length, pair[0], (*at, 0)), reader.number(angle, pair[1], (*at, 1)))
+        if BAD not in found:
+            out.append(found)
+    return tuple(out)

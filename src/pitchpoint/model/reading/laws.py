@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Readers of the values that are more than a number: laws over time, Python functions, materials.
+
+Formulas go through the whitelist parser of `core.formula.formula` and are never evaluated as Python; a Python
+function is only named here, and only when the caller allows code.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.keys import BAD, Key, Place
+
+if TYPE_CHECKING:
+    from pitchpoint.model.reading.reader import Reader
+
+VARIABLES = ("t", "angle", "speed")
+_WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
+_CALL = re.compile(r"[a-zA-Z_]\w*\s*\(")
+
+
+def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a torque, force or prescribed motion in any of its forms."""
+    motion = key.dimension in ("angle", "angular_speed", "length", "speed")
+    variables = key.variables or (("t",) if motion else VARIABLES)
+    if isinstance(data, Mapping):
+        if "python" in data:
+            return python(reader, key, data, path)
+        if "table" in data:
+            return _table(reader, key, data, path, variables)
+        return reader.problem(
+            path,
+            "is neither a table nor a Python function",
+            remedy="write {table: [[t, value], ...], over: time}",
+        )
+    if data == "balance" and key.dimension == "torque":
+        return Balance()
+    if isinstance(data, str) and (
+        any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
+    ):
+        return _formula(reader, key, data, path, variables)
+    value = reader.number(key, data, path)
+    return BAD if value is BAD else Constant(value)
+
+
+def laws(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a list of laws."""
+    return reader.sequence(key, data, path, lambda k, entry, at: law(reader, k, entry, at))
+
+
+def _formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[str, ...]) -> Any:
+    from pitchpoint.core.formula.formula import Formula, FormulaError
+
+    try:
+        Formula.parse(text, variables, key.dimension)
+    except FormulaError as error:
+        remedy = error.remedy or (
+            f"a formula may use {', '.join(variables)}, pi, numbers with units and listed functions"
+        )
+        return reader.problem(path, f"cannot be read as a formula: {error}", remedy=remedy)
+    return FormulaLaw(text, variables)
+
+
+def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, variables: tuple[str, ...]) -> Any:
+    reader.unknown(data, ("table", "over"), path)
+    choices = ("time", *(v for v in AXES if v in variables))
+    over = reader.word(Key("choice", "", choices=choices), data.get("over", "time"), (*path, "over"))
+    x_key = Key("quantity", "", dimension=AXES.get(over, "time"))
+    points = table_points(reader, key, data["table"], (*path, "table"), x_key, over)
+    if points is BAD or over is BAD:
+        return BAD
+    return TableLaw(tuple(p[0] for p in points), tuple(p[1] for p in points), over)
+
+
+def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, over: Any) -> Any:
+    """Read rows of two values with rising first ones; BAD with any problem."""
+    if not isinstance(rows, list | tuple) or len(rows) < 2:
+        return reader.problem(at, "is not a list of at least two rows", remedy="write [[0 s, 0], [1 s, 150]]")
+    if over is BAD:
+        return BAD
+    points = []
+    for i, row in enumerate(rows):
+        if not isinstance(row, list | tuple) or len(row) != 2:
+            reader.problem((*at, i), "is not a row of two values", remedy=f"write [{over}, value]")
+            continue
+        point = (reader.number(x_key, row[0], (*at, i, 0)), reader.number(key, row[1], (*at, i, 1)))
+        if BAD not in point:
+            points.append(point)
+    if len(points) != len(rows):
+        return BAD
+    for i in range(1, len(points)):
+        if not points[i][0] > points[i - 1][0]:
+            return reader.problem(
+                (*at, i), f"does not come later in {over} than the row before", remedy="sort the table"
+            )
+    return points
+
+
+def python(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read 'file.py:function' with parameters; a problem unless code is allowed."""
+    parameters: Any = ()
+    name = data
+    if isinstance(data, Mapping):
+        reader.unknown(data, ("python", "parameters"), path)
+        name = data.get("python")
+        numbers = Key("quantities", "", dimension="dimensionless", length=(0, 1000))
+        parameters = reader.sequence(
+            numbers, data.get("parameters", []), (*path, "parameters"), reader.number
+        )
+    match = re.fullmatch(r"(.+\.py):([A-Za-z_]\w*)", name) if isinstance(name, str) else None
+    if match is None:
+        return reader.problem(path, "does not name a Python function", remedy="write 'file.py:function'")
+    if not reader.allow_code:
+        return reader.problem(
+            path,
+            f"names Python code ('{match[1]}'), which is not run unless allowed",
+            remedy="read the code, then use --allow-code (allow_code=True)",
+        )
+    if parameters is BAD:
+        return BAD
+    return PythonLaw(str(Path(reader.directory) / match[1]), match[2], parameters)
+
+
+def material(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read the name of a material of the library, or its properties."""
+    from pitchpoint.geometry import materials
+
+    if isinstance(data, Mapping):
+        return _own_material(reader, data, path)
+    if isinstance(data, str) and data in materials.LIBRARY:
+        return data
+    known = sorted(materials.LIBRARY)
+    return reader.problem(
+        path,
+        f"{str(data)[:40]!r} is not a material of the library",
+        remedy=f"{did_you_mean(data, known)}known are {', '.join(known)}",
+    )
+
+
+def _own_material(reader: Reader, data: Mapping[str, Any], path: Place) -> Any:
+    from pitchpoint.geometry.materials import Material
+
+    properties = {
+        "youngs_modulus": Key("quantity", "modulus E", dimension="pressure", minimum=0.0, above=True),
+        "poisson_ratio": Key(
+            "quantity",
+            "ratio of transverse to axial strain",
+            dimension="dimensionless",
+            minimum=0.0,
+            maximum=0.5,
+            below=True,
+            sample="0.3",
+        ),
+        "density": Key("quantity", "mass per volume", dimension="density", minimum=0.0, above=True),
+    }
+    reader.unknown(data, properties, path)
+    found = {}
+    for name, description in properties.items():
+        if name in data:
+            found[name] = reader.number(description, data[name], (*path, name))
+        else:
+            reader.missing(path, name, description)
+    if BAD in found.values() or len(found) != len(properties):
+        return BAD
+    try:
+        return Material(name="custom", **found)
+    except GeometryError as error:
+        return reader.problem(path, error.problem.text, value=error.problem.value, limit=error.problem.limit)

@@ -1,0 +1,385 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plain mappings (from YAML, JSON or Python) to components, with every problem collected.
+
+The reader knows nothing about files: it is given the data and, if there are any, the lines of the keys.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from numbers import Real
+from typing import Any
+
+from pitchpoint.core.errors import Message, UnitError
+from pitchpoint.core.nearest import did_you_mean, nearest
+from pitchpoint.core.unit_table import DIMENSIONS
+from pitchpoint.core.units import parse_quantity
+from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
+from pitchpoint.model.reading import data_files, forms, laws, mechanism, signals
+from pitchpoint.model.show import SI, dotted, example, limit_text, shown
+
+HUGE, TINY = 1e60, 1e-60
+"""Sizes in SI beyond which products of a few quantities overflow or vanish; no machine comes near them."""
+FASTEST = 1e9
+"""Largest rotational speed [rad/s]; the rim of a gear of 1 mm would move at 0.2 % of the speed of light."""
+
+
+@dataclass
+class Reader:
+    """Turns data into components and remembers what was wrong.
+
+    Parameters
+    ----------
+    lines
+        Line of the file for each path, from 1; empty without a file.
+    allow_code
+        Whether entries that name Python functions are accepted.
+    directory
+        Directory that relative file names start from.
+    within
+        Keys next to the one that is being read, for values whose meaning depends on them.
+    aliases
+        Where the file has components that represent others: SECTION, NAME -> SECTION, NAME.
+    """
+
+    lines: Mapping[Place, int] = field(default_factory=dict)
+    allow_code: bool = False
+    directory: str = "."
+    problems: list[Message] = field(default_factory=list)
+    tainted: set[Place] = field(default_factory=set)
+    within: Mapping[str, Any] = field(default_factory=dict)
+    aliases: dict[Place, Place] = field(default_factory=dict)
+
+    def line(self, path: Place) -> int | None:
+        """Line of a path, or of the nearest part of it in the file."""
+        for n in range(len(path), -1, -1):
+            if path[:n] in self.lines:
+                return self.lines[path[:n]]
+        return None
+
+    def problem(
+        self,
+        path: Place,
+        message: str,
+        *,
+        value: str | None = None,
+        limit: str | None = None,
+        remedy: str | None = None,
+        taint: bool = True,
+    ) -> Any:
+        """Note a problem; `taint` keeps what merely follows from it from being reported."""
+        if taint:
+            self.tainted.update(path[:n] for n in range(1, len(path) + 1))
+        path = (*self.aliases.get(path[:2], path[:2]), *path[2:])
+        self.problems.append(Message(dotted(path), message, value, limit or None, remedy, self.line(path)))
+        if taint:
+            self.tainted.update(path[:n] for n in range(1, len(path) + 1))
+        return BAD
+
+    def hand_on(self, base: Place, found: Message, taint: bool = True) -> Any:
+        """Note a problem of a part, such as of its geometry, at the key below `base` that it names."""
+        steps = found.where.split(".") if found.where else []
+        place: Place = (*base, *(int(step) if step.isdigit() else step for step in steps))
+        return self.problem(
+            place, found.text, value=found.value, limit=found.limit, remedy=found.remedy, taint=taint
+        )
+
+    # --- components -----------------------------------------------------------------------------------
+    def component(self, cls: type, data: Any, path: Place) -> Any:
+        """Read a mapping as the component class `cls`; BAD when a required key is missing or unreadable."""
+        if not isinstance(data, Mapping):
+            wanted = ", ".join(keys_of(cls))
+            return self.problem(
+                path, "is not a mapping", value=shown(data), remedy=f"give keys out of: {wanted}"
+            )
+        keys, defaults = keys_of(cls), defaults_of(cls)
+        self.unknown(data, keys, path)
+        values: dict[str, Any] = {}
+        usable = True
+        for name, description in keys.items():
+            if name not in data:
+                if name not in defaults:
+                    usable = False
+                    self.missing(path, name, description)
+                continue
+            value = data[name]
+            if value is None and name in defaults and defaults[name] is None:
+                continue
+            self.within = data
+            before = self.tainted.copy() if description.isolated else None
+            result = self.value(description, value, (*path, name))
+            if before is not None:
+                self.tainted = before | {p for p in self.tainted if len(p) > len(path)}
+            if result is not BAD:
+                values[name] = result
+            elif name not in defaults:
+                usable = False
+        return cls(**values) if usable else BAD
+
+    def missing(self, path: Place, name: str, description: Key) -> None:
+        """Report a required key that is not there."""
+        self.problem(
+            (*path, name), f"is missing: {description.meaning}", remedy=f"add {name}: {example(description)}"
+        )
+
+    def unknown(self, data: Mapping[Any, Any], allowed: Iterable[str], path: Place) -> None:
+        """Report keys that nothing reads, with the nearest spelling."""
+        allowed = list(allowed)
+        for name in data:
+            if name in allowed:
+                continue
+            near = nearest(name, allowed)
+            self.problem(
+                (*path, str(name)),
+                "is an unknown key",
+                remedy=f"{did_you_mean(name, allowed)}allowed are {', '.join(allowed)}",
+                taint=bool(near) and near[0] not in data,
+            )
+
+    def value(self, description: Key, data: Any, path: Place) -> Any:
+        """Read the value of one key by its kind."""
+        return _READERS[description.kind](self, description, data, path)
+
+    # --- plain values -----------------------------------------------------------------------------------
+    def number(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a quantity; check dimension, finiteness and range."""
+        if data is None:
+            return self.problem(path, "is empty", remedy=f"write {example(description)}")
+        if isinstance(data, bool) or not isinstance(data, Real | str):
+            return self.problem(
+                path, "is not a number", value=shown(data), remedy=f"write {example(description)}"
+            )
+        try:
+            result = parse_quantity(data, description.dimension)
+        except UnitError as error:
+            message, _, wanted = str(error).partition("; expected ")
+            return self.problem(path, message, remedy=f"write {wanted}" if wanted else None)
+        except OverflowError:
+            return self.problem(path, "is too large for a number", value=shown(data))
+        most = FASTEST if description.dimension == "angular_speed" else HUGE
+        if not abs(result) <= most or 0.0 < abs(result) < TINY:
+            limit = f"0, or {TINY:g} to {most:g} in SI units"
+            return self.problem(
+                path,
+                "is out of the range of computation",
+                value=shown(data),
+                limit=limit,
+                remedy=f"write {example(description)}",
+            )
+        if not description.allows(result):
+            return self.problem(
+                path,
+                "is out of range",
+                value=shown(data),
+                limit=limit_text(description),
+                remedy=_within(description, data, result),
+            )
+        return result
+
+    def whole(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a whole number."""
+        if data is None:
+            return self.problem(path, "is empty", remedy=f"write {example(description)}")
+        number = isinstance(data, Real) and not isinstance(data, bool)
+        if not number or data != data or data in (math.inf, -math.inf):
+            quoted = f"write {data.strip()} without quotes" if _is_quoted_number(data) else ""
+            remedy = quoted or f"write {example(description)}"
+            return self.problem(
+                path, "is not a whole number", value=shown(data), limit=description.limit, remedy=remedy
+            )
+        value = int(data)
+        if data != value:
+            remedy = f"write {round(data)}"
+            return self.problem(path, "is not a whole number", value=shown(data), remedy=remedy)
+        if not description.allows(value):
+            closest = int(min(max(value, description.minimum), description.maximum))
+            remedy = f"write {-value if description.allows(-value) else closest}"
+            return self.problem(
+                path, "is out of range", value=shown(data), limit=description.limit, remedy=remedy
+            )
+        return value
+
+    def word(self, description: Key, data: Any, path: Place) -> Any:
+        """Read one word out of the choices."""
+        if isinstance(data, str) and data in description.choices:
+            return data
+        return self.problem(
+            path,
+            "is not allowed",
+            value=shown(data),
+            remedy=f"{did_you_mean(data, description.choices)}allowed are {', '.join(description.choices)}",
+        )
+
+    def string(self, description: Key, data: Any, path: Place) -> Any:
+        """Read text; numbers are taken as they are written."""
+        if isinstance(data, bool) or not isinstance(data, str | int | float):
+            return self.problem(path, "is not a text", value=shown(data))
+        return str(data)
+
+    def boolean(self, description: Key, data: Any, path: Place) -> Any:
+        """Read true or false."""
+        if isinstance(data, bool):
+            return data
+        return self.problem(
+            path, "is neither true nor false", value=shown(data), remedy="write true or false"
+        )
+
+    def sequence(self, description: Key, data: Any, path: Place, read: Callable[..., Any]) -> Any:
+        """Read a list of a limited length entry by entry."""
+        low, high = description.length
+        wanted = f"{low} entries" if low == high else f"at least {low} entries" if low else "a list"
+        if not isinstance(data, list | tuple):
+            return self.problem(
+                path, "is not a list", value=shown(data), remedy=f"write {example(description)}"
+            )
+        if not low <= len(data) <= high:
+            return self.problem(
+                path, f"has {len(data)} entries", limit=wanted, remedy=f"write {example(description)}"
+            )
+        out = [read(description, entry, (*path, i)) for i, entry in enumerate(data)]
+        return BAD if any(entry is BAD for entry in out) else tuple(out)
+
+    def numbers(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of quantities, or the name of a text file for lists of any length."""
+        if isinstance(data, str) and description.length[0] == 0:
+            data = data_files.column(self, description, data, path)
+            if data is BAD:
+                return BAD
+        return self.sequence(description, data, path, self.number)
+
+    def names(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of names."""
+        return self.sequence(description, data, path, self.string)
+
+    def words(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of words out of the choices."""
+        return self.sequence(description, data, path, self.word)
+
+    # --- nested values ------------------------------------------------------------------------------------
+    def nested(self, description: Key, data: Any, path: Place) -> Any:
+        """Read one nested component."""
+        return self.component(description.of, data, path)
+
+    def nested_list(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a list of nested components."""
+        return self.sequence(
+            description, data, path, lambda key, entry, at: self.component(key.of, entry, at)
+        )
+
+    def nested_names(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a mapping of names to components; what cannot be read is omitted."""
+        if not isinstance(data, Mapping):
+            return self.problem(path, "is not a mapping of names", value=shown(data))
+        out = {}
+        for name, entry in data.items():
+            if self.good_name(name, path, description.dotted):
+                at = (*path, str(name))
+                if isinstance(description.of, dict):
+                    result = self.chosen(description.of, TYPE, entry, at)
+                else:
+                    result = self.component(description.of, entry, at)
+                if result is not BAD:
+                    out[str(name)] = result
+        return out
+
+    def good_name(self, name: Any, path: Place, dotted: bool = False) -> bool:
+        """Names are words, so that paths and channels like `mesh_force[stage]` stay readable."""
+        text = str(name)
+        first, dot, rest = text.partition(".")
+        if dotted and dot and first and rest and "." not in rest:
+            return self.good_name(first, path) and self.good_name(rest, path)
+        if (
+            not isinstance(name, bool | float)
+            and text
+            and not set(text) & set(".[]{}\n\t,:/\\\"'")
+            and text.isprintable()
+        ):
+            return True
+        self.problem(
+            (*path, text),
+            "is not a usable name",
+            remedy="use letters, digits, '_' and '-', without dots and brackets",
+        )
+        return False
+
+    def variant(self, description: Key, data: Any, path: Place) -> Any:
+        """Read a component whose key `law` names its kind."""
+        return self.chosen(description.of, "law", data, path)
+
+    def chosen(self, forms: Mapping[str, type], tag: str, data: Any, path: Place) -> Any:
+        """Read a component whose key `tag` names its kind, one of several."""
+        listed = ", ".join(forms)
+        if not isinstance(data, Mapping):
+            remedy = f"write {{{tag}: {next(iter(forms))}}}; {tag}s are {listed}"
+            return self.problem(path, "is not a mapping", value=shown(data), remedy=remedy)
+        if tag not in data:
+            return self.problem((*path, tag), "is missing", remedy=f"{tag}s are {listed}")
+        word = self.word(Key("choice", "", choices=tuple(forms)), data[tag], (*path, tag))
+        if word is BAD:
+            return BAD
+        return self.component(forms[word], {k: v for k, v in data.items() if k != tag}, path)
+
+
+def _within(description: Key, data: Any, value: float) -> str:
+    """What to write instead of a quantity out of range: its number in the usual unit, or without its sign."""
+    if not isinstance(data, str) and description.dimension in ("length", "angle"):
+        meant = f"{data} {DIMENSIONS[description.dimension].example.partition(' ')[2]}"
+        fits = description.allows(parse_quantity(meant, description.dimension))
+        better = meant if fits else example(description)
+        return f"a bare number is in {SI[description.dimension]}; write {better}"
+    if isinstance(data, str) and description.allows(-value):
+        return f"write {data.strip().lstrip('+-−').strip()}"
+    sample = example(description)
+    usual = DIMENSIONS[description.dimension].example.split(" or ")[0]
+    if description.dimension == "dimensionless" and sample == usual and not description.allows(float(usual)):
+        closest = min(max(value, description.minimum), description.maximum)
+        sample = f"{closest:g}" if description.allows(closest) else f"a number {limit_text(description)}"
+    return f"write {sample}"
+
+
+def _is_quoted_number(data: Any) -> bool:
+    return isinstance(data, str) and data.strip().isascii() and data.strip().isdigit()
+
+
+_READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
+    "quantity": Reader.number,
+    "integer": Reader.whole,
+    "choice": Reader.word,
+    "text": Reader.string,
+    "boolean": Reader.boolean,
+    "quantities": Reader.numbers,
+    "names": Reader.names,
+    "words": Reader.words,
+    "component": Reader.nested,
+    "components": Reader.nested_names,
+    "list": Reader.nested_list,
+    "variant": Reader.variant,
+    "gears": forms.gears,
+    "speeds": forms.speeds,
+    "grid": data_files.grid,
+    "pitch": data_files.pitch,
+    "points": data_files.points,
+    "tooth_profile": data_files.tooth_profile,
+    "matrix": forms.matrix,
+    "orders": forms.orders,
+    "law": laws.law,
+    "laws": laws.laws,
+    "python": laws.python,
+    "material": laws.material,
+    "center": mechanism.center,
+    "file": mechanism.file,
+    "end": mechanism.end,
+    "ends": mechanism.ends,
+    "coordinates": mechanism.coordinates,
+    "displacements": mechanism.displacements,
+    "rates": mechanism.rates,
+    "motions": mechanism.motions,
+    "terms": mechanism.terms,
+    "value": signals.value,
+    "values": signals.values,
+    "gains": signals.gains,
+    "curve": signals.curve,
+    "code": signals.code,
+}

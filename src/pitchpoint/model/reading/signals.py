@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Readers of values of signals and of gains: numbers in SI units of whatever quantity they are.
+
+A unit that is written turns the number into SI; what the signals on both sides mean is known to the user
+alone, so it is compared with nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from numbers import Real
+from typing import TYPE_CHECKING, Any
+
+from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.reading import data_files, laws
+from pitchpoint.model.show import shown
+
+if TYPE_CHECKING:
+    from pitchpoint.model.reading.reader import Reader
+
+REMEDY = "write a number in SI units, or one with its unit such as 1500 rpm"
+NUMBER = Key("quantity", "", dimension="dimensionless")
+
+
+def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a number, or a text such as `1500 rpm` or `2*pi*5` whose value in SI is the number."""
+    from pitchpoint.core.formula.formula import Formula, FormulaError
+
+    if isinstance(data, Real) and not isinstance(data, bool):
+        return reader.number(NUMBER, data, path)
+    if not isinstance(data, str):
+        return reader.problem(
+            path, "is empty" if data is None else "is not a number", value=_text_of(data), remedy=REMEDY
+        )
+    try:
+        return float(Formula.parse(data, ())())
+    except FormulaError as error:
+        return reader.problem(path, f"cannot be read: {error}", remedy=REMEDY)
+
+
+def _text_of(data: Any) -> str | None:
+    return None if data is None else shown(data)
+
+
+def values(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a list of such numbers."""
+    low, high = key.length
+    if isinstance(data, list | tuple) and low == high != len(data):
+        return reader.problem(path, f"has {len(data)} entries", limit=f"{low} entries")
+    return reader.sequence(key, data, path, lambda k, entry, at: value(reader, k, entry, at))
+
+
+def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read a mapping of names of signals to such numbers."""
+    if not isinstance(data, Mapping):
+        return reader.problem(
+            path, "is not a mapping of signals to gains", value=shown(data), remedy="write {speed: -1}"
+        )
+    found = {str(name): value(reader, key, given, (*path, str(name))) for name, given in data.items()}
+    return BAD if any(v is BAD for v in found.values()) else found
+
+
+def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read rows [input, value] with rising inputs, or a text file with two columns."""
+    if isinstance(data, str):
+        lines = data_files.lines(reader, data, path, "a list of rows")
+        data = BAD if lines is BAD else [cells for _, cells in lines]
+        if data is BAD:
+            return BAD
+    if not isinstance(data, list | tuple) or len(data) < 2:
+        return reader.problem(
+            path, "is not a list of at least two rows", value=shown(data), remedy="write [[0, 0], [10, 2]]"
+        )
+    points = []
+    for i, row in enumerate(data):
+        if not isinstance(row, list | tuple) or len(row) != 2:
+            reader.problem((*path, i), "is not a row of two values", remedy="write [input, value]")
+            continue
+        point = tuple(value(reader, key, x, (*path, i, k)) for k, x in enumerate(row))
+        if BAD not in point:
+            points.append(point)
+    if len(points) < len(data):
+        return BAD
+    for i in range(1, len(points)):
+        if not points[i][0] > points[i - 1][0]:
+            return reader.problem(
+                (*path, i), "does not have a larger input than the row before", remedy="sort the rows"
+            )
+    return tuple(points)
+
+
+def code(reader: Reader, key: Key, data: Any, path: Place) -> Any:
+    """Read FILE.py:function; its arguments are in other keys."""
+    if isinstance(data, Mapping):
+        return reader.problem(
+            path,
+            "is a mapping",
+            remedy="write function: FILE.py:function, and its numbers under parameters next to it",
+        )
+    return laws.python(reader, key, data, path)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Beams that begin with a jolt: one end turns at the start of a scenario, the other is fixed to ground."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import Message, remark
+from pitchpoint.core.formula.formula import Formula
+from pitchpoint.model.components.law import Constant, FormulaLaw, Law, TableLaw
+from pitchpoint.model.frames import GROUND, split
+from pitchpoint.model.mechanism import Seat, coordinate
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Drive, Scenario
+
+SHORT = 1e-6
+"""Time over which the rate of a prescribed angle is taken [s]."""
+SLOW = 1e-6
+"""Rate up to which a drive begins at rest [rad/s, m/s]."""
+
+
+def ends_left_behind(model: Model) -> tuple[Message, ...]:
+    """A remark for every beam with an end that moves freely on ground and rests while the other turns."""
+    found = []
+    for name, beam in model.beams.items():
+        bodies = [split(end)[0] for end in beam.ends]
+        for near, far in (bodies, bodies[::-1]):
+            seat = model.mechanism.seats.get(far)
+            if seat is None or seat.joint is not None or seat.kind not in ("shaft", "planar"):
+                continue
+            turning = [word for word, s in model.scenarios.items() if _turns(model, s, near)]
+            turning = [word for word in turning if not _turns(model, model.scenarios[word], far)]
+            if not turning:
+                continue
+            found.append(
+                remark(
+                    f"beams.{name}",
+                    f"{far} hangs on ground (motion: {model.bodies[far].motion}) and begins at rest while "
+                    f"{near} moves in {', '.join(turning)}, so the beam begins with a jolt",
+                    f"write a joint {{type: free, bodies: [{near}, {far}]}} in its place",
+                    model.line(("beams", name)),
+                )
+            )
+    return tuple(found)
+
+
+def _turns(model: Model, scenario: Scenario, body: str) -> bool:
+    """Whether a body, or one that carries it, has a rate at the start of a scenario."""
+    speeds = model.start_speeds(scenario)
+    seats = model.mechanism.seats
+    while body != GROUND and body in seats:
+        seat = seats[body]
+        given = model.joints[seat.joint].speed if seat.joint is not None else {}
+        if any(given.values()) or speeds.get(body, 0.0) != 0.0 or _driven(model, scenario, seat):
+            return True
+        body = seat.parent
+    return False
+
+
+def _driven(model: Model, scenario: Scenario, seat: Seat) -> bool:
+    for word, drive in scenario.drive.items():
+        found = coordinate(model.mechanism, model, word)
+        if not isinstance(found, str) and found[0] == seat.body and abs(_rate(drive)) > SLOW:
+            return True
+    return False
+
+
+def _rate(drive: Drive) -> float:
+    """Rate that a drive begins with [rad/s, m/s]; 0 for functions of Python, which are not called here."""
+    if drive.rate is not None:
+        return _value(drive.rate, 0.0)
+    if drive.value is None:
+        return 0.0
+    return (_value(drive.value, SHORT) - _value(drive.value, -SHORT)) / (2.0 * SHORT)
+
+
+def _value(law: Law, t: float) -> float:
+    if isinstance(law, Constant):
+        return law.value
+    if isinstance(law, FormulaLaw):
+        return float(Formula.parse(law.text, ("t",))(t))
+    if isinstance(law, TableLaw):
+        return float(np.interp(t, law.abscissa, law.values))
+    return 0.0

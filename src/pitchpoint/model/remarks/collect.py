@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Data of a model without effect, or with one that few users want: allowed, but reported."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import GeometryError, Message, ValidityWarning, remark
+from pitchpoint.core.units import format_quantity
+from pitchpoint.geometry.tooth_problems import NO_PAIR_IN_CONTACT
+from pitchpoint.model.checks.bearing_faults import track_radius
+from pitchpoint.model.checks.gear_pairs import at_tip_diameter
+from pitchpoint.model.components.stiffness import OF_PAIRS
+from pitchpoint.model.frames import GROUND, place_of
+from pitchpoint.model.remarks.beams import ends_left_behind
+from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
+from pitchpoint.model.remarks.places import places_left_open
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.model import Model
+
+INTERFERENCE = 1e-7
+"""Negative backlash [m] that comes from rounded profile shifts and centre distances and bends nothing."""
+
+NEAR_WHOLE = 0.05
+"""Distance of eps_alpha from a whole number up to which a small change of the centre distance passes it."""
+
+_DISTANCE = ("centre distance", "center_distance or a tip diameter")
+"""What moves the contact ratio of cylindrical gears, and what to change about it."""
+
+DRAWN_APART = 1e-6
+"""Distance of the ends of a bushing as drawn [m] that comes from rounded places."""
+
+
+def follows_flanks(model: Model, mesh: str) -> bool:
+    """Whether modifications, deviations or profiles of the gears of a mesh have an effect."""
+    found = model.meshes[mesh]
+    return found.stiffness.law in OF_PAIRS and any(model.gears[g].is_modified for g in found.gears)
+
+
+def ignored_flanks(model: Model) -> tuple[Message, ...]:
+    """A remark for every mesh whose law knows no tooth pairs while its gears have flanks of their own."""
+    found = []
+    for name, mesh in model.meshes.items():
+        gears = [g for g in mesh.gears if model.gears[g].is_modified]
+        if gears and mesh.stiffness.law not in OF_PAIRS:
+            found.append(
+                remark(
+                    f"meshes.{name}",
+                    f"the law {mesh.stiffness.law} prescribes the stiffness of the whole mesh, so "
+                    f"modifications, deviations and profiles of {' and '.join(gears)} have no effect",
+                    f"{', '.join(OF_PAIRS[:-1])} and {OF_PAIRS[-1]} follow them",
+                )
+            )
+    return tuple(found)
+
+
+def bushings_at_a_distance(model: Model) -> tuple[Message, ...]:
+    """A remark for every bushing whose ends have different places as drawn, and which is loaded by that."""
+    found = []
+    for name, bushing in model.bushings.items():
+        one, two = (place_of(model, end) for end in bushing.ends)
+        if GROUND in bushing.ends or one is None or two is None:
+            continue
+        apart = float(np.linalg.norm(one - two))
+        if apart > DRAWN_APART:
+            found.append(
+                remark(
+                    f"bushings.{name}",
+                    f"{' and '.join(bushing.ends)} lie {format_quantity(apart, 'length', 3)} apart as drawn, "
+                    "and the bushing pulls them together",
+                    line=model.line(("bushings", name)),
+                )
+            )
+    return tuple(found)
+
+
+def negative_backlash(model: Model) -> tuple[Message, ...]:
+    """A remark for every mesh whose teeth are too thick for its centre distance."""
+    found = []
+    for name in model.every_mesh:
+        gap = model.backlash(name)
+        if gap < -INTERFERENCE:
+            at, size = f"{model.section_of(name)}.{name}", format_quantity(gap, "length", 3)
+            found.append(
+                remark(
+                    at,
+                    f"the backlash along the base tangent is {size}: both flanks carry without load",
+                    f"if that is not wanted, {_more_room(model, name)}",
+                )
+            )
+    return tuple(found)
+
+
+def _more_room(model: Model, name: str) -> str:
+    """What to do about the negative backlash of a mesh."""
+    if model.every_mesh[name].backlash is not None:
+        return "give a backlash >= 0"
+    if name in model.bevel_meshes:
+        return "use opposite profile shifts, tooth_thickness_allowance < 0 or a backlash >= 0"
+    return _wider(model.pairs[name])
+
+
+def _wider(pair: GearPair) -> str:
+    """What to do about teeth that are too thick for their centre distance."""
+    a = pair.a_w
+    try:
+        for _ in range(8):  # dj_bt/da = 2 sin alpha_wt: converges in three or four steps
+            a -= pair.backlash(a).j_bt / (2.0 * math.sin(pair.working_pressure_angle(a)))
+    except GeometryError:
+        return "change center_distance or give tooth_thickness_allowance < 0"
+    # rounded to the side with the gap
+    edge = (math.floor if pair.is_internal else math.ceil)(abs(a) * 1e6) * 1e-6
+    distance = f"center_distance {'<=' if pair.is_internal else '>='} {edge * 1e3:.3f} mm"
+    return f"give {distance}, or tooth_thickness_allowance < 0"
+
+
+def jumping_ramps(model: Model) -> tuple[Message, ...]:
+    """A remark for every mesh whose relief ramps jump with a small change of its contact ratio.
+
+    Their length T_R frac(eps_alpha) is that of the published law; it falls from T_R to 0 base pitches where
+    eps_alpha passes a whole number.
+    """
+    found = []
+    for name, mesh in model.every_mesh.items():
+        ramp = getattr(mesh.stiffness, "tip_relief_factor", 0.0)
+        bevel = name in model.bevel_meshes
+        eps_alpha = model.bevel_pairs[name].eps_alpha if bevel else model.pairs[name].eps_alpha
+        moves, cure = ("shaft angle", "an addendum") if bevel else _DISTANCE
+        whole, at = round(eps_alpha), f"{model.section_of(name)}.{name}"
+        if ramp > 0.0 and whole >= 1 and abs(eps_alpha - whole) <= NEAR_WHOLE:
+            found.append(
+                remark(
+                    at,
+                    f"eps_alpha = {eps_alpha:.4f} is nearly {whole}, where the ramps of tip_relief_factor "
+                    f"jump: T_R frac(eps_alpha) is nearly {ramp:g} base pitches below {whole} and nearly "
+                    f"none above, and the stiffness jumps with it, also in a run where the {moves} moves",
+                    f"if that is not wanted, write tip_relief_factor: 0 or change {cure}",
+                )
+            )
+    return tuple(found)
+
+
+def flat_grooves(model: Model) -> tuple[Message, ...]:
+    """A remark for every groove of a ball bearing that is flatter across than its raceway is along."""
+    found = []
+    for name, bearing in model.rolling_bearings.items():
+        for k, (ring, ratio) in enumerate(zip(("inner", "outer"), bearing.grooves or (), strict=False)):
+            groove, race = ratio * bearing.element_diameter, track_radius(bearing, k == 0)
+            if groove > race:
+                found.append(
+                    remark(
+                        f"rolling_bearings.{name}.grooves",
+                        f"the groove of the {ring} ring has a radius of {groove * 1e3:.4g} mm, more than its "
+                        f"raceway with {race * 1e3:.4g} mm",
+                        "give it over the ball diameter, such as 0.52, unless the raceway has no groove",
+                    )
+                )
+    return tuple(found)
+
+
+def odd_shapes(model: Model) -> tuple[Message, ...]:
+    """A warning for all that is unusual about the shape of a gear or of a pair that can be made."""
+    found: list[tuple[str, Message]] = []
+    for name, gear in model.gears.items():
+        thin = [at_tip_diameter(gear, problem, name) for problem in gear.geometry.warnings(name)]
+        found += [("gears", each) for each in thin]
+    for name, cone in model.bevel_gears.items():
+        found += [("bevel_gears", each) for each in cone.geometry.warnings(name)]
+    found += [(at, each) for at, each in _odd_pairs(model) if each.text != NO_PAIR_IN_CONTACT]
+    return tuple(each.changed(where=f"{group}.{each.where}", kind="warning") for group, each in found)
+
+
+def gaps_in_contact(model: Model) -> tuple[Message, ...]:
+    """A warning for every mesh that leaves moments without a pair of teeth in contact."""
+    found = [(at, each) for at, each in _odd_pairs(model) if each.text == NO_PAIR_IN_CONTACT]
+    return tuple(each.changed(where=f"{at}.{each.where}", kind="warning") for at, each in found)
+
+
+def _odd_pairs(model: Model) -> list[tuple[str, Message]]:
+    """All that is odd about the pairs of a model, with their sections."""
+    return [
+        (model.section_of(name), problem)
+        for pairs in (model.pairs, model.bevel_pairs)
+        for name, pair in pairs.items()
+        for problem in pair.warnings(name, model.every_mesh[name].gears)
+    ]
+
+
+def remarks_of(model: Model) -> tuple[Message, ...]:
+    """Everything in a model that is allowed, but that a user should know, with the lines of its file."""
+    finders = (
+        ignored_flanks,
+        negative_backlash,
+        jumping_ramps,
+        gaps_in_contact,
+        bushings_at_a_distance,
+        flat_grooves,
+        places_left_open,
+        ends_left_behind,
+        keys_without_effect,
+    )
+    found = [each for find in finders for each in find(model)]
+    return tuple(e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
+
+
+def warn_of_remarks(model: Model) -> None:
+    """Issue `remarks_of` as `ValidityWarning`."""
+    for each in remarks_of(model):
+        warnings.warn(each, ValidityWarning, stacklevel=2)

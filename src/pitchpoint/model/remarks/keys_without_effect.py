@@ -1,0 +1,374 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keys that a model gives and that have no effect next to its other keys: a sentence for each of them.
+
+A sentence is exact: without the key every result stays as it is, or the sentence names what is left of it.
+Data of a part that its motion does not need, such as the mass of a body that only spins, are not reported:
+they belong to the part and are used with another motion.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import Message, remark
+from pitchpoint.model.checks.references import ends_of
+from pitchpoint.model.components.joint import FUNCTIONS
+from pitchpoint.model.components.law import Constant
+from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy, Hertz
+from pitchpoint.model.frames import ALONG, GROUND, body_frame, split
+from pitchpoint.model.keys import defaults_of
+from pitchpoint.model.mechanism import coordinate
+from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
+from pitchpoint.model.signals import signals_without_effect
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.bearing import Bearing
+    from pitchpoint.model.components.bushing import Bushing
+    from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.components.mesh import ContactDamping, Mesh
+    from pitchpoint.model.components.stiffness import StiffnessLaw
+    from pitchpoint.model.model import Model
+
+#: Directions in which a body can move, as columns of a 6x6 matrix (x, y, z, rx, ry, rz).
+MOVES: dict[str, tuple[int, ...]] = {
+    "fixed": (),
+    "torsion": (5,),
+    "planar": (0, 1, 5),
+    "free": (0, 1, 2, 3, 4, 5),
+    "joint": (0, 1, 2, 3, 4, 5),  # whatever carries it may move
+}
+
+#: Inertias that a motion needs, by their keys on the body and on the gear.
+POLAR, MASS = ("inertia", "polar_inertia"), ("mass", "mass")
+TRANSVERSE = ("transverse_inertia", "transverse_inertia")
+NEEDS: dict[str, tuple[tuple[str, str], ...]] = {
+    "fixed": (),
+    "torsion": (POLAR,),
+    "planar": (POLAR, MASS),
+    "free": (POLAR, MASS, TRANSVERSE),
+    "joint": (POLAR, MASS, TRANSVERSE),
+}
+
+#: Keys of a scenario that only a time response reads.
+TIME_KEYS = (
+    "sample_rate",
+    "settle_time",
+    "step",
+    "method",
+    "form",
+    "order",
+    "tolerance",
+    "events",
+    "channels",
+)
+
+
+def keys_without_effect(model: Model) -> tuple[Message, ...]:
+    """A remark for every key without effect."""
+    return (
+        *_frictions(model),
+        *_width_integrals(model),
+        *_laws(model),
+        *_blanks(model),
+        *_inertias(model),
+        *_joints(model),
+        *_springs(model),
+        *_supports(model),
+        *_loads(model),
+        *_scenarios(model),
+        *_driven_starts(model),
+        *signals_without_effect(model),
+    )
+
+
+def _only_spins(model: Model, mesh: Mesh) -> bool:
+    """Whether the bodies of both gears spin at most; not for gears without a body."""
+    bodies = [model.body_of(g) for g in mesh.gears]
+    return None not in bodies and {model.bodies[str(b)].moves for b in bodies} <= {"torsion", "fixed"}
+
+
+def _frictions(model: Model) -> Iterator[Message]:
+    """Teeth that roll do not slide at the pitch point; what slides there is vibration and sideways motion."""
+    for name, mesh in model.every_mesh.items():
+        if mesh.friction is None:
+            continue
+        at = f"{model.section_of(name)}.{name}"
+        if mesh.friction.mu == 0.0 and mesh.friction.static:
+            yield remark(f"{at}.friction.static", "has no effect with mu: 0, which leaves all friction out")
+        if mesh.friction.mu > 0.0 and mesh.stiffness.law not in OF_PAIRS:
+            yield remark(
+                f"{at}.friction",
+                f"the law {mesh.stiffness.law} acts at the pitch point, where "
+                "rolling teeth do not slide, so friction has no effect but on vibration and sideways motion",
+                f"{_listed(OF_PAIRS)} follow the contact along its path",
+            )
+
+
+def _width_integrals(model: Model) -> Iterator[Message]:
+    """Slices that are not used, and slices of what is the same across the width."""
+    for name, mesh in model.meshes.items():
+        law = mesh.stiffness.law
+        follows = law in OF_PAIRS and any(model.gears[g].is_modified for g in mesh.gears)
+        if mesh.width == "exact" and mesh.slices != defaults_of(type(mesh))["slices"] and not follows:
+            yield remark(
+                f"meshes.{name}.slices", "has no effect with width: exact", "write width: slices if it should"
+            )
+        elif mesh.width == "slices" and law not in OF_PAIRS and _only_spins(model, mesh):
+            yield remark(
+                f"meshes.{name}.width",
+                f"has no effect as slices: the law {law} spreads evenly over the width, "
+                "and the bodies only spin",
+            )
+
+
+def _restitution(damping: ContactDamping, where: str) -> Iterator[Message]:
+    """Keys of a damper next to a restitution, and the other way round."""
+    usual = defaults_of(type(damping))
+    if damping.restitution is None:
+        if damping.speed != usual["speed"]:
+            yield remark(f"{where}.speed", "has no effect without restitution")
+        return
+    for key in ("s_0", "law"):
+        if getattr(damping, key) != usual[key]:
+            yield remark(
+                f"{where}.{key}", "has no effect with restitution, which damps in proportion to the force"
+            )
+
+
+def _laws(model: Model) -> Iterator[Message]:
+    """Keys next to others that decide alone: of stiffness, contact damping and tip circles."""
+    for name, mesh in model.every_mesh.items():
+        law, damping, at = mesh.stiffness, mesh.damping, f"{model.section_of(name)}.{name}"
+        if isinstance(law, Din3990) and law.single_stiffness is not None and law.virtual_teeth != "iso":
+            yield remark(
+                f"meshes.{name}.stiffness.virtual_teeth",
+                "has no effect on the stiffness: single_stiffness takes the place of the formula",
+            )
+        if isinstance(law, Hertz) and law.force is not None and law.diameter != "reference":
+            yield remark(
+                f"meshes.{name}.stiffness.diameter",
+                "has no effect together with force and depth, which give K",
+            )
+        if damping is not None and damping.s_0 == 0.0 and damping.law != "linear":
+            yield remark(f"{at}.damping.law", "has no effect with s_0: 0, where the damping is there at once")
+        if damping is not None:
+            yield from _restitution(damping, f"{at}.damping")
+    for name, gear in model.gears.items():
+        if gear.tip_diameter is not None and gear.tip_alteration != 0.0:
+            yield remark(
+                f"gears.{name}.tip_alteration",
+                "has no effect together with tip_diameter, which is taken as it is",
+            )
+
+
+def _blanks(model: Model) -> Iterator[Message]:
+    """Rim and web enter the inertia, and the stiffness of DIN 3990 / ISO 6336 by the blank factor."""
+    for name, gear in model.gears.items():
+        keys = [k for k in ("rim_thickness", "web_thickness") if getattr(gear, k) is not None]
+        laws = {n: m.stiffness for n, m in model.meshes.items() if name in m.gears}
+        if not keys or not laws or model.body_of(name) is None:
+            continue
+        where = f"gears.{name}.{' and '.join(keys)}"
+        weighs = _blank_weighs(model, name)
+        energy = [n for n, law in laws.items() if isinstance(law, Energy)]
+        if keys == ["rim_thickness"] and gear.type == "external":
+            yield remark(
+                where, "has no effect without web_thickness: a web of the face width makes a solid gear"
+            )
+        elif energy:
+            yield remark(
+                where,
+                f"has no effect on the stiffness of {_listed(energy)}: the law energy takes no notice of "
+                f"them{', only the inertia does' if weighs else ''}",
+                "din3990 has a blank factor for them",
+            )
+        elif not weighs and not (gear.web_thickness is not None and any(map(_by_formula, laws.values()))):
+            yield remark(
+                where,
+                f"has no effect on stiffness and motion: the stiffness of {_listed(laws)} does not "
+                "follow them, and the inertia is given",
+            )
+
+
+def _by_formula(law: StiffnessLaw) -> bool:
+    """Whether a law computes the single tooth stiffness by the standard, with its blank factor."""
+    return isinstance(law, Din3990) and law.single_stiffness is None
+
+
+def _blank_weighs(model: Model, gear: str) -> bool:
+    """Whether rim or web of a gear enter an inertia that its body needs."""
+    name = str(model.body_of(gear))
+    body, part = model.bodies[name], model.gears[gear]
+    # the outer diameter decides about a ring, where it is given
+    if part.type == "internal" and (part.rim_thickness is None or part.bore_diameter > 0.0):
+        return False
+    needed = NEEDS[body.moves]
+    if part.solid is not None or body.solid is not None:
+        return False
+    if any(getattr(body, own) is None and getattr(part, of_gear) is None for own, of_gear in needed):
+        return True
+    # the centre of mass of several gears, and the part of each in the inertia about it
+    return body.moves == "free" and len(body.gears) > 1 and part.mass is None
+
+
+def _inertias(model: Model) -> Iterator[Message]:
+    """Inertias of gears on bodies that give their own."""
+    for name, body in model.bodies.items():
+        for gear in body.gears:
+            for own, of_gear in (POLAR, TRANSVERSE):
+                if getattr(body, own) is not None and getattr(model.gears[gear], of_gear) is not None:
+                    yield remark(
+                        f"gears.{gear}.{of_gear}",
+                        f"has no effect on the motion together with bodies.{name}.{own}, "
+                        "which holds for the whole body",
+                    )
+
+
+def _joints(model: Model) -> Iterator[Message]:
+    """Keys of joints that their type does not read, joints that hold nothing, markers without use."""
+    for name, joint in model.joints.items():
+        if joint.lead is not None and joint.type != "screw":
+            yield remark(
+                f"joints.{name}.lead", f"has no effect with type: {joint.type}; only a screw has one"
+            )
+        for key in ("motion", "coordinates") if joint.type not in FUNCTIONS else ():
+            if getattr(joint, key):
+                yield remark(f"joints.{name}.{key}", f"has no effect with type: {joint.type}")
+        if name in model.mechanism.cut and joint.type in ("free", "shaft"):
+            yield remark(f"joints.{name}", "has no effect: it closes a loop and holds nothing fast")
+    given = [places for _, _, _, places in ends_of(model)]
+    named = {e for places in given for e in ((places,) if isinstance(places, str) else places)}
+    named |= {f"{load.body}.{load.marker}" for load in model.loads.values()}
+    for body, part in model.bodies.items():
+        for marker in part.markers if part.elastic is None else ():  # nodes shape its modes, too
+            if f"{body}.{marker}" not in named:
+                group = "shafts" if part.shaft is not None else "bodies"
+                yield remark(
+                    f"{group}.{body}.markers.{marker}", f"has no effect: nothing names {body}.{marker}"
+                )
+
+
+def _springs(model: Model) -> Iterator[Message]:
+    """Springs and bushings without any stiffness or damping."""
+    for group, own in (("springs", "force"), ("torsion_springs", "torque")):
+        for name, spring in getattr(model, group).items():
+            if spring.stiffness == spring.damping == 0.0 and getattr(spring, own) is None:
+                yield remark(
+                    f"{group}.{name}", f"has no effect: it has neither stiffness nor damping nor {own}"
+                )
+    for name, bushing in model.bushings.items():
+        if not _holds(bushing, set(MOVES["joint"])):
+            yield remark(f"bushings.{name}", "has no effect: it has neither stiffness nor damping")
+
+
+def _supports(model: Model) -> Iterator[Message]:
+    """Bearings and couplings that hold only what cannot move."""
+    for name, bearing in model.bearings.items():
+        motion = model.bodies[bearing.body].moves
+        house = split(bearing.housing)[0] if bearing.housing is not None else GROUND
+        moving = set(MOVES[motion]) | set(MOVES[model.bodies[house].moves] if house != GROUND else ())
+        if not _holds(bearing, moving):
+            yield remark(
+                f"bearings.{name}",
+                f"has no effect and no force at any load: it holds no direction in which "
+                f"{bearing.body} (motion: {motion}) moves",
+            )
+    for name, coupling in model.couplings.items():
+        if not _holds(coupling, {k for b in coupling.bodies for k in MOVES[model.bodies[b].moves]}):
+            yield remark(
+                f"couplings.{name}",
+                f"has no effect and no force at any load: it holds no direction in which "
+                f"{' or '.join(coupling.bodies)} moves",
+            )
+
+
+def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:
+    """Whether a spring or damper feels a displacement in any of some directions."""
+    matrices = [part.stiffness.matrix6()]
+    if part.damping is not None:
+        matrices.append(part.damping.matrix6())  # a ratio damps what the stiffness holds
+    return any(row[j] != 0.0 for m in matrices for row in m for j in moves)
+
+
+def _loads(model: Model) -> Iterator[Message]:
+    """Places of torques, and forces along directions in which a body cannot move."""
+    for name, load in model.loads.items():
+        motion = model.bodies[load.body].moves
+        if load.force is None:
+            idle = load.position if load.body not in model.shafts else load.position[:2]
+            if any(v != 0.0 for v in idle):
+                yield remark(
+                    f"loads.{name}.position", "has no effect on a torque; it is the place of a force"
+                )
+            continue
+        axis = abs(body_frame(model, load.body)[1][:, 2])
+        k = int(axis.argmax())
+        along = load.force[k]
+        if (
+            load.marker is None
+            and motion in ("torsion", "planar")
+            and axis[k] > ALONG  # a force along no axis of the world has parts that count
+            and not (isinstance(along, Constant) and along.value == 0.0)
+        ):
+            yield remark(
+                f"loads.{name}.force",
+                f"its part along {'xyz'[k]} has no effect: {load.body} has motion: "
+                f"{motion} and neither moves along its axis nor tilts",
+            )
+
+
+def _scenarios(model: Model) -> Iterator[Message]:
+    """Keys of a time response in sweeps and slow rolls, and the tolerance of methods with a fixed step."""
+    for name, scenario in model.scenarios.items():
+        kind = scenario.kind
+        keys = [k for k in TIME_KEYS if getattr(scenario, k) != defaults_of(type(scenario))[k]]
+        if kind == "sweep" and scenario.speed:
+            keys.append("speed")
+        if kind != "time" and keys:
+            yield remark(
+                f"scenarios.{name}",
+                f"{_listed(keys)} {'have' if keys[1:] else 'has'} no effect with {kind}",
+            )
+            continue
+        if "tolerance" in keys and scenario.method not in ERROR_METHODS:
+            yield remark(
+                f"scenarios.{name}.tolerance",
+                f"has no effect with method: {scenario.method}, which takes equal steps",
+                "step sets them, or write method: runge_kutta",
+            )
+        if "form" in keys and scenario.method in EXPLICIT_METHODS:
+            yield remark(
+                f"scenarios.{name}.form",
+                f"has no effect with method: {scenario.method}, which holds constraints on accelerations",
+            )
+        if "order" in keys and scenario.method not in STIFF_METHODS:
+            yield remark(
+                f"scenarios.{name}.order",
+                f"has no effect with method: {scenario.method}",
+                f"methods with a choice of order are {_listed(STIFF_METHODS)}",
+            )
+
+
+def _driven_starts(model: Model) -> Iterator[Message]:
+    """Start values and rates of joints whose coordinate a scenario drives: the drive decides them."""
+    for name, scenario in model.scenarios.items():
+        for word, drive in scenario.drive.items():
+            found = coordinate(model.mechanism, model, word)
+            if isinstance(found, str):
+                continue
+            seat = model.mechanism.seats[found[0]]
+            own = seat.coordinates[found[1]]
+            for key in ("start", "speed") if seat.joint is not None else ():
+                idle = key == "speed" or drive.value is not None  # a speed continues from the start
+                if idle and own in getattr(model.joints[str(seat.joint)], key):
+                    yield remark(
+                        f"joints.{seat.joint}.{key}",
+                        f"{own} has no effect in {name}, whose drive of {word} decides",
+                    )
+
+
+def _listed(names: Iterable[str]) -> str:
+    """Names in a row, the last one behind `and`."""
+    found = list(names)
+    return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}"

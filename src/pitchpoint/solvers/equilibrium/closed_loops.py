@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rest of a mechanism with closed loops: equilibrium in the directions that its constraints leave free.
+
+Each step solves Z^T (K + M/tau^2) Z y = -Z^T R in a basis Z of those directions, closes the loops again and
+takes the multipliers that leave least over; K follows the turning of loads and reactions. With a short
+pseudo-time tau the bodies drift along their loads, with a growing one the step becomes Newton's (see
+`equilibrium`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import DIVERGED, SINGULAR
+from pitchpoint.solvers.constraints.assembly import REDUNDANT, close_loops, loop_rows
+from pitchpoint.solvers.equilibrium.unknowns import GROWTH, ROUNDING, slopes, step_on
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import EXACT
+from pitchpoint.system.source import coordinate_source
+from pitchpoint.system.system import State, System
+
+Array = NDArray[np.float64]
+
+MOST_STEPS = 300
+FIRST = 1e2
+"""Factor of the masses in the first step [1/s^2]."""
+LONGEST = 0.3
+"""Largest step of a coordinate [m, rad]."""
+LEFT_OVER = 1e-13
+"""Share of what acts that rounding leaves over."""
+
+
+@dataclass(frozen=True)
+class MechanismRest:
+    """A mechanism at rest.
+
+    Parameters
+    ----------
+    state
+        The state with its multipliers.
+    residual
+        What is left over on every coordinate: the reactions of kept ones, shape (nd,).
+    steps
+        Steps taken.
+    """
+
+    state: State
+    residual: Array
+    steps: int
+
+
+def is_looped(system: System) -> bool:
+    """Whether rows other than prescribed motions tie the coordinates."""
+    return bool(loop_rows(system))
+
+
+def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], tolerance: float) -> MechanismRest:
+    """Find the state at rest near a start.
+
+    Parameters
+    ----------
+    system
+        The system; rows of drives are omitted, their coordinates are kept.
+    state
+        Where to begin; rates are kept as they are and may carry friction.
+    kept
+        Coordinates that stay.
+    tolerance
+        Largest residual, relative to the loads.
+
+    Raises
+    ------
+    SolverError
+        If loops do not close or no equilibrium is found.
+    """
+    free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
+    holds = loop_rows(system)
+    here = _closed(system, state, kept, drawn=True)
+    mu = FIRST
+    for count in range(MOST_STEPS):
+        G, R, acting = _balanced(system, here, free, holds)
+        Z = _directions(G[:, free], system.weight[free])
+        left = Z.T @ R[free]
+        whole = slopes(system, here, EXACT)
+        # places are rounded like 1 m and 1 rad: smaller residuals than the forces of that cannot be reached
+        rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + 1.0))
+        least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
+        goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
+        if np.all(np.abs(left) <= goal):
+            return MechanismRest(here, R, count)
+        K = Z.T @ whole[np.ix_(free, free)] @ Z
+        M = Z.T @ evaluate.matrix(system, here, 1.0, 0.0, 0.0)[np.ix_(free, free)] @ Z
+        inverse = np.linalg.pinv(K + mu * M)
+        y = -inverse @ left
+        size = float(np.abs(Z @ y).max(initial=0.0))
+        trial = step_on(system, here, free, Z @ y * min(1.0, LONGEST / size if size > 0.0 else 1.0))
+        try:
+            trial = _closed(system, trial, kept)
+            H, S, _ = _balanced(system, trial, free, holds)
+        except SolverError:
+            mu *= 8.0
+            continue
+        after = _directions(H[:, free], system.weight[free])
+        next_left = _matched(after, Z).T @ S[free]
+        ratio = float(np.linalg.norm(inverse @ next_left)) / max(float(np.linalg.norm(y)), 1e-300)
+        if ratio < 1.0 or (ratio <= GROWTH and float(next_left @ y) <= 0.0):
+            here = trial
+            mu = max(mu * (0.1 if ratio < 0.5 else 0.5), 0.0 if mu < 1e-9 else 1e-12)
+        elif mu > 1e12:
+            break
+        else:
+            mu *= 8.0
+    worst = int(free[np.argmax(np.abs(Z @ left))])
+    unit = "N m" if system.weight[worst] != 1.0 else "N"
+    where = coordinate_source(system, system.layout.coordinates[worst])
+    raise SolverError(
+        f"no equilibrium found after {count} steps: {np.abs(left).max():.3g} {unit} are left over on "
+        f"{where}; check loads, springs and what holds the mechanism",
+        SINGULAR if mu < 1.0 else DIVERGED,
+        here,
+    )
+
+
+def _closed(system: System, state: State, kept: tuple[int, ...], drawn: bool = False) -> State:
+    """The same state with its loops closed; rates stay as they are."""
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    stopped.v[system.states] = state.v[system.states]
+    found = close_loops(system, stopped, kept, drawn=drawn)
+    found.v[:] = state.v
+    return found
+
+
+def _balanced(
+    system: System, state: State, free: NDArray[np.int64], holds: list[int]
+) -> tuple[Array, Array, Array]:
+    """Rows, residual with the multipliers that leave least over, and the size of what acts."""
+    state.lam[:] = 0.0
+    R = evaluate.residual(system, state)
+    G = system.workspace.G[holds].copy()
+    scaled = (G / system.weight)[:, free]
+    lam = -np.linalg.lstsq(scaled.T, (R / system.weight)[free], rcond=REDUNDANT)[0]
+    state.lam[holds] = lam
+    acting = np.abs(R) + np.abs(G).T @ np.abs(lam)
+    return G, evaluate.residual(system, state), acting
+
+
+def _directions(G: Array, weight: Array) -> Array:
+    """Orthonormal columns (in the weights of the coordinates) that span what rows leave free."""
+    _, sizes, rows = np.linalg.svd(G / weight)
+    rank = int(np.sum(sizes > REDUNDANT * sizes.max(initial=0.0)))
+    return np.asarray((rows[rank:] / weight).T)
+
+
+def _matched(basis: Array, other: Array) -> Array:
+    """The same directions as `basis`, turned to be as near as they can to the columns of another."""
+    if basis.shape != other.shape or basis.shape[1] == 0:
+        return basis
+    u, _, v = np.linalg.svd(basis.T @ other)
+    return np.asarray(basis @ u @ v)

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Why a system has no equilibrium: directions that loads push in and nothing holds, and broken teeth."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.units import format_quantity
+from pitchpoint.model.components.tooth_faults import BrokenBevelTooth, BrokenTooth
+from pitchpoint.solvers.unloaded_flanks import close_backlash
+from pitchpoint.system import evaluate
+from pitchpoint.system.remarks import DEEPEST
+from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+HELD = 1e-12
+"""Stiffness over the largest, all weighted as lengths, up to which a direction counts as not held."""
+LOADED = 1e-6
+"""Part of the loads in directions that nothing holds, from which they are what is wrong."""
+SHARE = 0.5
+"""Share of a coordinate in those directions, over the largest, from which it is named."""
+STIFFNESS = {"x": "radial", "y": "radial", "z": "axial", "rx": "tilt", "ry": "tilt", "spin": "torsion"}
+NAMES = {"alpha": "rx", "beta": "ry"}
+"""Coordinates under the names of model files and channels."""
+
+
+def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, ...]:
+    """Names of the coordinates that loads push and nothing holds, all flanks in contact.
+
+    Loads in the null space of the (symmetric) stiffness matrix have no equilibrium.
+
+    Parameters
+    ----------
+    system
+        The system.
+    state
+        Where nothing has moved away yet.
+    free
+        Coordinates that are not kept.
+    """
+    own, at = system.copy(), state.copy()
+    close_backlash(own, at)
+    weight = own.weight[free]
+    stiffness = evaluate.matrix(own, at, 0.0, 0.0, 1.0, NEWTON)[np.ix_(free, free)]
+    _, sizes, rows = np.linalg.svd(stiffness / np.outer(weight, weight))
+    null = rows[sizes <= HELD * sizes.max(initial=0.0)]
+    loads = evaluate.residual(own, at)[free] / weight
+    pushed = np.abs((null @ loads) @ null)
+    if not pushed.max(initial=0.0) > LOADED * np.abs(loads).max(initial=0.0):
+        return ()
+    parts = [system.layout.coordinates[k].rpartition(".") for k in free]
+    share = np.where(pushed > 1e-3 * pushed.max(), (null**2).sum(axis=0), 0.0)
+    spins = np.array([name == "spin" for _, _, name in parts])
+    if share[~spins].any():
+        share[spins] = 0.0  # a spin turns because its gear deflects
+    named = np.flatnonzero(share >= SHARE * share.max())
+    return tuple(f"{parts[k][0]}.{NAMES.get(parts[k][2], parts[k][2])}" for k in named)
+
+
+def advice(names: tuple[str, ...]) -> str:
+    """Name what is not held and what would hold it.
+
+    Examples
+    --------
+    >>> advice(("driven.x", "driven.y", "driven.z"))
+    'nothing holds driven.x, driven.y, driven.z: add a bearing with radial and axial stiffness'
+    """
+    kinds = list(dict.fromkeys(STIFFNESS[name.rpartition(".")[2]] for name in names))
+    bearing = "a bearing" if len({name.rpartition(".")[0] for name in names}) == 1 else "bearings"
+    listed = " and ".join([", ".join(kinds[:-1]), kinds[-1]] if len(kinds) > 1 else kinds)
+    return f"nothing holds {', '.join(names)}: add {bearing} with {listed} stiffness"
+
+
+def broken_tooth(system: System, state: State) -> str:
+    """Name the mesh that rests only far inside its flanks because a tooth is broken; '' if there is none.
+
+    All pairs of a mesh have the same overlap along the line of action. Where a broken tooth leaves none in
+    contact, gears turn under their load until another pair comes onto the path of contact: some millimetres
+    deep, where it bears any load at once. Teeth would touch outside their path long before, which no flank
+    law here knows.
+
+    Parameters
+    ----------
+    system
+        The system.
+    state
+        Where the search for rest has ended, well or not.
+    """
+    model = system.model
+    suspects = {} if model is None else _broken(model)
+    if model is None or not suspects:
+        return ""
+    values = evaluate.observe(system, state)
+    known = {c.name: k for k, c in enumerate(system.layout.channels)}
+    for mesh, faults in suspects.items():
+        if f"deflection[{mesh}]" not in known:
+            continue
+        depth = abs(float(values[known[f"deflection[{mesh}]"]])) - 0.5 * model.backlash(mesh)
+        first = model.every_mesh[mesh].gears[0]
+        shape = (model.gears[first] if first in model.gears else model.bevel_gears[first]).geometry
+        if depth > DEEPEST * shape.m_n:
+            return (
+                f"no equilibrium: no pair of teeth carries in the mesh {mesh} here, where "
+                f"{' or '.join(faults)} leaves a gap (the next pair would be "
+                f"{format_quantity(depth, 'length', 3)} deep); run it over time, which goes through the gap "
+                "(with start: assembled to begin in it), break out less, or take more overlap"
+            )
+    return ""
+
+
+def _broken(model: Model) -> dict[str, list[str]]:
+    """Faults that break something out of the gears of a mesh, by mesh, with their lines."""
+    found: dict[str, list[str]] = {}
+    for name, mesh in model.every_mesh.items():
+        for gear in mesh.gears:
+            section = "gears" if gear in model.gears else "bevel_gears"
+            for label, fault in getattr(model, section)[gear].faults.items():
+                if isinstance(fault, BrokenTooth | BrokenBevelTooth) and fault.severity > 0.0:
+                    line = model.line((section, gear, "faults", label))
+                    where = f" (line {line})" if line else ""
+                    found.setdefault(name, []).append(f"{section}.{gear}.faults.{label}{where}")
+    return found

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Explicit runs on the same residual: `explicit.equal_steps`, and `explicit.dormand_prince`.
+
+Constraint rows are kept on the level of accelerations; their drift is pulled back (Baumgarte).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import NOT_FINITE, OK
+from pitchpoint.solvers.constraints.row_notes import rows_agree
+from pitchpoint.solvers.explicit.coefficients import EIGHTH, FIFTH, Pair
+from pitchpoint.solvers.explicit.derivative import SLOPE_AT
+from pitchpoint.solvers.explicit.dormand_prince import (
+    LARGEST,
+    LAST_ERROR,
+    RATE,
+    STEP_SIZE,
+    TIME,
+    adaptive_order,
+)
+from pitchpoint.solvers.explicit.dormand_prince import entry as adaptive_entry
+from pitchpoint.solvers.explicit.equal_steps import ADAMS, CLASSICAL, ORDER, PAST, entry
+from pitchpoint.solvers.sampling import Chunk, advance_into, new_recorder
+from pitchpoint.system import evaluate
+from pitchpoint.system.link import heard
+from pitchpoint.system.system import State, System
+from pitchpoint.system.workspace import VALID
+
+
+@dataclass
+class ExplicitRun:
+    """An explicit integration under way. Made by `start_classical` or `start_adaptive`.
+
+    Parameters
+    ----------
+    system
+        The system; its workspace holds the state.
+    h
+        Step [s] of a method with equal steps; 0 for the adaptive one.
+    tolerances
+        rtol [-], atol [m], atol_rate [m/s], rate at which constraint drift is pulled back [1/s], largest step
+        [s].
+    pair
+        Coefficients of the adaptive method.
+    counts
+        Flags of `watch`; none: all events count.
+    method
+        Number of a method with equal steps.
+    """
+
+    system: System
+    h: float
+    tolerances: NDArray[np.float64]
+    t0: float = 0.0
+    steps: int = 0
+    t: float = 0.0
+    pair: Pair = FIFTH
+    counts: NDArray[np.int64] = field(default_factory=lambda: np.zeros(0, np.int64))
+    method: int = CLASSICAL
+
+    @property
+    def longest(self) -> float:
+        """Longest step of the adaptive method [s]."""
+        return float(self.tolerances[LARGEST])
+
+    def advance(
+        self,
+        n: int,
+        *,
+        every: int = 0,
+        statistics: NDArray[np.float64] | None = None,
+        stride: int = 1,
+        events: int = 0,
+        picked: NDArray[np.int64] | None = None,
+    ) -> Chunk:
+        """Take n equal steps; arguments as in `generalized_alpha.Run.advance`.
+
+        The samples hold the channels `picked` alone, if any are.
+        """
+        room = n // every + 1 if every else 0
+        recorder = new_recorder(
+            self.system.sizes["no"],
+            every=every,
+            stride=stride,
+            rows=room,
+            sums=statistics,
+            events=events,
+            picked=picked,
+        )
+        order = np.array([(self.t0, self.h, self.tolerances[RATE], self.steps, n, self.method)], ORDER)
+        asked = picked if statistics is None else None
+        with heard(self.system.workspace, self.system.records, asked):
+            done = advance_into(entry, self.system.workspace.at, order, recorder)
+        self.steps += done.steps
+        self.t = self.t0 + self.steps * self.h
+        return self._checked(done)
+
+    def change_step(self, h: float) -> None:
+        """Continue with another equal step from here."""
+        self.t0, self.steps, self.h = self.t, 0, h
+        self.system.workspace.arrays["real"][PAST] = 0.0  # which lies one old step apart
+
+    def watch(self, functions: NDArray[np.int64]) -> None:
+        """Let events of the adaptive method count of functions with a flag only, shape (ne,).
+
+        All count without it.
+        """
+        self.counts = functions
+
+    def advance_to(
+        self,
+        t_end: float,
+        *,
+        sample: float = 0.0,
+        statistics: NDArray[np.float64] | None = None,
+        events: int = 0,
+        restart: bool = False,
+        most: int = 1_000_000_000,
+    ) -> Chunk:
+        """Go to a time with step control.
+
+        Parameters
+        ----------
+        sample
+            Distance of samples [s], counted from the start of the run; statistics are fed at the same times.
+        events
+            Most events to record; their times are located on the dense output.
+        restart
+            Begin a new step at every event.
+        most
+            Maximum number of steps of this call; `t` is the time reached.
+        """
+        reach = min(t_end - self.t, most * float(self.tolerances[LARGEST]))
+        room = int(reach / sample) + 2 if sample > 0.0 else 0
+        recorder = new_recorder(self.system.sizes["no"], rows=room, sums=statistics, events=events)
+        w = self.system.workspace
+        w.clock[VALID] = 0
+        times = (self.t, float(t_end), self.t0, sample)
+        ends = (restart, self.counts.ctypes.data if len(self.counts) else 0)
+        order = adaptive_order(times, self.pair, self.tolerances, most, ends)
+        done = advance_into(adaptive_entry, w.at, order, recorder)
+        self.t = float(w.arrays["real"][TIME])
+        self.steps += done.steps
+        return self._checked(done)
+
+    def _checked(self, done: Chunk) -> Chunk:
+        """The chunk, its status INCONSISTENT if a repeated row contradicts the others."""
+        return replace(done, status=rows_agree(self.system, self.t)) if done.status == OK else done
+
+    def state(self) -> State:
+        """Copy of the state reached."""
+        return evaluate.store(self.system, self.t)
+
+
+def _start(system: System, state: State, rate: float) -> None:
+    evaluate.prepare(system)
+    evaluate.load(system, state)
+    w = system.workspace
+    w.clock[:] = 0
+    w.arrays["real"][:] = 0.0
+    w.arrays["real"][SLOPE_AT] = math.nan
+    w.ctl[0]["bad"] = w.ctl[0]["badkind"] = -1
+    evaluate.check(system, evaluate.accelerations(system, state.t, rate), state)
+    if system.sizes["ne"]:
+        evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)
+
+
+def start_classical(system: System, state: State, h: float, *, rate: float = 200.0) -> ExplicitRun:
+    """Begin a run of the classical fourth-order method; parameters as in `start_adams`."""
+    return _start_equal(system, state, h, rate, CLASSICAL)
+
+
+def start_adams(system: System, state: State, h: float, *, rate: float = 200.0) -> ExplicitRun:
+    """Begin a run of Adams' method for places and rates: fourth order, one evaluation of the forces per step.
+
+    The first two steps, and two after every jump of the forces that a controller makes, are classical ones.
+
+    Parameters
+    ----------
+    system, state
+        What to integrate and from where.
+    h
+        Step [s], > 0; stable up to 1.4 over the largest natural frequency [rad/s], 0.9 with a tenth of
+        critical damping there.
+    rate
+        Rate at which drift of constraints is pulled back [1/s].
+    """
+    return _start_equal(system, state, h, rate, ADAMS)
+
+
+def _start_equal(system: System, state: State, h: float, rate: float, method: int) -> ExplicitRun:
+    if not (h > 0.0 and math.isfinite(h)):
+        raise SolverError(f"the step must be positive and finite, not {h!r}", NOT_FINITE)
+    _start(system, state, rate)
+    tolerances = np.array([0.0, 0.0, 0.0, rate, math.inf])
+    return ExplicitRun(system, h, tolerances, state.t, 0, state.t, method=method)
+
+
+def start_adaptive(
+    system: System,
+    state: State,
+    *,
+    rtol: float = 1e-7,
+    atol: float = 1e-11,
+    atol_rate: float = 1e-7,
+    first_step: float = 1e-7,
+    largest_step: float = math.inf,
+    rate: float = 200.0,
+    order: int | None = None,
+) -> ExplicitRun:
+    """Begin a run of Dormand-Prince 5(4) or 8(5,3) with step control.
+
+    Parameters
+    ----------
+    system, state
+        What to integrate and from where.
+    rtol
+        Relative tolerance of rates and displacements (not of spins).
+    atol, atol_rate
+        Absolute tolerances as lengths [m] and velocities [m/s]; angles count with the weight of the system.
+    first_step
+        First trial step [s].
+    largest_step
+        Longest step [s]: a load that comes and goes within a step, or an event that happens twice, is not
+        seen.
+    rate
+        Rate at which drift of constraints is pulled back [1/s].
+    order
+        5 or 8; default 8 for rtol up to 1e-7, where it needs half the evaluations.
+    """
+    _start(system, state, rate)
+    system.workspace.arrays["real"][STEP_SIZE] = first_step
+    system.workspace.arrays["real"][LAST_ERROR] = 1e-4
+    pair = EIGHTH if order == 8 or (order is None and rtol <= 1e-7) else FIFTH
+    tolerances = np.array([rtol, atol, atol_rate, rate, largest_step])
+    return ExplicitRun(system, 0.0, tolerances, state.t, 0, state.t, pair)

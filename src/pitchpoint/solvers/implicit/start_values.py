@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Start values of generalised-alpha that let multipliers be of second order from the first step on.
+
+The algorithmic acceleration belongs to the time (alpha_m - alpha_f) h after that of the state, and rates of a
+run with the rows on positions (index 3) are off by C h^2 q''' along the rows, C = (1 - 6 beta - 3 (alpha_m -
+alpha_f))/6. A start without both has an error of the order of h in multipliers and accelerations, which fades
+over many steps, and never with rho_inf = 1.
+
+Source: M. Arnold, O. Bruels, A. Cardona, Error analysis of generalized-alpha Lie group time integration
+methods for constrained mechanical systems, Numerische Mathematik 129 (2015) 149-179, section 4.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.kernel import invoke
+from pitchpoint.core.status import OK
+from pitchpoint.solvers.taylor import APART, DISAGREEMENT, forward_derivatives
+from pitchpoint.system.linear import solve_entry
+from pitchpoint.system.requests import ACCELERATE, send_request
+from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+
+_derivatives = getattr(forward_derivatives, "py_func", forward_derivatives)  # of whole arrays
+
+
+def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | None:
+    """Derivatives of accelerations and multipliers of the state in the workspace, which are known.
+
+    None where modes are so stiff that two differences disagree: forces that begin or end within a step.
+
+    Parameters
+    ----------
+    system
+        Its workspace holds state, accelerations and multipliers.
+    t
+        Time of the state [s].
+    h
+        Step [s].
+    """
+    w = system.workspace
+    q, v, a, lam = w.q.copy(), w.v.copy(), w.a.copy(), w.lam.copy()
+    bad, kind = w.ctl[0]["bad"], w.ctl[0]["badkind"]
+    d = APART * h
+    found: list[tuple[Array, Array]] = []
+    for s in (d, 2.0 * d):
+        w.q[:], w.v[:] = q + s * v + 0.5 * s * s * a, v + s * a
+        w.a[:], w.lam[:] = a, lam
+        if send_request(w, ACCELERATE, t + s) == OK:
+            found.append((w.a.copy(), w.lam.copy()))
+    w.q[:], w.v[:] = q, v
+    status = send_request(w, ACCELERATE, t)
+    w.a[:], w.lam[:] = a, lam
+    w.ctl[0]["bad"], w.ctl[0]["badkind"] = bad, kind
+    if status != OK or len(found) < 2:
+        return None
+    (soon, soon_lam), (later, later_lam) = found
+    weight = w.arrays["weight"]
+    with np.errstate(over="ignore", invalid="ignore"):  # what grows without bound ends as a status, not here
+        jerk, snap = _derivatives(a, soon, later, d)
+        size = float(np.linalg.norm(weight * (soon - a))) / d
+        change = float(np.linalg.norm(weight * snap)) * 0.5 * d  # of the jerk between both distances
+        if not change <= DISAGREEMENT * size < np.inf:
+            return None
+        rise, _ = _derivatives(lam, soon_lam, later_lam, d)
+    return jerk, rise
+
+
+def shift_rates(system: System, change: Array) -> None:
+    """Move the rates in the workspace as little as possible, until their rows are off by G change.
+
+    Parameters
+    ----------
+    system
+        Its workspace holds the factors of the mass matrix and of the rows at the state, as `first_slopes`
+        leaves them.
+    change
+        Rates whose part along the rows counts, shape (nd,).
+    """
+    w = system.workspace
+    w.R[:] = 0.0
+    w.g[:] = w.G.reshape(len(w.lam), -1) @ (w.v - change) + w.gt
+    if invoke(solve_entry, w.at, 0, 0) == OK and np.isfinite(w.arrays["x"]).all():
+        w.v[:] += w.arrays["x"]

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Clutches and brakes at the start of a run: bristles that carry the load already.
+
+At rest a bristle may have any deflection that holds. Which one it has follows from the torques of the trains
+on both sides: each train that nothing drives is in balance, by what its clutches carry and its balancing
+torque. Where both could do it the balancing torque does. (A clutch that slips has one deflection only, which
+`find_equilibrium` finds.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pitchpoint.elements import friction_clutch, torque
+from pitchpoint.elements.friction_clutch import BRISTLE
+from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.equilibrium.closed_loops import is_looped
+from pitchpoint.solvers.equilibrium.solve import Equilibrium, balancing_loads, find_equilibrium
+from pitchpoint.solvers.gear_trains import rotations
+from pitchpoint.system import evaluate
+from pitchpoint.system.residual import NEWTON
+from pitchpoint.system.system import State, System
+
+CLUTCH, LOAD = friction_clutch.KIND.name, torque.KIND.name
+STICKS = 1e-9
+"""Slip over the speeds around it up to which a clutch sticks."""
+BALANCED = 1e-9
+"""Torque left over, over the largest, at which trains count as balanced."""
+MOST_PASSES = 4
+UNWANTED = 1e-6
+"""How much rather a balancing torque changes than a clutch that could do it, too."""
+
+
+def settle_clutches(
+    system: System, found: Equilibrium, driven: Sequence[int], balanced: Sequence[int]
+) -> tuple[System, Equilibrium, tuple[str, ...]]:
+    """Bend the bristles of clutches that stick, and change balancing torques, until trains are in balance.
+
+    Parameters
+    ----------
+    system
+        The system with its balancing torques.
+    found
+        Its equilibrium, with a spin of every train held.
+    driven
+        Coordinates whose motion is prescribed: what holds them is their drive.
+    balanced
+        Spins of the bodies with a balancing torque.
+
+    Returns
+    -------
+    tuple
+        The system with its torques, its equilibrium, and sentences on clutches that cannot hold.
+    """
+    held = list(found.held)
+    rows = [k for k, spin in enumerate(held) if spin not in set(driven)]
+    names = system.layout.bodies
+    clutches = [
+        (number, record)
+        for number, record in _bristles(system)
+        if abs(_slip(system, found.state, record)) <= STICKS * _speed(found.state)
+    ]
+    if not clutches or not rows or is_looped(system):
+        return system, found, ()
+    places = [_place(system, number) for number, _ in clutches]
+    limits = np.array([float(record["ratio"]) for _, record in clutches])
+    loads = balancing_loads(system) if balanced else []
+    turning = rotations(system, held)[:, rows]
+    for _ in range(MOST_PASSES):
+        left = found.reaction[rows]
+        if float(np.abs(left).max()) <= BALANCED * max(1.0, _largest(system)):
+            break
+        slopes = evaluate.matrix(system, found.state, 0.0, 1.0, 0.0, NEWTON)[:, places]
+        by_load = [-turning[_spin(system, system.records[LOAD][k])] for k in loads]
+        A = np.column_stack([UNWANTED * turning.T @ slopes, *by_load])
+        change = np.linalg.lstsq(A, -left, rcond=1e-12)[0]
+        state = found.state.copy()
+        state.v[places] = np.clip(state.v[places] + UNWANTED * change[: len(places)], -limits, limits)
+        if loads:
+            records = system.records[LOAD].copy()
+            records["value"][loads] += change[len(places) :]
+            system = system.with_params({LOAD: records})
+        found = find_equilibrium(system, state, held)
+    notes = tuple(
+        f"the clutch between {names[int(record['i'])]} and {names[int(record['j'])]} cannot hold its load "
+        "and begins to slip; raise its capacity if that is not wanted"
+        for (_, record), place, limit in zip(clutches, places, limits, strict=True)
+        if abs(found.state.v[place]) >= limit
+    )
+    return system, found, notes
+
+
+def _bristles(system: System) -> list[tuple[int, np.void]]:
+    """Number and record of every clutch with bristles."""
+    records = system.records.get(CLUTCH, ())
+    return [(k, r) for k, r in enumerate(records) if int(r["sticking"]) == BRISTLE]
+
+
+def _place(system: System, number: int) -> int:
+    """Coordinate whose rate is the deflection of a clutch."""
+    return int(system.program["body"][int(system.records[CLUTCH][number]["k"])]["spin"])
+
+
+def _spin(system: System, record: np.void) -> int:
+    """Spin of the body on which a torque acts."""
+    return spin_of(system.program["body"], int(record["i"]))
+
+
+def _slip(system: System, state: State, record: np.void) -> float:
+    """Speed of the first body of a clutch against the second [rad/s]."""
+    return float(evaluate.observe(system, state)[int(record["out"]) + 1])
+
+
+def _speed(state: State) -> float:
+    return max(1.0, float(np.abs(state.v).max(initial=0.0)))
+
+
+def _largest(system: System) -> float:
+    """Largest torque that acts [N m]."""
+    return max((abs(float(record["value"])) for record in system.records.get(LOAD, ())), default=0.0)

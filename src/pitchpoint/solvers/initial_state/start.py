@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The state a scenario starts from: speeds through the ratios, flanks loaded, balancing torques found."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import Message, SolverError, note
+from pitchpoint.core.units import format_quantity
+from pitchpoint.elements import drive as drive_element
+from pitchpoint.elements.kind import DRIVE, MESH, TORQUE
+from pitchpoint.elements.ratio import place_of
+from pitchpoint.model.components.joint import COORDINATES, RATES
+from pitchpoint.model.mechanism import given
+from pitchpoint.model.shafts import station_names
+from pitchpoint.solvers.constraints.assembly import assemble_state, close_loops
+from pitchpoint.solvers.equilibrium.closed_loops import is_looped
+from pitchpoint.solvers.equilibrium.solve import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
+from pitchpoint.solvers.gear_trains import (
+    driven_coordinates,
+    held_spins,
+    rates_through_loops,
+)
+from pitchpoint.solvers.initial_state.clutches import settle_clutches
+from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of_inputs
+from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
+from pitchpoint.solvers.model_damping import with_damping
+from pitchpoint.system.system import State, System
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
+
+
+SAME = 1e-6
+"""Difference from a given value up to which it counts as held [m, rad, m/s, rad/s], as in closing loops."""
+WHY = {
+    "start": "loads, loops and drives decide; start: assembled in the scenario keeps what joints give",
+    "speed": "speeds of the scenario and ratios of teeth decide",
+}
+
+
+def given_starts(model: Model, key: str) -> Iterator[tuple[str, str, str, float]]:
+    """Joint, its coordinate, the name that the system gives it, and the value, for all that joints give.
+
+    Parameters
+    ----------
+    model
+        The model.
+    key
+        "start" for values of coordinates, "speed" for their rates.
+    """
+    for seat in model.mechanism.seats.values():
+        if seat.joint is None:
+            continue
+        values = getattr(model.joints[seat.joint], key)
+        words = COORDINATES[seat.kind] or seat.coordinates
+        for word, own in zip(words, seat.coordinates, strict=True):
+            if own in values:
+                yield seat.joint, own, f"{seat.body}.{word}", values[own]
+
+
+def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[Message, ...]:
+    """A note on every start value or rate of a joint that the run does not begin with.
+
+    Parameters
+    ----------
+    system
+        The system.
+    state
+        Where the run begins.
+    driven
+        Coordinates whose motion is prescribed; what they cannot begin with is known without a run
+        (`model.remarks.keys_without_effect`).
+    """
+    model = system.model
+    if model is None:
+        return ()
+    found = []
+    turns = {int(spin): 2.0 * np.pi * state.turns[body] for spin, body in system.program["spins"]}
+    for key in ("start", "speed"):
+        for joint, word, name, value in given_starts(model, key):
+            k = system.layout.coordinate(name)
+            if k in driven:
+                continue
+            at = float(state.v[k] if key == "speed" else state.q[k] + turns.get(k, 0.0))
+            tumbled = key == "start" and _tumbled(system, state, name)
+            if abs(at - value) <= SAME and not tumbled:
+                continue
+            dimension = model.joints[joint].dimension(word)
+            unit = RATES[dimension] if key == "speed" else dimension
+            now = "elsewhere" if tumbled else f"at {format_quantity(round(at, 9) + 0.0, unit, 4)}"
+            found.append(
+                Message(
+                    f"joints.{joint}.{key}",
+                    f"{word} begins {now}, not at {format_quantity(value, unit, 4)}: {WHY[key]}",
+                    line=model.line(("joints", joint, key)),
+                    kind="note",
+                )
+            )
+    return tuple(found)
+
+
+def _tumbled(system: System, state: State, name: str) -> bool:
+    """Whether the turns of a body count from another attitude than that of the file."""
+    number = system.layout.bodies.index(name.rpartition(".")[0])
+    chart = int(system.program["body"]["chart"][number])
+    return chart >= 0 and not np.allclose(state.charts[chart], np.eye(3))
+
+
+UNBALANCED = "the loads do not balance"
+"""How the remark begins that the speed will drift."""
+IMBALANCE = 1e-6
+"""Net torque over the largest torque from which a run notes that its loads do not balance."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """Where a scenario begins.
+
+    Parameters
+    ----------
+    system
+        The system with balancing torques and damping filled in.
+    state
+        State at t = 0.
+    notes
+        What the user should know about it, in sentences.
+    """
+
+    system: System
+    state: State
+    notes: tuple[str, ...] = ()
+
+
+def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
+    """Speed of every body at the start [rad/s]; driven bodies start with the speed of their drive."""
+    model = system.model
+    if model is None:
+        raise SolverError("the system was not made from a model; give a state instead of a scenario", 0)
+    known = dict(scenario.speed)
+    for name, record in drive_records(system):
+        if place_of(record, "i") != int(record["spin_i"]):
+            continue
+        known[name] = drive_element.target_of(record, 0.0)[1]
+    # a drive need not fit the ratio of the teeth: the gap takes up the rest
+    found = {**model.start_speeds(replace(scenario, speed=known)), **known}
+    for name, places in model.stations.items():
+        found |= dict.fromkeys(station_names(name, len(places)), found[name])
+    return found
+
+
+def drive_records(system: System) -> list[tuple[str, np.void]]:
+    """Name of the body and record of every drive."""
+    system.workspace  # noqa: B018 - fills in the pool addresses of the records
+    return [(system.layout.bodies[int(r["i"])], r) for r in system.rows(DRIVE)]
+
+
+def prepare_start(system: System, scenario: Scenario) -> Start:
+    """Put a system into the state its scenario starts from.
+
+    Parameters
+    ----------
+    system
+        Compiled with the same scenario.
+    scenario
+        Its speeds and drives count.
+
+    Raises
+    ------
+    SolverError
+        If there is no equilibrium to start from.
+    """
+    speeds = speeds_of(system, scenario)
+    state = system.initial_state()
+    for name, speed in speeds.items():
+        if speed != 0.0:
+            state.v[system.spin(name)] = speed
+    driven = list(driven_coordinates(system))
+    for place, (name, record) in zip(driven, drive_records(system), strict=True):
+        value, rate, _ = drive_element.target_of(record, 0.0)
+        state.q[place], state.v[place] = value, rate
+        if place == int(record["spin_i"]):
+            _turn_to(system, state, name, value)
+    held = list(held_spins(system))
+    if scenario.start == "assembled":
+        state, notes = _closed(system, scenario, state, driven)
+        if balancing_loads(system):
+            system = _at_rest(system, state, held, driven)[0]
+        state = states_of_inputs(system, state)
+        return Start(with_damping(system, state), state, (*notes, *start_notes(system, state, driven)))
+    state = _from_given(system, state, driven)
+    system, found, notes = _at_rest(system, state, held, driven)
+    state, more = _closed(system, scenario, found.state, driven, rest=True)
+    more = (*more, *start_notes(system, state, driven))
+    return Start(with_damping(system, state), state, (*notes, *more))
+
+
+def _at_rest(
+    system: System, state: State, held: Sequence[int], driven: Sequence[int]
+) -> tuple[System, Equilibrium, tuple[str, ...]]:
+    """The system with its balancing torques, and its equilibrium with notes on it.
+
+    Torques balance the mean of what pulsates; the equilibrium is that under the loads of the start.
+    """
+    balancing = balancing_loads(system)
+    mean = with_mean_loads(system, state) if balancing else system
+    pulsates = mean is not system
+    instants = cycle_instants(system, state) if balancing else NOW
+    mean, balanced, held = balance_torques(mean, state, held, driven, instants)
+    known = {*driven, *balanced}
+    found, signal_notes = rest_of_controls(mean, state, held, known)
+    mean, found, remarks = settle_clutches(mean, found, driven, balanced)
+    if pulsates:
+        records = system.records[LOAD].copy()
+        records["value"][balancing] = mean.records[LOAD]["value"][balancing]
+        mean = system.with_params({LOAD: records})
+        found, signal_notes = rest_of_controls(mean, found.state, held, known)
+    return mean, found, (*signal_notes, *_notes(mean, found, known), *remarks)
+
+
+def _turn_to(system: System, state: State, body: str, angle: float) -> None:
+    """Give a body an angle [rad] as a remainder and whole turns; all stations of a shaft turn with it."""
+    places = system.model.stations.get(body, (0.0,)) if system.model is not None else (0.0,)
+    for name in station_names(body, len(places)):
+        number, turns = system.layout.bodies.index(name), round(angle / (2.0 * np.pi))
+        state.turns[number] = turns
+        state.q[system.spin(name)] = angle - 2.0 * np.pi * turns
+
+
+def _from_given(system: System, state: State, driven: Sequence[int]) -> State:
+    """The state at which the search for rest begins: loops closed at the start values of the joints.
+
+    What the loads do not move stays there. Loops that do not close so are closed by the search.
+    """
+    model = system.model
+    if model is None or not is_looped(system):
+        return state
+    places = {system.layout.coordinate(c) for c in given(model.mechanism, model, "start")}
+    if not places:
+        return state
+    try:
+        return close_loops(system, state, {*driven, *places}, drawn=True)
+    except SolverError:
+        return state
+
+
+def _closed(
+    system: System, scenario: Scenario, state: State, driven: Sequence[int], rest: bool = False
+) -> tuple[State, tuple[str, ...]]:
+    """Close the loops from the start values of the joints, which stay; with notes on it.
+
+    A mechanism at rest (`rest`) has closed loops; its rates have to fit them still.
+    """
+    model = system.model
+    if model is None or not is_looped(system):
+        return state, ()
+    if rest:
+        rates = {*driven, *(system.layout.coordinate(c) for c in given(model.mechanism, model, "speed"))}
+        rates |= {system.spin(body) for body in scenario.speed}
+        found = assemble_state(system, state, keep=driven, keep_rates=rates)
+        return _passed_on(system, found.state, driven, rates), ()
+    keep, rates = (
+        {*driven, *(system.layout.coordinate(c) for c in given(model.mechanism, model, key))}
+        for key in ("start", "speed")
+    )
+    rates |= {system.spin(body) for body in scenario.speed}
+    found = assemble_state(system, state, keep=keep, keep_rates=rates)
+    return _passed_on(system, found.state, keep, rates), found.report()
+
+
+def _passed_on(system: System, state: State, keep: Collection[int], rates: Collection[int]) -> State:
+    """The state whose trains beyond closed loops turn too: loops know no teeth, and teeth no loops."""
+    if not system.kinds(MESH) or not rates:
+        return state
+    state.v[:] = rates_through_loops(system, state, rates)
+    return assemble_state(system, state, keep=keep, keep_rates=rates).state
+
+
+def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[Message, ...]:
+    """Notes on loads that do not balance: the speed will then drift."""
+    largest = max((abs(float(r["value"])) for r in system.rows(TORQUE)), default=0.0)
+    notes = []
+    for spin, reaction in zip(found.held, found.reaction, strict=True):
+        body = system.layout.coordinates[spin].rsplit(".", 1)[0]
+        if spin not in known and abs(reaction) > max(IMBALANCE * largest, 1e-9):
+            notes.append(
+                note(
+                    f"{UNBALANCED}: {-reaction:.4g} N m are left over on {body}, so the speed will change",
+                    remedy="set one torque to `balance` or drive a body if that is not wanted",
+                )
+            )
+    return tuple(notes)

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a user should know of the loads of a slow roll: meshes that carry nothing, loads that do not balance.
+
+A roll holds the body that it turns, so loads that do not balance change no speed: what is left over is taken
+up there, and a mesh may carry nothing, or carry on its other flank.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import Message, note
+from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.gear_trains import driven_coordinates, rotations
+from pitchpoint.solvers.initial_state.start import IMBALANCE
+from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.system.meshes import mesh_names, mesh_records
+
+if TYPE_CHECKING:
+    from pitchpoint.system.system import System
+
+
+def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array) -> tuple[Message, ...]:
+    """Name the meshes without load, and the torques that only held bodies take up.
+
+    Parameters
+    ----------
+    system
+        As it was rolled.
+    held
+        Spins that were held; the first one is that of the body that was turned.
+    reaction
+        Torques that held them [N m], shape (n, len(held)).
+    rows
+        All observations, shape (n, no).
+    """
+    if not len(rows) or system.model is None or not system.model.loads:
+        return ()  # without loads only the flanks are of interest
+    torques = load_torques(system, rows[0])
+    least = max(IMBALANCE * max(map(abs, torques.values()), default=0.0), 1e-9)
+    driven = driven_coordinates(system)
+    left = {
+        spin: -float(torque)
+        for spin, torque in zip(held, reaction[0], strict=True)
+        if spin not in driven and abs(torque) > least
+    }
+    names = {spin: system.layout.coordinates[spin].rsplit(".", 1)[0] for spin in left}
+    over = [f"{torque:.4g} N m on {names[spin]}" for spin, torque in left.items()]
+    empty = [
+        mesh
+        for mesh, record in zip(mesh_names(system), mesh_records(system), strict=True)
+        if np.abs(rows[:, system.layout.channel(f"mesh_force[{mesh}]")] * record["r_b1"]).max() <= least
+    ]
+    found = []
+    if empty:
+        why = f"; {' and '.join(over)} go into holding it" if over else ""
+        found.append(
+            note(
+                f"nothing loads mesh {' and '.join(empty)}{why}: load the bodies on both sides of a mesh, "
+                "one of them with torque: balance"
+            )
+        )
+    elif over:
+        found.append(
+            note(
+                f"the loads do not balance: {' and '.join(over)} are left over and go into holding it",
+                remedy="set one torque to `balance` if that is not wanted",
+            )
+        )
+    return (*found, *(same for spin in left if (same := _same_way(system, spin, torques))))
+
+
+def friction_notes(system: System) -> tuple[str, ...]:
+    """A sentence if meshes have friction: a slow roll is the limit of zero speed, where it vanishes."""
+    rubbing = [
+        name
+        for name, record in zip(mesh_names(system), mesh_records(system), strict=True)
+        if record["contact"]["mu"] > 0.0
+    ]
+    if not rubbing:
+        return ()
+    return (
+        f"friction of mesh {' and '.join(rubbing)} is neglected: a slow roll is computed at zero speed, "
+        "where the smoothed friction force is zero; use a time response for tooth friction",
+    )
+
+
+def load_torques(system: System, row: Array) -> dict[str, float]:
+    """Torque of every load that is one [N m], by its name, from a row of observations."""
+    known = {c.name: k for k, c in enumerate(system.layout.channels)}
+    loads = system.model.loads if system.model is not None else {}
+    return {name: float(row[known[f"torque[{name}]"]]) for name in loads if f"torque[{name}]" in known}
+
+
+def _same_way(system: System, spin: int, torques: dict[str, float]) -> Message | None:
+    """A note if all torques on a train turn it the same way: the teeth then meet on the other flank."""
+    rates = rotations(system, (spin,))[:, 0]
+    loads = system.model.loads if system.model is not None else {}
+    powers = {
+        name: torque * float(np.sign(rates[system.spin(loads[name].body)]))
+        for name, torque in torques.items()
+        if torque != 0.0
+        and spin_of(system.program["body"], system.layout.bodies.index(loads[name].body)) >= 0
+    }
+    powers = {name: power for name, power in powers.items() if power != 0.0}
+    bodies = {loads[name].body for name in powers}
+    if len(bodies) < 2 or len(set(np.sign(list(powers.values())))) != 1:
+        return None
+    first, *others = powers
+    return note(
+        f"{first} and {' and '.join(others)} turn the train the same way round, so the teeth meet on the "
+        f"other flank than where {first} alone would press them",
+        remedy="change a sign if one of them is to brake",
+    )

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a machine is rolled by hand: which gear is turned, what turns with it, where all loads are gone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import SINGULAR
+from pitchpoint.multibody.bodies import GENERAL, spin_of
+from pitchpoint.solvers.constraints.assembly import close_loops
+from pitchpoint.solvers.equilibrium.closed_loops import is_looped
+from pitchpoint.solvers.gear_trains import mesh_orders, turning_rates
+from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.system.meshes import mesh_names, mesh_record
+from pitchpoint.system.system import State, System
+
+
+def turned_gear(system: System, mesh: int) -> tuple[int, int]:
+    """Spin of the gear that rolls a mesh, and the number of its teeth: the first of both that can turn."""
+    record = mesh_record(system, mesh)
+    body = next(int(record[e]) for e in ("i", "j") if spin_of(system.program["body"], record[e]) >= 0)
+    z = record["z1"] if body == record["i"] else record["z2"]
+    return system.spin(system.layout.bodies[body]), abs(int(z))
+
+
+def periods_per_turn(system: System, mesh: int, rates: Array) -> float:
+    """Periods of a mesh per revolution of the gear that rolls it; a carrier that turns along takes some away.
+
+    Through closed loops, whose ratios change, the gear is taken against its base.
+
+    Parameters
+    ----------
+    system, mesh
+        The mesh.
+    rates
+        Rates of all coordinates as that gear turns at 1 rad/s, shape (nd,).
+
+    Raises
+    ------
+    SolverError
+        If the mesh does not move.
+    """
+    if is_looped(system):
+        return float(turned_gear(system, mesh)[1])
+    name = mesh_names(system)[mesh]
+    found = mesh_orders(system, rates)[name]
+    if not found > 0.0:
+        raise SolverError(f"mesh {name} cannot be rolled: it does not move while its gears turn", SINGULAR)
+    return found
+
+
+def rolled_on(system: System, state: State, spin: int, step: float, rates: Array) -> State:
+    """The state with one spin turned on by a step, and what turns with it by teeth, with ratios in `rates`.
+
+    Through closed loops the ratios are those of the place, and the loops are closed again.
+    """
+    if not is_looped(system):
+        return _turn(system, state, step * rates)
+    along = turning_rates(system, state, spin)
+    if not along.any():
+        name = system.layout.coordinates[spin].rsplit(".", 1)[0]
+        raise SolverError(f"{name} cannot be turned on: closed loops hold it fast", SINGULAR, state)
+    return _turn(
+        system, close_loops(system, _turn(system, state, step * along), (spin,)), np.zeros(len(along))
+    )
+
+
+def _turn(system: System, state: State, by: Array) -> State:
+    """The state with its spins moved on, remainders kept small."""
+    new = state.copy()
+    new.q += by
+    for spin, body in system.program["spins"]:
+        turns = round(new.q[spin] / (2.0 * np.pi))
+        new.q[spin] -= 2.0 * np.pi * turns
+        new.turns[body] += turns
+    return new
+
+
+def without_deflections(system: System, state: State, held: Sequence[int]) -> State:
+    """The same spins, and places of what loops tie; the deflections of shafts in bearings are zero."""
+    new = state.copy()
+    for body in system.program["body"][1:]:
+        if body["joint"] != GENERAL or not is_looped(system):
+            own = np.arange(body["dof"], body["dof"] + body["n"])
+            new.q[own[own != body["spin"]]] = 0.0
+    return close_loops(system, new, held) if is_looped(system) else new

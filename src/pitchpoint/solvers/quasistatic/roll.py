@@ -1,0 +1,380 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Slow roll through whole mesh periods: transmission error with and without load, stiffness, load sharing.
+
+One spin is held at equal steps of its angle and everything else comes to rest under the loads. Nothing moves
+fast enough for inertia, damping or friction to count: speeds are zero, so this is the limit of the dynamics
+for vanishing speed (the smoothed Coulomb friction vanishes there too).
+
+Without load means that the torque vanishes while the flanks keep touching, bearings undeformed: what is left
+is the kinematic error of the flanks themselves (modifications, deviations, prescribed error) and half the
+backlash.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
+from pitchpoint.model.components.law import Balance
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.multibody.bodies import spin_of
+from pitchpoint.solvers.controls import refuse_rates
+from pitchpoint.solvers.equilibrium.closed_loops import is_looped
+from pitchpoint.solvers.equilibrium.solve import find_equilibrium
+from pitchpoint.solvers.gear_trains import exchange, held_spins, mesh_orders, rotations, tied_by_teeth
+from pitchpoint.solvers.operating_point import operating_point
+from pitchpoint.solvers.quasistatic.notes import friction_notes, load_notes
+from pitchpoint.solvers.quasistatic.path import (
+    periods_per_turn,
+    rolled_on,
+    turned_gear,
+    without_deflections,
+)
+from pitchpoint.solvers.quasistatic.unloaded_mesh import tangent_stiffness, unloaded_error
+from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.system.meshes import mesh_names, mesh_record
+from pitchpoint.system.remarks import deep_contacts
+from pitchpoint.system.system import System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+DIMENSION = "mesh_phase_position"
+LARGEST_RATIO = 10**6
+"""Denominator up to which a ratio of speeds is found from its rounded value."""
+
+
+@dataclass(frozen=True)
+class MeshRoll:
+    """One mesh over the roll; arrays of shape (n,).
+
+    Parameters
+    ----------
+    unloaded
+        Transmission error with vanishing torque [m], from mid-gap along the base tangent.
+    tangent_stiffness
+        Derivative of the mesh force by the transmission error, all else kept [N/m].
+    share
+        Share of every tooth pair in the mesh force, shape (n, n_pair).
+    pitches
+        Tooth pitches that it travels per period of the rolled mesh; 0 at rest, None if it turns through
+        loops, whose ratio changes.
+    """
+
+    unloaded: Array
+    tangent_stiffness: Array
+    share: Array
+    pitches: Fraction | None = Fraction(1)
+
+    @property
+    def repeats_after(self) -> int:
+        """Periods of the rolled mesh after which this one is at the same phase again; 0 for never."""
+        return 0 if self.pitches is None else self.pitches.denominator
+
+
+@dataclass(frozen=True)
+class Roll:
+    """A quasi-static roll.
+
+    Parameters
+    ----------
+    mesh
+        The mesh whose periods count.
+    position
+        Periods rolled so far, shape (n,), n = points * periods + 1.
+    rows
+        All observations, shape (n, no), in the order of the channels of the system.
+    meshes
+        Notes, by mesh.
+    reaction
+        Torque that held the turned spin [N m], shape (n,).
+    notes
+        What the user should know, in sentences.
+    status, sentence
+        How it ended; a roll that stopped early holds the points before.
+    """
+
+    mesh: str
+    position: Array
+    rows: Array
+    meshes: dict[str, MeshRoll]
+    reaction: Array
+    notes: tuple[str, ...] = ()
+    status: int = OK
+    sentence: str = ""
+
+    @property
+    def cycle_notes(self) -> tuple[str, ...]:
+        """Notes on other meshes of which a finished roll shows no whole cycles: their numbers are partial."""
+        if self.status != OK:
+            return ()
+        periods, found = round(float(self.position[-1])), []
+        for name, mesh in self.meshes.items():
+            if mesh.pitches is None:
+                found.append(
+                    f"mesh {name} turns through a closed loop; its numbers are those of this part of it"
+                )
+                continue
+            cycles = mesh.pitches * periods
+            if cycles.denominator != 1:
+                what = "peak to peak is" if cycles < 1 else "mean is"
+                found.append(
+                    f"mesh {name} repeats after {mesh.repeats_after} periods of {self.mesh}; "
+                    f"its {what} that of {periods}"
+                )
+        return tuple(found)
+
+
+def roll_through(
+    system: System,
+    what: Scenario | str | None = None,
+    points: int = 100,
+    periods: int = 1,
+    *,
+    mesh: str | None = None,
+    others: bool = True,
+    progress: Progress = silent,
+) -> Roll:
+    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, also a scenario and `mesh`.
+
+    Without `others`, what `Roll.meshes` holds is found for the rolled mesh alone.
+    """
+    scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
+    if system.model is None:
+        raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
+    refuse_rates(system, "a slow roll")
+    point = operating_point(system, _begun(system, scenario))
+    own = point.system.copy()
+    k = mesh_names(own).index(mesh)
+    spin, _ = turned_gear(own, k)
+    state = point.state.copy()
+    state.v[:] = 0.0
+    held = exchange(own, held_spins(own), spin, state)
+    held = (spin, *(h for h in held if h != spin))
+    direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
+    rates = rotations(own, (spin,))[:, 0]
+    step = direction * 2.0 * np.pi / (periods_per_turn(own, k, rates) * points)
+    n = points * periods + 1
+    rows, reaction = np.zeros((n, own.sizes["no"])), np.zeros((n, len(held)))
+    names = mesh_names(own)
+    observed = range(len(names)) if others else (k,)
+    unloaded, tangent = np.zeros((len(names), n)), np.zeros((len(names), n))
+    state = find_equilibrium(own, state, held).state
+    clear = without_deflections(own, state, held)
+    done, status, text = 0, OK, sentence(OK)
+    try:
+        for s in range(n):
+            found = find_equilibrium(own, state, held)
+            state = found.state
+            rows[s] = found.observe(own)
+            reaction[s] = found.reaction
+            for m in observed:
+                contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]
+                tangent[m, s] = tangent_stiffness(own, state, m)
+                unloaded[m, s] = unloaded_error(own, clear, m, contact)
+            state, clear = (rolled_on(own, x, spin, step, rates) for x in (state, clear))
+            done = s + 1
+            progress(done, n, f"{mesh}: roll")
+    except KeyboardInterrupt:
+        status, text = INTERRUPTED, sentence(INTERRUPTED)
+    except SolverError as error:
+        status, text = error.status, f"{error} (after {done} of {n} points)"
+    rows = rows[:done]
+    curves = {m: (unloaded[m, :done], tangent[m, :done]) for m in observed}
+    meshes = _mesh_rolls(own, rows, curves, rates, (spin, k))
+    position = np.arange(done) / points
+    spans = {
+        c.name: {"min": column.min(initial=np.inf), "max": column.max(initial=-np.inf)}
+        for c, column in zip(own.layout.channels, rows.T, strict=True)
+    }
+    notes = (
+        *load_notes(own, held, reaction[:done], rows),
+        *friction_notes(own),
+        *deep_contacts(own.model, [spans]),
+    )
+    return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
+
+
+def _mesh_rolls(
+    system: System, rows: Array, curves: dict[int, tuple[Array, Array]], rates: Array, rolled: tuple[int, int]
+) -> dict[str, MeshRoll]:
+    """Meshes over the points done; `rolled` is the spin that was turned and the number of its mesh."""
+    names, orders = mesh_names(system), list(mesh_orders(system, rates).values())
+    return {
+        names[m]: MeshRoll(
+            *own,
+            _shares(system, rows, names[m], int(mesh_record(system, m)["n_pair"])),
+            _pitches(system, m, rolled, orders[m] / orders[rolled[1]]),
+        )
+        for m, own in curves.items()
+    }
+
+
+def _plan(
+    system: System, what: Scenario | str | None, points: int, periods: int, mesh: str | None = None
+) -> tuple[Scenario, str, int, int]:
+    """Find out which scenario and which mesh are meant."""
+    names = mesh_names(system)
+    scenarios = {} if system.model is None else system.model.scenarios
+    if isinstance(what, str) and what in names:
+        mesh, what = what, None
+    elif isinstance(what, str) and what not in scenarios:
+        known = ", ".join((*names, *scenarios)) or "none"
+        raise SolverError(f"no mesh or scenario {what!r}; there are: {known}", INCONSISTENT)
+    chosen = scenarios[what] if isinstance(what, str) else what
+    chosen = chosen or system.scenario or Scenario()
+    if chosen.quasi_static is not None:
+        q = chosen.quasi_static
+        mesh, points, periods = mesh or q.mesh, q.points, q.periods
+    if mesh is None and len(names) != 1:
+        raise SolverError(f"choose the mesh to roll; there are: {', '.join(names) or 'none'}", INCONSISTENT)
+    mesh = mesh or names[0]
+    if mesh not in names:
+        raise SolverError(
+            f"no mesh {mesh!r} between bodies; there are: {', '.join(names) or 'none'}", INCONSISTENT
+        )
+    if points < 2 or periods < 1:
+        raise SolverError("a roll needs at least 2 points and 1 period", INCONSISTENT)
+    return chosen, mesh, points, periods
+
+
+def _begun(system: System, scenario: Scenario) -> Scenario:
+    """The scenario to begin from: what goes through loops need not rest before the rolled body is held."""
+    loads = {} if system.model is None else system.model.loads
+    if not is_looped(system) or any(isinstance(load.torque, Balance) for load in loads.values()):
+        return scenario
+    return replace(scenario, start="assembled")
+
+
+def _pitches(system: System, mesh: int, rolled: tuple[int, int], ratio: float) -> Fraction | None:
+    """Tooth pitches that a mesh travels per period of the rolled one; exact, None if loops are on the way."""
+    record = mesh_record(system, mesh)
+    for body in (record["i"], record["j"]):
+        spin = spin_of(system.program["body"], body)
+        if spin < 0 or not is_looped(system) or mesh == rolled[1]:
+            continue
+        if not tied_by_teeth(system, rolled[0], spin):
+            return None
+    return Fraction(ratio).limit_denominator(LARGEST_RATIO)
+
+
+def _shares(system: System, rows: Array, name: str, n_pair: int) -> Array:
+    if n_pair == 0:
+        return np.zeros((len(rows), 0))
+    first = system.layout.channel(f"pair_force[{name}.0]")
+    forces = np.abs(rows[:, first : first + n_pair])
+    total = forces.sum(axis=1, keepdims=True)
+    return np.divide(forces, total, out=np.zeros_like(forces), where=total > 0.0)
+
+
+def solve_quasistatic(
+    system: System,
+    what: Scenario | str | None = None,
+    points: int = 100,
+    periods: int = 1,
+    *,
+    progress: Progress = silent,
+) -> xr.Dataset:
+    """Slow roll through whole periods of one mesh.
+
+    Parameters
+    ----------
+    system
+        The compiled model.
+    what
+        Name of a mesh, or a scenario (or its name) with `quasi_static`; loads at t = 0 count. Default: the
+        scenario the system was compiled with, else the only mesh.
+    points, periods
+        Points per mesh period and number of periods, unless the scenario gives them.
+    progress
+        Called after every point.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `mesh_phase_position` (periods rolled): all channels of the system, and by mesh
+        unloaded_transmission_error [m], tangent_stiffness [N/m], load_share[MESH.PAIR]; without dimension
+        transmission_error_mean and transmission_error_peak_to_peak, loaded and unloaded [m].
+
+    Raises
+    ------
+    SolverError
+        If there is no such mesh, or no equilibrium at some point.
+    """
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes, channel_attributes
+
+    began = time.perf_counter()
+    roll = roll_through(system, what, points, periods, progress=progress)
+    _, mesh, points, periods = _plan(system, what, points, periods)
+    options = {"mesh": mesh, "points": points, "periods": periods}
+    attrs = attributes(system, "quasistatic", roll.status, time.perf_counter() - began, **options)
+    words = {"units": "1", "long_name": f"periods of {roll.mesh} rolled"}
+    data = xr.Dataset(
+        {t.name: ((DIMENSION,) * t.rolled, t.values, channel_attributes(t)) for t in tables(system, roll)},
+        coords={DIMENSION: ((DIMENSION,), roll.position, words)},
+        attrs={**attrs, "notes": "; ".join((*roll.notes, *roll.cycle_notes))},
+    )
+    if roll.status != OK:
+        raise SolverError(roll.sentence, roll.status, data)
+    return data
+
+
+@dataclass(frozen=True)
+class Table:
+    """One quantity of a roll: a number, or values over the positions, shape (n,)."""
+
+    name: str
+    values: Any
+    unit: str
+    long_name: str
+
+    @property
+    def rolled(self) -> bool:
+        """Whether it has a value per position."""
+        return bool(np.ndim(self.values))
+
+
+def statistics(found: Table) -> dict[str, Any]:
+    """Mean, rms of the alternating part and extremes of a quantity over whole periods."""
+    # the last point repeats the first one, but for meshes that are within a cycle there
+    once = found.values[:-1] if len(found.values) > 1 else found.values
+    return {
+        "unit": found.unit,
+        "mean": float(once.mean()),
+        "rms": float(once.std()),
+        "min": float(found.values.min()),
+        "max": float(found.values.max()),
+    }
+
+
+def tables(system: System, roll: Roll) -> list[Table]:
+    """Everything a roll found: all channels, and the values and statistics of `MeshRoll` for every mesh."""
+    found = [
+        Table(c.name, roll.rows[:, k], c.unit, c.long_name) for k, c in enumerate(system.layout.channels)
+    ]
+    for name, mesh in roll.meshes.items():
+        loaded = roll.rows[:, system.layout.channel(f"transmission_error[{name}]")]
+        without = "transmission error without load"
+        found += [
+            Table(f"unloaded_transmission_error[{name}]", mesh.unloaded, "m", without),
+            Table(f"tangent_stiffness[{name}]", mesh.tangent_stiffness, "N/m", "slope of the mesh force"),
+        ]
+        for word, te in (("", loaded), ("unloaded_", mesh.unloaded)):
+            text, key = f"{word.replace('_', ' ')}transmission error", f"{word}transmission_error"
+            # the last point is the first one again
+            mean = float(te[: max(len(te) - 1, 1)].mean()) if len(te) else float("nan")
+            span = float(np.ptp(te)) if len(te) else float("nan")
+            found.append(Table(f"{key}_mean[{name}]", mean, "m", f"mean of the {text}"))
+            found.append(Table(f"{key}_peak_to_peak[{name}]", span, "m", f"range of the {text}"))
+        for k in range(mesh.share.shape[1]):
+            found.append(Table(f"load_share[{name}.{k}]", mesh.share[:, k], "1", f"share of tooth pair {k}"))
+    return found
