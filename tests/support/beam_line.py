@@ -9,6 +9,7 @@ from scipy.sparse import coo_array
 
 from pitchpoint.multibody.craig_bampton import Modes
 from pitchpoint.multibody.structure import make_structure
+from tests.support.beam_matrices import consistent_mass, geometric, stiffness
 
 
 def beam_line(beams):
@@ -26,8 +27,8 @@ def beam_line(beams):
         at = 6 * k + np.arange(12)
         rows.append(np.repeat(at, 12))
         columns.append(np.tile(at, 12))
-        stiff.append(beam.stiffness().ravel())
-        heavy.append(beam.consistent_mass().ravel())
+        stiff.append(stiffness(beam).ravel())
+        heavy.append(consistent_mass(beam).ravel())
     entries = np.concatenate(rows), np.concatenate(columns)
     K = coo_array((np.concatenate(stiff), entries), (n, n))
     M = coo_array((np.concatenate(heavy), entries), (n, n))
@@ -84,7 +85,7 @@ def axial_stiffening(beams, structure, start=0.0):
         # integral of the pull of the own mass: rho A (z_2^2 - z^2)/2, mean over the element
         first, last = middle[k] - 0.5 * beam.length, middle[k] + 0.5 * beam.length
         pull += beam.rho * beam.section.A * (last**2 / 2.0 - (last**3 - first**3) / (6.0 * beam.length))
-        unit = beam.geometric()
+        unit = geometric(beam)
         found[2, at, at] -= beyond * unit
         found[3, at, at] += pull * unit
         found[4, at, at] += pull * unit

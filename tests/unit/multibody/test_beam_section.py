@@ -10,6 +10,7 @@ import pytest
 from scipy.linalg import eigh
 
 from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
+from tests.support.beam_matrices import consistent_mass, geometric, gyroscopic, stiffness
 
 STEEL = {"E": 206e9, "G": 206e9 / 2.6, "rho": 7830.0}
 ROUND = Beam(section=tube(0.05, 0.02), length=0.4, **STEEL)
@@ -38,19 +39,19 @@ def line(beam, n, matrix):
 @pytest.mark.parametrize("beam", [ROUND, FLAT])
 def test_rigid_motion_needs_no_force_and_has_the_mass_of_the_rod(beam):
     R = rigid(beam.length)
-    np.testing.assert_allclose(beam.stiffness() @ R, 0.0, atol=1e-6)  # of 1e8
-    got = R.T @ beam.consistent_mass() @ R
+    np.testing.assert_allclose(stiffness(beam) @ R, 0.0, atol=1e-6)  # of 1e8
+    got = R.T @ consistent_mass(beam) @ R
     m, h, s = beam.mass, beam.length, beam.section
     about = [m * h**2 / 3 + beam.rho * h * s.I_2, m * h**2 / 3 + beam.rho * h * s.I_1]
     about += [beam.rho * h * (s.I_1 + s.I_2)]
     np.testing.assert_allclose(np.diag(got), [m, m, m, *about], rtol=1e-12)
-    np.testing.assert_allclose(beam.geometric() @ R[:, [0, 1, 2, 5]], 0.0, atol=1e-12)
+    np.testing.assert_allclose(geometric(beam) @ R[:, [0, 1, 2, 5]], 0.0, atol=1e-12)
 
 
 @pytest.mark.parametrize("plane", [1, 2])
 def test_cantilever_deflects_by_bending_and_shear(plane):
     beam, s = FLAT, FLAT.section
-    free = np.linalg.inv(beam.stiffness()[6:, 6:])
+    free = np.linalg.inv(stiffness(beam)[6:, 6:])
     second, kappa = (s.I_1, s.kappa_1) if plane == 1 else (s.I_2, s.kappa_2)
     expected = beam.length**3 / (3 * beam.E * second) + beam.length / (kappa * s.A * beam.G)
     assert free[plane - 1, plane - 1] == pytest.approx(expected, rel=1e-12)
@@ -59,7 +60,7 @@ def test_cantilever_deflects_by_bending_and_shear(plane):
 def test_gyration_of_a_rigid_rod():
     # moment of a spinning rod whose axis turns about axis 1 with rate a: I_p Omega a about axis 2
     R = rigid(ROUND.length)
-    moment = -(R.T @ ROUND.gyroscopic() @ R)[3:, 3:]
+    moment = -(R.T @ gyroscopic(ROUND) @ R)[3:, 3:]
     polar = ROUND.rho * ROUND.length * ROUND.section.J
     expected = np.zeros((3, 3))
     for c in range(3):  # -d/dt(I_p Omega n) = -I_p Omega (rate x n)
@@ -80,7 +81,7 @@ def test_refinement_reaches_the_continuum():
     found = []
     for n in (4, 8, 16):
         beam = Beam(section=thin, length=1.0 / n, **STEEL)
-        K, M = line(beam, n, Beam.stiffness), line(beam, n, Beam.consistent_mass)
+        K, M = line(beam, n, stiffness), line(beam, n, consistent_mass)
         plane = np.sort([*range(0, 6 * n + 6, 6), *range(4, 6 * n + 6, 6)])
         values = eigh(K[np.ix_(plane, plane)], M[np.ix_(plane, plane)], eigvals_only=True)
         bending = np.sqrt(values[2:]) / (2 * np.pi)
@@ -92,7 +93,7 @@ def test_refinement_reaches_the_continuum():
 
 def test_tension_raises_and_euler_load_buckles():
     n, beam = 8, Beam(section=tube(0.02), length=0.125, E=2e11, G=8e10, rho=7850.0)
-    K, K_g = line(beam, n, Beam.stiffness), line(beam, n, Beam.geometric)
+    K, K_g = line(beam, n, stiffness), line(beam, n, geometric)
     held = [0, 1, 2, 5, 6 * n, 6 * n + 1]
     free = np.setdiff1d(np.arange(6 * n + 6), held)
     values = eigh(K_g[np.ix_(free, free)], K[np.ix_(free, free)], eigvals_only=True)
