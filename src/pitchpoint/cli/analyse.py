@@ -12,7 +12,7 @@ import click
 
 from pitchpoint.analysis.tools import TOOLS
 from pitchpoint.cli.options import as_json, debug, quantity, quiet, writes
-from pitchpoint.cli.output import emit_json, show, table
+from pitchpoint.cli.output import emit_json, show, show_notes, table
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -93,8 +93,7 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
         return emit_json(_plain(result, notes))
     _highlights(result)
     if not quiet:
-        for note in notes:
-            show(f"note: {note}")
+        show_notes(notes)
         for path in targets.values():
             show(f"written to {path}")
     return None

@@ -9,10 +9,17 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.output import shown, table
+from pitchpoint.cli.output import number_rows, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
+
+
+MASS_ROWS = (
+    ("mass", "mass", "mass"),
+    ("polar_inertia", "polar inertia", "inertia"),
+    ("transverse_inertia", "transverse inertia", "inertia"),
+)
 
 
 def export_bevel(model: Model, name: str, target: Path, inputs: Sequence[str | Path], points: int) -> None:
@@ -57,16 +64,13 @@ def print_bevel_gears(model: Model, only: str | None, *, quiet: bool) -> None:
     if not names:
         return
     numbers = {name: bevel_gear_numbers(model, name) for name in names}
-    rows = [["hand", *(shown(numbers[n]["hand"]) for n in names)]]
-    for key, meaning, dimension in BEVEL_GEAR_ROWS:
-        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
-    rows.append([])
-    for key in ("mass", "polar_inertia", "transverse_inertia"):
-        dimension = "mass" if key == "mass" else "inertia"
-        rows.append([key.replace("_", " "), *(shown(numbers[n][key], dimension, 5) for n in names)])
-    rows.append(
-        ["centre of mass from the apex", *(shown(numbers[n]["center_of_mass"], "length") for n in names)]
-    )
+    rows = [
+        ["hand", *(shown(numbers[n]["hand"]) for n in names)],
+        *number_rows(BEVEL_GEAR_ROWS, numbers),
+        [],
+        *number_rows(MASS_ROWS, numbers, 5, symbols=False),
+        ["centre of mass from the apex", *(shown(numbers[n]["center_of_mass"], "length") for n in names)],
+    ]
     notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
     title = "Bevel gears" if model.gears else model.title or "Bevel gears"
     table(title, ["", *names], rows, () if quiet else notes)
@@ -81,9 +85,7 @@ def print_bevel_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
         return
     numbers = {name: bevel_mesh_numbers(model, name) for name in names}
     heads = [f"{n}: {' / '.join(model.bevel_meshes[n].gears)}" for n in names]
-    rows = []
-    for key, meaning, dimension in (*BEVEL_PAIR_ROWS, *BEVEL_STIFFNESS_ROWS):
-        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
+    rows = number_rows((*BEVEL_PAIR_ROWS, *BEVEL_STIFFNESS_ROWS), numbers)
     notes = []
     for n in names:
         if numbers[n]["j_mt"] < 0.0:

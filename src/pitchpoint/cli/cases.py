@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.output import NOTHING, emit_json, greatest, show, shown, table
+from pitchpoint.cli.output import NOTHING, emit_json, greatest, show, show_notes, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -163,8 +163,7 @@ def run_varied(
         _print(f"{model.title or file}: {name}", results, list(paths))
         show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
         notes = notes_of(results)
-        for note in notes[:MOST_NOTES]:
-            show(f"note: {note}")
+        show_notes(notes[:MOST_NOTES])
         if len(notes) > MOST_NOTES:
             show(f"note: {len(notes) - MOST_NOTES} more notes on single cases are in the file")
     return OK if error is None else exit_code_of(error)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
+from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
@@ -31,10 +31,7 @@ FREEDOMS = {
 
 @click.command()
 @model_file
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """Check FILE and report what will be simulated: bodies and their freedoms, places, defaults used.
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, output, quiet
+from pitchpoint.cli.options import common, model_file, one_of, output
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -19,10 +19,7 @@ if TYPE_CHECKING:
 @model_file
 @output("Picture to write (svg): every place, magnified, where the teeth come nearest.")
 @click.option("--mesh", "only", metavar="NAME", help="One mesh; all if omitted.")
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def clearance(
     file: str, output: str | None, only: str | None, as_json: bool, allow_code: bool, quiet: bool
 ) -> None:

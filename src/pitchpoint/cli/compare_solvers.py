@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, scenario
+from pitchpoint.cli.options import common, model_file, output, scenario
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
 
 if TYPE_CHECKING:
@@ -30,10 +30,7 @@ if TYPE_CHECKING:
     metavar="SECONDS",
     help="Longest time for one run.",
 )
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def compare_solvers(
     file: str,
     scenario: str | None,
@@ -47,10 +44,11 @@ def compare_solvers(
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario, unless_it_cannot_begin
+    from pitchpoint.io.target import check_target
 
     model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "time")
-    target = _target(output, file)
+    target = None if output is None else check_target(output, "page", [file])
     summary, error = unless_it_cannot_begin(
         lambda: compute(model, name, target, limit, quiet=quiet), {"runs": [], "reference": None}
     )
@@ -59,13 +57,6 @@ def compare_solvers(
     elif error is None:
         _print(f"{model.title or file}: {name}", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
-
-
-def _target(output: str | None, file: str) -> Path | None:
-    """Path of the page; it may replace an older page, but neither the model nor another file."""
-    from pitchpoint.io.target import check_target
-
-    return None if output is None else check_target(output, "page", [file])
 
 
 def compute(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, quiet, writes
+from pitchpoint.cli.options import common, writes
 from pitchpoint.cli.output import emit_json, show
 
 if TYPE_CHECKING:
@@ -57,10 +57,7 @@ def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int
     help="Compute only every N-th case, beginning with the I-th: for N machines with one folder.",
 )
 @click.option("--dry-run", is_flag=True, help="Report the number of cases, their size and their time.")
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def dataset(
     file: str,
     output: str | None,

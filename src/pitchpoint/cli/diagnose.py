@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, output, quantity, quiet
-from pitchpoint.cli.output import emit_json, show, table
+from pitchpoint.cli.options import common, output, quantity
+from pitchpoint.cli.output import emit_json, show, show_notes, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -63,10 +63,7 @@ PAGE_ENDINGS = (".html", ".htm")
 )
 @quantity("--sample-rate", "frequency", "Sample rate, where the file does not give it.")
 @output("HTML page to write, with pictures of the evidence.")
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
@@ -85,23 +82,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
         raise click.UsageError("--tacho and --angle give the same quantity; omit one of them")
     if options["train"] is not None and (options["model"] or options["scenario"]):
         raise click.UsageError("--train replaces a model and its scenario; omit one of the two")
-    request = Request(
-        file=file,
-        model=options["model"],
-        scenario=options["scenario"],
-        train=options["train"],
-        speeds=options["speeds"],
-        tacho=options["tacho"],
-        pulses=options["pulses"],
-        angle=options["angle"],
-        channels=options["channels"],
-        bearings=options["bearings"],
-        false_alarm=options["false_alarm"],
-        allow_code=options["allow_code"],
-        sample_rate=options["sample_rate"],
-        noise=options["noise"],
-    )
-    found = diagnose_file(request)
+    found = diagnose_file(Request(file=file, **options))
     if target is not None:
         from pitchpoint.io.target import write_file
         from pitchpoint.report.diagnosis.page import diagnosis_page
@@ -156,5 +137,4 @@ def _print(found: Study, quiet: bool) -> None:
     table("Tests", heads, rows)
     if quiet:
         return
-    for text in (*found.diagnosis.unreported, *found.diagnosis.untested, *found.remarks):
-        show(f"note: {text}")
+    show_notes((*found.diagnosis.unreported, *found.diagnosis.untested, *found.remarks))

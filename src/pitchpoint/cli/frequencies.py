@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
-from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+from pitchpoint.cli.options import common, model_file
+from pitchpoint.cli.output import NOTHING, emit_json, show_notes, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -49,10 +49,7 @@ def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dic
     callback=_given,
     help="Speed of a body, such as motor=1500rpm, in place of a scenario; may be repeated.",
 )
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def frequencies(
     file: str, scenario: str | None, given: Mapping[str, float], as_json: bool, allow_code: bool, quiet: bool
 ) -> None:
@@ -132,8 +129,7 @@ def _print(model: Model, found: Mapping[str, Any], *, quiet: bool) -> None:
     if rows:
         table("Rolling bearings", ["bearing", "inner ring", "outer ring", *(h for _, h in BEARING)], rows)
     if not quiet:
-        for remark in found["remarks"]:
-            show(f"note: {remark}")
+        show_notes(found["remarks"])
 
 
 def _teeth(found: Mapping[str, Any]) -> list[list[str]]:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet, writes
-from pitchpoint.cli.output import emit_json, show, shown, table, write_figure
+from pitchpoint.cli.options import common, model_file, output, quantity, state, writes
+from pitchpoint.cli.output import emit_json, show, show_notes, shown, table, write_figure
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -49,15 +49,10 @@ if TYPE_CHECKING:
 @click.option(
     "--synchronous", metavar="BODY", help="The speed of this body follows the frequency, the others with it."
 )
-@click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
-)
+@state
 @writes("--picture", metavar="HTML", help="Write a picture.")
 @output("Result file (netCDF-4/HDF5); none if omitted.")
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Compute the frequency response of FILE about its loaded state."""
     from pitchpoint.cli.failure import OK, exit_code_of
@@ -170,8 +165,7 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
             )
     table(title, ["response", "largest", "at", f"at {shown(hertz[0], 'frequency', 4)}"], cells)
     if not quiet:
-        for note in summary["notes"]:
-            show(f"note: {note}")
+        show_notes(summary["notes"])
         if summary["output"] is not None:
             show(f"written to {summary['output']}")
 

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.bevel_gears import export_bevel, print_bevel_gears, print_bevel_pairs
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, one_of, quiet, writes
-from pitchpoint.cli.output import emit_json, show_unless, shown, table
+from pitchpoint.cli.bevel_gears import MASS_ROWS, export_bevel, print_bevel_gears, print_bevel_pairs
+from pitchpoint.cli.options import common, model_file, one_of, writes
+from pitchpoint.cli.output import emit_json, number_rows, show_unless, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -40,10 +40,7 @@ POINTS_A_FLANK = 20
 @writes("--preview", help="Draw the teeth (svg): tool, circles by name, active flanks.")
 @click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if omitted.")
 @click.option("--shaft", metavar="NAME", help="An elastic shaft to export instead, as stl or step.")
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def gears(
     file: str,
     target: str | None,
@@ -201,16 +198,12 @@ def _print_gears(model: Model, only: str | None, *, quiet: bool) -> None:
     rows = [
         ["type", *(numbers[n]["type"] for n in names)],
         ["hand", *(shown(numbers[n]["hand"]) for n in names)],
+        *number_rows(GEAR_ROWS, numbers),
+        [],
+        *number_rows(MASS_ROWS, numbers, 5, symbols=False),
+        [],
+        *number_rows(MEASURES, measures, symbols=False),
     ]
-    for key, meaning, dimension in GEAR_ROWS:
-        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
-    rows.append([])
-    for key in ("mass", "polar_inertia", "transverse_inertia"):
-        dimension = "mass" if key == "mass" else "inertia"
-        rows.append([key.replace("_", " "), *(shown(numbers[n][key], dimension, 5) for n in names)])
-    rows.append([])
-    for key, label, dimension in MEASURES:
-        rows.append([label, *(shown(measures[n][key], dimension) for n in names)])
     notes = [f"{n}: undercut at the root" for n in names if numbers[n]["undercut"]]
     table(model.title or "Gears", ["", *names], rows, () if quiet else notes)
 
@@ -223,12 +216,7 @@ def _print_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
         return
     numbers: dict[str, dict[str, Any]] = {name: mesh_numbers(model, name) for name in names}
     heads = [f"{n}: {' / '.join(model.meshes[n].gears)}" for n in names]
-    rows = []
-    for key, meaning, dimension in PAIR_ROWS + SLIDING_ROWS:
-        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension) for n in names)])
-    rows.append([])
-    for key, meaning, dimension in STIFFNESS_ROWS:
-        rows.append([f"{meaning}  {key}", *(shown(numbers[n][key], dimension, 6) for n in names)])
+    rows = [*number_rows(PAIR_ROWS + SLIDING_ROWS, numbers), [], *number_rows(STIFFNESS_ROWS, numbers, 6)]
     notes = []
     for n in names:
         given, needed = numbers[n]["x_sum_given"], numbers[n]["x_sum"]

@@ -81,28 +81,13 @@ class LazyGroup(click.Group):
             formatter.write_dl(list(COMMANDS.items()))
 
 
-def _print_version(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
-    if wanted:
-        from importlib.metadata import version
-
-        click.echo(f"pitchpoint {version('pitchpoint')}")
-        ctx.exit()
-
-
 @click.group(
     cls=LazyGroup,
     name="pitchpoint",
     epilog=EPILOG,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110},
 )
-@click.option(
-    "--version",
-    is_flag=True,
-    is_eager=True,
-    expose_value=False,
-    callback=_print_version,
-    help="Show the version.",
-)
+@click.version_option(package_name="pitchpoint", message="pitchpoint %(version)s", help="Show the version.")
 def pitchpoint() -> None:
     """Simulate gears inside machines: geometry, mesh stiffness, flank contact, dynamics."""
 

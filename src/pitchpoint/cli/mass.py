@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quiet
+from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
 
 HEAD = (
@@ -26,10 +26,7 @@ HEAD = (
 
 @click.command()
 @model_file
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def mass(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """Compare mass and inertia of the gears, shafts and bodies of FILE: geometry, solids of CAD files, given.
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, quiet
+from pitchpoint.cli.options import common
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
@@ -43,10 +43,7 @@ _BARS = "▁▂▃▄▅▆▇█"
     help="Ramp at both ends of each pair, 0 to 1; 0 if omitted.",
 )
 @click.option("--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Samples.")
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def mesh(
     file: str | None,
     eps_alpha: float | None,

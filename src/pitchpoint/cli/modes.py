@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, writes
-from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+from pitchpoint.cli.options import common, model_file, output, state, writes
+from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -27,9 +27,7 @@ ROUNDING = 1e-7
 
 @click.command()
 @model_file
-@click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
-)
+@state
 @click.option(
     "--phase",
     type=click.FloatRange(0.0, 1.0, max_open=True),
@@ -49,10 +47,7 @@ ROUNDING = 1e-7
     help="Write the motion of bodies and nodes over one cycle of every mode: json or npz.",
 )
 @output("Result file (netCDF-4/HDF5); none if omitted.")
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def modes(
     file: str,
     scenario: str | None,
@@ -158,8 +153,7 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         show(f"{count} of {total} modes, up to {last}; --count {total} shows all of them")
     if count:
         show("natural: undamped, at rest; damped: with dampers, gyroscopic terms and speeds of the scenario")
-    for note in summary["notes"]:
-        show(f"note: {note}")
+    show_notes(summary["notes"])
     if summary["output"] is not None:
         show(f"written to {summary['output']}")
 

@@ -35,6 +35,9 @@ scenario = click.option(
     metavar="NAME",
     help="Scenario of the file; default: the only scenario of a suitable type.",
 )
+state = click.option(
+    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
+)
 jobs = click.option(
     "--jobs",
     "-j",
@@ -42,6 +45,11 @@ jobs = click.option(
     metavar="N",
     help="Threads for --vary; one per core if omitted.",
 )
+
+
+def common(function: F) -> F:
+    """Add the options of every command that computes something of a file: JSON, code, quiet, debug."""
+    return as_json(allow_code(quiet(debug(function))))
 
 
 def writes(*names: str, metavar: str = "OUT", help: str, folder: bool = False) -> Callable[[F], F]:

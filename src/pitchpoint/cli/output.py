@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -59,6 +59,27 @@ def show_unless(quiet: bool, text: str) -> None:
     """Print a line for people on stdout, not in quiet runs."""
     if not quiet:
         show(text)
+
+
+def show_notes(notes: Iterable[str]) -> None:
+    """Print notes for people, each on its line."""
+    for note in notes:
+        show(f"note: {note}")
+
+
+def number_rows(
+    rows: Iterable[tuple[str, str, str]],
+    numbers: Mapping[str, Mapping[str, Any]],
+    digits: int = 7,
+    *,
+    symbols: bool = True,
+) -> list[list[str]]:
+    """Make the rows of a table with a thing in every column; rows are identifier, meaning and dimension."""
+    return [
+        [f"{meaning}  {key}" if symbols else meaning]
+        + [shown(thing[key], dimension, digits) for thing in numbers.values()]
+        for key, meaning, dimension in rows
+    ]
 
 
 def write_figure(target: Path, figure: go.Figure) -> None:

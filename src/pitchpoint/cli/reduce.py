@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, quantity, quiet
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.options import common, model_file, quantity, state
+from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -32,13 +32,8 @@ LISTED = 40
     metavar="NAME",
     help="Body, or element as 'KIND NAME', that stays; may be repeated.",
 )
-@click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
-)
-@as_json
-@allow_code
-@quiet
-@debug
+@state
+@common
 def reduce(
     file: str,
     limit: float | None,
@@ -71,8 +66,7 @@ def reduce(
             f"{model.title or file}: reduced for frequencies up to {shown(limit, 'frequency', 4)}", summary
         )
         if not quiet:
-            for note in summary["notes"]:
-                show(f"note: {note}")
+            show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from pitchpoint.cli.options import allow_code, debug, output, quiet
-from pitchpoint.cli.output import show
+from pitchpoint.cli.output import show, show_notes
 
 RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 
@@ -42,5 +42,4 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
         write_report(model, target, *results, **options)
     if not quiet:
         show(f"report written to {target}")
-        for note in notes:
-            show(f"note: {note}")
+        show_notes(notes)

@@ -24,6 +24,9 @@ WORDS = (
     "mesh stiffness, mean",
 )
 """What people see of a mesh after a slow roll."""
+SIZES = [
+    f"{load}transmission_error_{size}" for load in ("", "unloaded_") for size in ("mean", "peak_to_peak")
+]
 ROUND_OFF = 1e-12
 """Lengths that are shown as zero [m]."""
 
@@ -97,12 +100,7 @@ def numbers(mesh: str, roll: Roll, found: list[Table]) -> dict[str, Any]:
         "tangent_stiffness": stiffness,
         "mesh_phase": by_name[f"mesh_phase[{mesh}]"],
         "load_share": [share.tolist() for share in roll.meshes[mesh].share.T],
-        "transmission_error_mean": by_name[f"transmission_error_mean[{mesh}]"],
-        "transmission_error_peak_to_peak": by_name[f"transmission_error_peak_to_peak[{mesh}]"],
-        "unloaded_transmission_error_mean": by_name[f"unloaded_transmission_error_mean[{mesh}]"],
-        "unloaded_transmission_error_peak_to_peak": by_name[
-            f"unloaded_transmission_error_peak_to_peak[{mesh}]"
-        ],
+        **{name: by_name[f"{name}[{mesh}]"] for name in SIZES},
         "mean_stiffness": float(stiffness[: max(len(stiffness) - 1, 1)].mean()) if len(stiffness) else None,
         "repeats_after_periods": roll.meshes[mesh].repeats_after,
     }

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.cases import set_option, vary_option, with_settings
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quantity, quiet, scenario
-from pitchpoint.cli.output import emit_json, show, shown
+from pitchpoint.cli.options import common, model_file, output, quantity, scenario
+from pitchpoint.cli.output import emit_json, show, show_notes, shown
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -53,10 +53,7 @@ NOT_BEGUN: dict[str, Any] = {
 )
 @set_option
 @vary_option
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def run(
     file: str,
     scenario: str | None,
@@ -124,8 +121,7 @@ def run(
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
         show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
-        for note in summary["notes"]:
-            show(f"note: {note}")
+        show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
 
 
@@ -144,8 +140,7 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
     elif summary["steps"] and not quiet:
         show_roll(f"{model.title or file}: {name}", summary)
         show(f"{summary['steps']} points in {summary['wall_s']:.3g} s, written to {target}")
-        for note in summary["notes"]:
-            show(f"note: {note}")
+        show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
 
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.cases import vary_option
-from pitchpoint.cli.options import allow_code, as_json, debug, model_file, output, quiet, scenario
-from pitchpoint.cli.output import emit_json, greatest, show, shown, table
+from pitchpoint.cli.options import common, model_file, output, scenario
+from pitchpoint.cli.output import emit_json, greatest, show, show_notes, shown, table
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -27,10 +27,7 @@ NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "points": [], "jumps": []
 @scenario
 @output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if omitted.")
 @vary_option
-@as_json
-@allow_code
-@quiet
-@debug
+@common
 def sweep(
     file: str,
     scenario: str | None,
@@ -71,8 +68,7 @@ def sweep(
     elif summary["points"] and not quiet:
         _print(f"{model.title or file}: {name}", summary, model.scenarios[name].sweep)
         show(f"{len(summary['points'])} points in {summary['wall_s']:.3g} s, written to {target}")
-        for note in summary["notes"]:
-            show(f"note: {note}")
+        show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
 
 

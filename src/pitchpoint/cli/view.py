@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pitchpoint.cli.options import allow_code, debug, output, quiet, writes
-from pitchpoint.cli.output import show
+from pitchpoint.cli.output import show, show_notes
 
 if TYPE_CHECKING:
     from pitchpoint.report.film import FilmMaker
@@ -45,10 +45,11 @@ def view(
 
     With OTHER, two scenes are shown side by side and share their time.
     """
+    from pitchpoint.report.film import film_maker
     from pitchpoint.report.view import write_view
 
     # what a film lacks is reported before anything is computed
-    maker = None if film is None else _film_maker(film)
+    maker = None if film is None else film_maker(film)
     target = output or str(Path(file).with_suffix(".view.html"))
     if modes and other is not None:
         raise click.BadParameter("modes are shown of one result or model, not of two", param_hint="--modes")
@@ -56,16 +57,9 @@ def view(
     written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0)
     if not quiet:
         show(f"scene written to {written}, {written.stat().st_size / 1e6:.1f} MB; open it in a browser")
-        for note in notes:
-            show(f"note: {note}")
+        show_notes(notes)
     if maker is not None:
         _film(written, maker, quiet)
-
-
-def _film_maker(target: str) -> FilmMaker:
-    from pitchpoint.report.film import film_maker
-
-    return film_maker(target)
 
 
 def _film(page: Path, maker: FilmMaker, quiet: bool) -> None:

@@ -10,13 +10,13 @@ from typing import Any
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
-from pitchpoint.io.tables import Axis, FilledTable, Quantity, TableWriter
+from pitchpoint.io.tables import Axis, Quantity, TableWriter
 
 LETTERS = 500
 """Bytes kept of the sentence of a case."""
 
 
-class CaseWriter(FilledTable):
+class CaseWriter(TableWriter):
     """Write the results of independent cases; the file may be read while it fills.
 
     Parameters
@@ -64,28 +64,28 @@ class CaseWriter(FilledTable):
                 *(Quantity(name, at, "1", words) for name, words in SHARES),
             ]
         texts = {f"given[{p}]": list(v) for p, v in values.items()}
-        self._table = TableWriter(path, header, axes, quantities, texts=texts)
+        super().__init__(path, header, axes, quantities, texts=texts)
 
     def put(self, result: Any) -> None:
         """Write one case: a `CaseResult`, or anything with its attributes."""
         k = result.index
         for path, (number, _) in result.numbers.items():
-            self._table.put(f"value[{path}]", k, number)
+            self.fill(f"value[{path}]", k, number)
         for name, row in result.channels.items():
             if name in self._channels:
-                self._table.put(name, k, [row[s] for s in STATISTICS])
+                self.fill(name, k, [row[s] for s in STATISTICS])
         for d, direction in enumerate(self._directions):
             here = sorted(
                 (p for p in result.points if p["direction"] == direction), key=lambda p: p["mesh_frequency"]
             )
             for i, point in enumerate(here):
                 for name in ("speed", "mesh_frequency", *(share for share, _ in SHARES)):
-                    self._table.put(name, (k, d, i), point[name])
+                    self.fill(name, (k, d, i), point[name])
                 for name, _, _ in QUANTITIES:
-                    self._table.put(name, (k, d, i), [point[name][s] for s in STATISTICS])
-        self._table.put("case_sentence", k, _letters(result.sentence))
-        self._table.put("wall_s", k, result.wall_s)
-        self._table.complete("case_status", k, result.status)
+                    self.fill(name, (k, d, i), [point[name][s] for s in STATISTICS])
+        self.fill("case_sentence", k, _letters(result.sentence))
+        self.fill("wall_s", k, result.wall_s)
+        self.complete("case_status", k, result.status)
 
 
 def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:

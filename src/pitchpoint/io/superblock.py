@@ -101,18 +101,9 @@ def lookup3(data: bytes, start: int = 0) -> int:
         a = (a + int.from_bytes(data[k : k + 4], "little")) & m
         b = (b + int.from_bytes(data[k + 4 : k + 8], "little")) & m
         c = (c + int.from_bytes(data[k + 8 : k + 12], "little")) & m
-        a = ((a - c) & m) ^ turn(c, 4)
-        c = (c + b) & m
-        b = ((b - a) & m) ^ turn(a, 6)
-        a = (a + c) & m
-        c = ((c - b) & m) ^ turn(b, 8)
-        b = (b + a) & m
-        a = ((a - c) & m) ^ turn(c, 16)
-        c = (c + b) & m
-        b = ((b - a) & m) ^ turn(a, 19)
-        a = (a + c) & m
-        c = ((c - b) & m) ^ turn(b, 4)
-        b = (b + a) & m
+        for way in (4, 6, 8, 16, 19, 4):
+            a, c = ((a - c) & m) ^ turn(c, way), (c + b) & m
+            a, b, c = b, c, a
     tail = data[12 * blocks :]
     if not tail:
         return c
@@ -120,10 +111,7 @@ def lookup3(data: bytes, start: int = 0) -> int:
     a = (a + int.from_bytes(tail[0:4], "little")) & m
     b = (b + int.from_bytes(tail[4:8], "little")) & m
     c = (c + int.from_bytes(tail[8:12], "little")) & m
-    c = ((c ^ b) - turn(b, 14)) & m
-    a = ((a ^ c) - turn(c, 11)) & m
-    b = ((b ^ a) - turn(a, 25)) & m
-    c = ((c ^ b) - turn(b, 16)) & m
-    a = ((a ^ c) - turn(c, 4)) & m
-    b = ((b ^ a) - turn(a, 14)) & m
-    return ((c ^ b) - turn(b, 24)) & m
+    for way in (14, 11, 25, 16, 4, 14, 24):
+        c = ((c ^ b) - turn(b, way)) & m
+        a, b, c = b, c, a
+    return b

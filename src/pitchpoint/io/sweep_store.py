@@ -9,7 +9,7 @@ from typing import Any
 
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
-from pitchpoint.io.tables import Axis, FilledTable, Quantity, TableWriter
+from pitchpoint.io.tables import Axis, Quantity, TableWriter
 
 STATISTICS = ("mean", "rms", "min", "max")
 QUANTITIES = (
@@ -23,7 +23,7 @@ SHARES = (
 )
 
 
-class SweepWriter(FilledTable):
+class SweepWriter(TableWriter):
     """Write a speed sweep that may be read while it runs.
 
     Parameters
@@ -69,40 +69,35 @@ class SweepWriter(FilledTable):
             Quantity("point_status", point, "1", "status of the computation of the point", dtype="i4"),
         ]
         jumps = [("jump_direction", "", "i4"), ("jump_mesh_frequency", "Hz", "f8")]
-        self._table = TableWriter(path, header, axes, quantities, growing=jumps)
-        self._table.put("speed", ..., list(speeds))
-        self._table.flush()
-
-    @property
-    def path(self) -> str:
-        """The file."""
-        return self._table.path
+        super().__init__(path, header, axes, quantities, growing=jumps)
+        self.fill("speed", ..., list(speeds))
+        self.flush()
 
     def put(self, direction: str, point: int, values: Mapping[str, Any], status: int = 1) -> None:
         """Write one point: `values` as in the points of `SweepSummary`; what is missing stays NaN."""
         at = (self._directions.index(direction), point)
         for name, _, _ in QUANTITIES:
             if name in values:
-                self._table.put(f"{name}[{self.mesh}]", at, [values[name][key] for key in STATISTICS])
+                self.fill(f"{name}[{self.mesh}]", at, [values[name][key] for key in STATISTICS])
         known = values.get("channels", {})
         for name in self._others:
             if name in known:
-                self._table.put(name, at, [known[name][key] for key in STATISTICS])
+                self.fill(name, at, [known[name][key] for key in STATISTICS])
         for name, _ in SHARES:
             if name in values:
-                self._table.put(f"{name}[{self.mesh}]", at, values[name])
-        self._table.complete("point_status", at, status)
+                self.fill(f"{name}[{self.mesh}]", at, values[name])
+        self.complete("point_status", at, status)
 
     def put_jumps(self, jumps: Sequence[Mapping[str, Any]]) -> None:
         """Write the jumps: `direction` and `mesh_frequency` [Hz] of each."""
         for jump in jumps:
-            self._table.extend(
+            self.extend(
                 {
                     "jump_direction": self._directions.index(jump["direction"]),
                     "jump_mesh_frequency": jump["mesh_frequency"],
                 }
             )
-        self._table.flush()
+        self.flush()
 
 
 def read_sweep(path: str | os.PathLike[str]) -> dict[str, Any]:

@@ -12,15 +12,12 @@ import os
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any
 
 from pitchpoint.core import status as st
 from pitchpoint.core.nomenclature import symbol
 from pitchpoint.io.container import FINISHED, Container, Header, ResultError
-from pitchpoint.io.writing import how_it_ended
-
-if TYPE_CHECKING:
-    from types import TracebackType
+from pitchpoint.io.writing import Closing
 
 
 @dataclass(frozen=True)
@@ -52,7 +49,7 @@ class Quantity:
     dtype: str = "f8"
 
 
-class TableWriter:
+class TableWriter(Closing):
     """Write tables that may be read while they fill.
 
     Parameters
@@ -78,7 +75,7 @@ class TableWriter:
     >>> axes = [Axis("direction", ["up", "down"]), Axis("point", [0, 1])]
     >>> force = Quantity("mesh_force[stage]", ("direction", "point"), "N")
     >>> with TableWriter(name, Header("sweep"), axes, [force]) as table:
-    ...     table.put("mesh_force[stage]", (0, 1), 250.0)
+    ...     table.fill("mesh_force[stage]", (0, 1), 250.0)
     """
 
     def __init__(
@@ -156,7 +153,7 @@ class TableWriter:
         """The file."""
         return str(self._container.path)
 
-    def put(self, name: str, index: Any, values: Any) -> None:
+    def fill(self, name: str, index: Any, values: Any) -> None:
         """Set values of a variable at an index or slice."""
         with self._container.writing():
             self._variables[name][index] = values
@@ -178,7 +175,7 @@ class TableWriter:
     def complete(self, name: str, index: Any, status: int) -> None:
         """Set the status of a point or case after its values: one flush writes in any order."""
         self.flush()
-        self.put(name, index, status)
+        self.fill(name, index, status)
         self.flush()
 
     def finish(
@@ -196,47 +193,9 @@ class TableWriter:
             status, sentence or st.sentence(code), code=code, steps=steps, wall_s=elapsed, notes=notes
         )
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        status, sentence, code = how_it_ended(error)
-        self.finish(status, sentence, code=code)
-
 
 def _whole(values: Sequence[Any] | int) -> bool:
     return not isinstance(values, int) and all(isinstance(v, int) for v in values)
-
-
-class FilledTable:
-    """A result file that is filled point by point: the base of what knows what its points are.
-
-    Whoever derives from it makes `_table`.
-    """
-
-    _table: TableWriter
-
-    def finish(
-        self,
-        status: str = FINISHED,
-        sentence: str = "",
-        *,
-        code: int = st.OK,
-        steps: int = 0,
-        notes: Sequence[str] = (),
-    ) -> None:
-        """Write how the computation ended, what is to be known, and close; a second call does nothing."""
-        self._table.finish(status, sentence, code=code, steps=steps, notes=notes)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self._table.__exit__(kind, error, trace)
 
 
 def write_tables(
@@ -256,5 +215,5 @@ def write_tables(
     with TableWriter(path, header, axes, [q for q, _ in filled], texts=texts) as table:
         for quantity, values in filled:
             if quantity.dtype != "text":
-                table.put(quantity.name, ..., values)
+                table.fill(quantity.name, ..., values)
         table.finish(status, sentence, code=code, steps=steps, notes=notes)

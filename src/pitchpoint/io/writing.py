@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 import os
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Self
 
@@ -120,7 +120,22 @@ class RunningStatistics:
         return np.sqrt(self._squares / max(self.count, 1))
 
 
-class ResultWriter:
+class Closing:
+    """What leaves a `with` block on a result file is written into it as its end."""
+
+    finish: Callable[..., None]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        status, sentence, code = how_it_ended(error)
+        self.finish(status, sentence, code=code)
+
+
+class ResultWriter(Closing):
     """Write the channels of one run to a file that can be read at any moment.
 
     Parameters
@@ -358,15 +373,6 @@ class ResultWriter:
             wall_s=elapsed,
             notes=notes,
         )
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        status, sentence, code = how_it_ended(error)
-        self.finish(status, sentence, code=code)
 
 
 def how_it_ended(error: BaseException | None) -> tuple[str, str, int]:

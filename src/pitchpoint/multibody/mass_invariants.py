@@ -75,20 +75,6 @@ class MassInvariants:
             modal=self.modal,
         )
 
-    def mass_matrix(self, eta: ArrayLike) -> Array:
-        """Mass matrix (6 + n, 6 + n) of (v, omega, eta') at a deflection."""
-        x = np.asarray(eta, float)
-        n = x.size
-        M = np.zeros((6 + n, 6 + n))
-        M[:3, :3] = self.mass * np.eye(3)
-        M[3:6, :3] = _skew(self.first + self.momentum @ x)
-        M[3:6, 3:6] = self.inertia + np.einsum("k,kij->ij", x, self.inertia_1)
-        M[3:6, 3:6] += np.einsum("k,l,klij->ij", x, x, self.inertia_2)
-        M[6:, :3] = self.momentum.T
-        M[6:, 3:6] = (self.angular + np.einsum("k,kin->in", x, self.angular_1)).T
-        M[6:, 6:] = self.modal
-        return np.asarray(np.tril(M) + np.tril(M, -1).T)
-
 
 def mass_invariants(
     structure: Structure, shape: ArrayLike, origin: ArrayLike = (0.0, 0.0, 0.0)
@@ -144,10 +130,6 @@ def mass_invariants(
         inertia_2=inertia_2,
         modal=np.asarray(phi.T @ Mp),
     )
-
-
-def _skew(a: Array) -> Array:
-    return np.array([[0.0, -a[2], a[1]], [a[2], 0.0, -a[0]], [-a[1], a[0], 0.0]])
 
 
 def _axial(box: Array) -> Array:

@@ -113,13 +113,11 @@ def _signals(record: xr.Dataset, names: Sequence[str]) -> Section:
 
 def _curve(result: xr.Dataset, variable: xr.DataArray, words: str) -> go.Figure:
     """One row of numbers over its dimension."""
-    import plotly.graph_objects as go
-
     axis = str(variable.dims[0])
     x, y = (np.asarray(v.values, dtype=np.float64) for v in (result[axis], variable))
     across, unit = scale(str(result[axis].attrs.get("units", "")), x), str(variable.attrs["units"])
     best = scale(unit, y)
-    figure = go.Figure(layout=theme.layout(across.title(_words(axis)), best.title(words), height=340))
+    figure = theme.figure(across.title(_words(axis)), best.title(words), height=340)
     kept = kept_samples(y, _POINTS)
     figure.add_scatter(
         x=(x[kept] * across.factor).astype(np.float32),

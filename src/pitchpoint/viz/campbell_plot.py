@@ -46,8 +46,6 @@ def plot_campbell(
     shaft
         Name of the reference shaft.
     """
-    import plotly.graph_objects as go
-
     omega = np.asarray(speed, dtype=np.float64)
     modes = np.atleast_1d(np.asarray(mode_frequencies, dtype=np.float64))
     if modes.ndim == 1:
@@ -55,15 +53,13 @@ def plot_campbell(
     revolutions = scale("rad/s")
     top = 1.15 * float(np.nanmax(modes)) if modes.size else 1.0
     pitch = scale("Hz", [top])
-    figure = go.Figure(
-        layout=theme.layout(
-            revolutions.title(f"speed of {shaft}" if shaft else "speed"),
-            pitch.title("frequency"),
-            height=HEIGHT,
-            # room for two rows of order names between picture and legend
-            margin={"t": TOP},
-            legend={"y": 1.1},
-        )
+    figure = theme.figure(
+        revolutions.title(f"speed of {shaft}" if shaft else "speed"),
+        pitch.title("frequency"),
+        height=HEIGHT,
+        # room for two rows of order names between picture and legend
+        margin={"t": TOP},
+        legend={"y": 1.1},
     )
     crowded = modes.shape[1] > MOST_NAMES
     names = [mode_names[k] if k < len(mode_names) else f"mode {k + 1}" for k in range(modes.shape[1])]

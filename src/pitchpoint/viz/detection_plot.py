@@ -25,12 +25,8 @@ def plot_detection(curves: DetectionCurves) -> go.Figure:
     curves
         What `detection_curves` found.
     """
-    import plotly.graph_objects as go
-
-    figure = go.Figure(
-        layout=theme.layout(
-            "signal-to-noise ratio [dB]", "detected [%]", height=400, yaxis={"range": [-3, 103]}
-        )
+    figure = theme.figure(
+        "signal-to-noise ratio [dB]", "detected [%]", height=400, yaxis={"range": [-3, 103]}
     )
     order = np.argsort(curves.snr)
     snr = curves.snr[order]

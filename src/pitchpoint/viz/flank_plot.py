@@ -29,12 +29,10 @@ def plot_missing(z: ArrayLike, diameter: ArrayLike, level: ArrayLike) -> go.Figu
     level
         What is missing [m], shape (n_z, n_d): nothing where it is not positive (`tooth_faults.break_level`).
     """
-    import plotly.graph_objects as go
-
     across, up = np.asarray(z, dtype=np.float64), np.asarray(diameter, dtype=np.float64)
     gone = np.asarray(level, dtype=np.float64).T > 0.0
     wide, high = scale("m", across), scale("m", up)
-    figure = go.Figure(layout=theme.layout(wide.title("face width z"), high.title("diameter"), height=300))
+    figure = theme.figure(wide.title("face width z"), high.title("diameter"), height=300)
     figure.add_heatmap(
         x=(across * wide.factor).astype(np.float32),
         y=(up * high.factor).astype(np.float32),

@@ -38,14 +38,12 @@ def plot_frequency_response(
     units
         Units of the curves, output by output, input by input; "m/N" and the like.
     """
-    import plotly.graph_objects as go
-
     hertz = np.asarray(frequency, dtype=np.float64)
     found = np.asarray(response, dtype=np.complex128)
     pitch = scale("Hz", hertz)
     different = sorted(set(units))
     title = f"amplitude [{different[0]}]" if len(different) == 1 else "amplitude [SI]"
-    figure = go.Figure(layout=theme.layout(pitch.title("frequency"), title, height=HEIGHT))
+    figure = theme.figure(pitch.title("frequency"), title, height=HEIGHT)
     for o, output in enumerate(outputs):
         for i, name in enumerate(inputs):
             k = o * len(inputs) + i

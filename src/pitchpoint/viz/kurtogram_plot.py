@@ -28,8 +28,6 @@ def plot_kurtogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
     channel
         Its name.
     """
-    import plotly.graph_objects as go
-
     low, high, level = (result[name].values for name in ("low", "high", "level"))
     pitch = scale("Hz", high)
     edges = np.unique(np.round(np.concatenate([low, high]) / (_SAME * high.max()))) * _SAME * high.max()
@@ -39,7 +37,7 @@ def plot_kurtogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
     for bottom, top, at, kurtosis in zip(low, high, level, result["kurtosis"].values, strict=True):
         values[np.searchsorted(levels, at), (middle > bottom) & (middle < top)] = kurtosis
     best = [float(result[name]) for name in ("best_low", "best_high", "best_kurtosis")]
-    figure = go.Figure(layout=theme.layout(pitch.title("frequency"), "width of the bands", height=430))
+    figure = theme.figure(pitch.title("frequency"), "width of the bands", height=430)
     figure.add_heatmap(
         x=edges * pitch.factor,
         y=np.arange(levels.size),

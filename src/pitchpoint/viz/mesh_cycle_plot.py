@@ -44,12 +44,8 @@ def plot_mesh_stiffness(
     cycles
         Number of cycles drawn.
     """
-    import plotly.graph_objects as go
-
     phase, ratio = _repeated(cycle.phase, cycle.stiffness_ratio, cycles)
-    figure = go.Figure(
-        layout=theme.layout("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
-    )
+    figure = theme.figure("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
     figure.add_scatter(
         x=phase,
         y=ratio,
@@ -100,14 +96,12 @@ def plot_transmission_error(
     title
         Title of the horizontal axis.
     """
-    import plotly.graph_objects as go
-
     data = {name: np.asarray(values, dtype=np.float64) for name, values in errors.items()}
     means = {name: float(values.mean()) if values.size else 0.0 for name, values in data.items()}
     means = {name: mean if abs(mean) > ROUND_OFF else 0.0 for name, mean in means.items()}
     sizes = [np.atleast_1d(v - means[name]) for name, v in data.items()]
     shown = scale("m", np.concatenate([*sizes, [ROUND_OFF]]))
-    figure = go.Figure(layout=theme.layout(title, shown.title("transmission error − mean"), height=340))
+    figure = theme.figure(title, shown.title("transmission error − mean"), height=340)
     for index, (name, values) in enumerate(data.items()):
         x, y = _repeated(phase, values - means[name], cycles)
         whole = scale("m", [means[name]]) if means[name] else shown
@@ -135,14 +129,10 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
     share
         Share in the load, shape (n,).
     """
-    import plotly.graph_objects as go
-
-    figure = go.Figure(
-        layout=theme.layout(
-            "way of a tooth pair, 0 where its mid-face comes into contact [base pitches]",
-            "share in the load [%]",
-            height=340,
-        )
+    figure = theme.figure(
+        "way of a tooth pair, 0 where its mid-face comes into contact [base pitches]",
+        "share in the load [%]",
+        height=340,
     )
     figure.add_scatter(
         x=np.asarray(way, dtype=np.float64),

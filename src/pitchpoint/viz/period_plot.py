@@ -30,12 +30,10 @@ def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
     channel
         Its name.
     """
-    import plotly.graph_objects as go
-
     period, score = result["trial_period"].values, result["trial_score"].values
     clock = scale("s", period)
     threshold = float(np.log10(period.size / float(result["false_alarm"])))
-    figure = go.Figure(layout=theme.layout(clock.title("period"), _TITLE, height=380))
+    figure = theme.figure(clock.title("period"), _TITLE, height=380)
     kept = kept_samples(score, _POINTS)
     figure.add_scatter(
         x=period[kept] * clock.factor,
@@ -73,7 +71,7 @@ def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
         name="threshold of the exact test",
         hoverinfo="skip",
     )
-    figure.update_layout(title=_headline(words), margin={"t": 64}, showlegend=True)
+    figure.update_layout(title=theme.title_above(words), margin={"t": 64}, showlegend=True)
     figure.data[0].update(name="rough score of all trial periods")
     figure.update_yaxes(range=[0.0, 1.1 * top])
     figure.update_xaxes(range=[period[0] * clock.factor, period[-1] * clock.factor])
@@ -90,13 +88,11 @@ def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
     channel
         Its name.
     """
-    import plotly.graph_objects as go
-
     known = np.isfinite(result["p_value"].values)
     period = result["period"].values[known]
     score: Array = -np.log10(np.maximum(result["p_value"].values[known], _LEAST))
     clock = scale("s", result["period"].values)
-    figure = go.Figure(layout=theme.layout(f"period, {channel}", _TITLE, height=340, bargap=0.6))
+    figure = theme.figure(f"period, {channel}", _TITLE, height=340, bargap=0.6)
     if not period.size:
         return []
     figure.add_bar(
@@ -110,9 +106,3 @@ def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
     )
     figure.update_xaxes(type="category", showgrid=False)
     return [figure]
-
-
-def _headline(words: str) -> dict[str, object]:
-    """Title above the legend, left."""
-    place = {"x": 0, "xref": "paper", "xanchor": "left", "y": 0.98, "yanchor": "top"}
-    return {"text": words, "font": {"size": 13}} | place

@@ -65,8 +65,6 @@ def plot_signals(
     ValueError
         If there is no channel, or their units differ.
     """
-    import plotly.graph_objects as go
-
     if len({c.unit for c in channels}) != 1:
         raise ValueError("channels: need one or more channels of one unit; plot other units on their own")
     shown = scale(channels[0].unit, np.concatenate([c.values for c in channels]))
@@ -74,7 +72,7 @@ def plot_signals(
     clock = clocks.get(over, Scale("", 1.0))
     rows = signal_rows(channels) if rows is None else rows
     y_title = shown.title(title or _common_name(channels))
-    figure = go.Figure(layout=theme.layout(clock.title(over), y_title, height=ONE_ROW))
+    figure = theme.figure(clock.title(over), y_title, height=ONE_ROW)
     for k, row in enumerate(rows, start=1):
         for index in row:
             channel = channels[index]

@@ -68,8 +68,6 @@ def plot_spectrum(
     shafts
         Whose orders these are; a report lets its reader choose another one.
     """
-    import plotly.graph_objects as go
-
     tallest = max(
         (float(s.amplitude[1:].max()) for s in spectra.values() if s.amplitude.size > 1), default=0.0
     )
@@ -77,12 +75,10 @@ def plot_spectrum(
     end = highest or max((_last_peak(s) for s in spectra.values()), default=1.0)
     across = scale("Hz", [end]) if over == "frequency" else None
     factor = across.factor if across else 1.0
-    figure = go.Figure(
-        layout=theme.layout(
-            across.title("frequency") if across else _order_title(shafts),
-            shown.title(quantity),
-            height=340,
-        )
+    figure = theme.figure(
+        across.title("frequency") if across else _order_title(shafts),
+        shown.title(quantity),
+        height=340,
     )
     for index, (name, spectrum) in enumerate(spectra.items()):
         kept = kept_samples(spectrum.amplitude[1:], 6000) + 1
@@ -173,13 +169,11 @@ def amplitude_map(
     quantity
         What the title calls it.
     """
-    import plotly.graph_objects as go
-
     x, y, z = _reduced(x, y, amplitude)
     largest = float(z.max())
     level = 20.0 * np.log10(np.maximum(z, 1e-12 * largest) / largest) if largest > 0.0 else np.zeros_like(z)
     shown = scale(unit, [largest])
-    figure = go.Figure(layout=theme.layout(x_title, y_title, height=430))
+    figure = theme.figure(x_title, y_title, height=430)
     figure.add_heatmap(
         x=x.astype(np.float32),
         y=y.astype(np.float32),
@@ -275,10 +269,8 @@ def plot_tones(frequency: Array, amplitude: Array, background: Array, *, unit: s
     name
         Name of the signal, above the plot.
     """
-    import plotly.graph_objects as go
-
     across, shown = scale("Hz", frequency), scale(unit, amplitude)
-    figure = go.Figure(layout=theme.layout(across.title("frequency"), shown.title("amplitude"), height=340))
+    figure = theme.figure(across.title("frequency"), shown.title("amplitude"), height=340)
     x = frequency * across.factor
     figure.add_scatter(
         x=np.repeat(x, 3),

@@ -37,14 +37,12 @@ def plot_sweep(
     quantity, statistic
         What is drawn: `deflection`, `transmission_error`, `mesh_force`; `rms`, `min`, `max`, `mean`.
     """
-    import plotly.graph_objects as go
-
     branches = {d: branch(points, d, quantity, statistic) for d in theme.SWEEP}
     levels = np.concatenate([level for _, level in branches.values()])
     pitch = scale("Hz", np.concatenate([f for f, _ in branches.values()]))
     shown = scale(UNITS.get(quantity, "m"), levels)
     title = f"{statistic} of {quantity.replace('_', ' ')}"
-    figure = go.Figure(layout=theme.layout(pitch.title("mesh frequency"), shown.title(title), height=400))
+    figure = theme.figure(pitch.title("mesh frequency"), shown.title(title), height=400)
     for direction, (colour, symbol) in theme.SWEEP.items():
         frequency, level = branches[direction]
         if frequency.size:
@@ -66,11 +64,9 @@ def plot_sweep(
 
 def plot_contact_shares(points: Sequence[Mapping[str, Any]]) -> go.Figure:
     """Shares of the time without contact and with contact on the back flank, along a sweep."""
-    import plotly.graph_objects as go
-
     all_frequencies = [float(p["mesh_frequency"]) for p in points]
     pitch = scale("Hz", all_frequencies)
-    figure = go.Figure(layout=theme.layout(pitch.title("mesh frequency"), "share of time [%]", height=300))
+    figure = theme.figure(pitch.title("mesh frequency"), "share of time [%]", height=300)
     words = {"contact_loss_share": ("contact lost", "solid"), "back_contact_share": ("back contact", "dot")}
     for key, (name, dash) in words.items():
         for direction, (colour, _) in theme.SWEEP.items():

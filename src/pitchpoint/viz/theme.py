@@ -7,7 +7,10 @@ else (paper, ink, grid) comes in two sets, and a report switches between them wi
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
 
 FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif"
 
@@ -90,8 +93,10 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
     return look | more
 
 
-def layout(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> dict[str, Any]:
-    """Layout of a figure with one pair of axes and a legend above it."""
+def figure(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> go.Figure:
+    """An empty figure with one pair of axes and a legend above it."""
+    import plotly.graph_objects as go
+
     look: dict[str, Any] = {
         "font": {"family": FONT, "size": 13, "color": LIGHT["ink"]},
         # a decimal point, nothing between thousands
@@ -110,7 +115,7 @@ def layout(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> dic
         look[key] = (
             look[key] | value if isinstance(look.get(key), dict) and isinstance(value, dict) else value
         )
-    return look
+    return go.Figure(layout=look)
 
 
 def title_above(text: str) -> dict[str, Any]:

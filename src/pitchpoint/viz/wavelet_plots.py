@@ -54,16 +54,10 @@ def plot_packets(result: xr.Dataset, channel: str) -> list[go.Figure]:
     channel
         Its name.
     """
-    import plotly.graph_objects as go
-
     band, unit = result["band"].values, str(result["coefficients"].attrs["units"])
     pitch, clock = scale("Hz", band), scale("s", result["time"].values)
     middle, width = band.mean(axis=1) * pitch.factor, np.diff(band, axis=1)[:, 0] * pitch.factor
-    bars = go.Figure(
-        layout=theme.layout(
-            pitch.title("frequency"), f"share of the energy, {channel} [%]", height=340, bargap=0
-        )
-    )
+    bars = theme.figure(pitch.title("frequency"), f"share of the energy, {channel} [%]", height=340, bargap=0)
     bars.add_bar(
         x=middle,
         y=100.0 * result["energy_share"].values,

@@ -25,9 +25,7 @@ def plot_work_precision(rows: Sequence[Mapping[str, Any]], title: str = "") -> g
     title
         Heading.
     """
-    import plotly.graph_objects as go
-
-    layout = theme.layout(
+    figure = theme.figure(
         "processor time [ms]",
         "error, share of the alternating part",
         height=560,
@@ -35,7 +33,6 @@ def plot_work_precision(rows: Sequence[Mapping[str, Any]], title: str = "") -> g
         legend={"orientation": "v", "x": 1.02, "y": 1.0, "yanchor": "top"},
         title={"text": title, "x": 0.0, "xref": "paper", "xanchor": "left"},
     )
-    figure = go.Figure(layout=layout)
     groups: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
     for row in rows:
         if row["error"] is not None and row["error"] > 0.0:

@@ -48,7 +48,7 @@ WRITE_TABLE = """
     with TableWriter(sys.argv[1], Header("sweep"), axes, wanted, growing=[("at", "Hz", "f8")]) as table:
         for k in range(40):
             for q in wanted:
-                table.put(q.name, k, [k, -k])
+                table.fill(q.name, k, [k, -k])
             table.extend({"at": k})
             table.flush()
 """

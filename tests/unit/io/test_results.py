@@ -312,8 +312,8 @@ def test_tables_fill_point_by_point(tmp_path: Path) -> None:
     ]
     jumps = [("jump_direction", "", "i4"), ("jump_mesh_frequency", "Hz", "f8")]
     with TableWriter(path, Header("sweep"), axes, quantities, growing=jumps) as table:
-        table.put("deflection[stage]", (0, 1), [1.0, 2.0, 3.0, 4.0])
-        table.put("status", (0, 1), 1)
+        table.fill("deflection[stage]", (0, 1), [1.0, 2.0, 3.0, 4.0])
+        table.fill("status", (0, 1), 1)
         table.flush()
         with open_result(path) as ds:
             assert ds.attrs["status"] == "running"

@@ -67,9 +67,9 @@ def test_the_status_of_a_point_is_stored_after_its_values_and_read_before(
     path = tmp_path / "sweep.h5"
     seen = []
     with SweepWriter(path, Header("sweep"), "stage", ["up"], [20.0, 40.0], [1000.0, 2000.0]) as sweep:
-        flush = sweep._table.flush
+        flush = sweep.flush
         monkeypatch.setattr(
-            sweep._table,
+            sweep,
             "flush",
             lambda: (flush(), seen.append(open_result(path)["point_status"].values[0, 0])),
         )

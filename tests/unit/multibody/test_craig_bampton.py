@@ -137,6 +137,20 @@ def test_loose_parts_and_wrong_interfaces():
         craig_bampton(solid, [0], 2)
 
 
+def mass_matrix(found, eta):
+    """Mass matrix (6 + n, 6 + n) of (v, omega, eta') at a deflection."""
+    n = eta.size
+    M = np.zeros((6 + n, 6 + n))
+    M[:3, :3] = found.mass * np.eye(3)
+    M[3:6, :3] = np.cross(np.eye(3), found.first + found.momentum @ eta)
+    M[3:6, 3:6] = found.inertia + np.einsum("k,kij->ij", eta, found.inertia_1)
+    M[3:6, 3:6] += np.einsum("k,l,klij->ij", eta, eta, found.inertia_2)
+    M[6:, :3] = found.momentum.T
+    M[6:, 3:6] = (found.angular + np.einsum("k,kin->in", eta, found.angular_1)).T
+    M[6:, 6:] = found.modal
+    return np.tril(M) + np.tril(M, -1).T
+
+
 def test_mass_integrals_are_those_of_the_point_masses():
     """Kinetic energy of any motion of any deflected state, summed over the points."""
     rng = np.random.default_rng(2)
@@ -152,7 +166,7 @@ def test_mass_integrals_are_those_of_the_point_masses():
         speed = v + np.cross(w, x) + (modes.shape @ rate).reshape(-1, 3)
         energy = 0.5 * np.sum(masses[:, None] * speed**2)
         all_rates = np.concatenate([v, w, rate])
-        assert 0.5 * all_rates @ found.mass_matrix(eta) @ all_rates == pytest.approx(energy, rel=1e-12)
+        assert 0.5 * all_rates @ mass_matrix(found, eta) @ all_rates == pytest.approx(energy, rel=1e-12)
 
 
 def test_mass_integrals_of_a_consistent_mass_are_those_of_the_rod():

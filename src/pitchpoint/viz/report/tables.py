@@ -104,8 +104,6 @@ def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
 
 def _figure(table: Any, path: str, quantity: str, statistic: str) -> go.Figure | None:
     """One statistic over the one number that was varied, a line per mesh."""
-    import plotly.graph_objects as go
-
     names = [n for n in _channels(table.cases) if n.partition("[")[0] == quantity]
     lines: dict[str, tuple[list[float], list[float]]] = {}
     unit = ""
@@ -123,7 +121,7 @@ def _figure(table: Any, path: str, quantity: str, statistic: str) -> go.Figure |
     across = scale(table.units.get(path, ""), [x for xs, _ in lines.values() for x in xs])
     up = scale(unit, [y for _, ys in lines.values() for y in ys])
     words = f"{quantity.replace('_', ' ')}, {WORDS[statistic]}"
-    figure = go.Figure(layout=theme.layout(across.title(path), up.title(words), height=340))
+    figure = theme.figure(across.title(path), up.title(words), height=340)
     for k, (name, (x, y)) in enumerate(lines.items()):
         figure.add_scatter(
             x=[v * across.factor for v in x],
