@@ -30,11 +30,9 @@ LISTED = 40
     "--keep",
     multiple=True,
     metavar="NAME",
-    help="Body, or element as 'KIND NAME', that stays; may be repeated.",
+    help="Body, or element as 'KIND NAME', to retain; may be repeated.",
 )
-@click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
-)
+@click.option("--scenario", "-s", metavar="NAME", help="Scenario with speeds and drives; default: at rest.")
 @as_json
 @allow_code
 @quiet
@@ -48,7 +46,7 @@ def reduce(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Condense the linear parts of FILE about its loaded state, and report the loss of accuracy.
+    """Condense the linear parts of FILE about its loaded equilibrium, and report the error.
 
     `run --reduce LIMIT` computes a time response with the reduced system.
     """
