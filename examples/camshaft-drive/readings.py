@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of the run-up under other readings of the study: each line changes one thing of `run-up.yaml`.
+"""Run-up for other interpretations of the study: each line changes one assumption of `run-up.yaml`.
 
 Prints where the largest force comes, whether the flanks separate there, and whether the back flank is hit.
 Usage: ``python readings.py``.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact-loss time over backlash and torque: a load on gear 2 is held, then released.
+"""Contact-loss time over backlash and torque: a load on gear 2 is applied, then released.
 
 Varies one mesh of `release-backlash.yaml`, prints tables next to the closed form and draws the curves.
 Usage: ``python study.py [FIGURE.html]``.
@@ -26,7 +26,7 @@ STIFFNESSES = {"1.0e5 N/m": 1.0e5, "1.0e5 N m/rad": 1.0e5 / BASE_RADIUS**2}
 
 
 def release(model: Model, backlash: float, torque: float, stiffness: float) -> tuple[float, float]:
-    """Share of the time without contact and frequency [Hz] of the first half swing after the release.
+    """Share of the time without contact and frequency [Hz] of the first half cycle after the release.
 
     Parameters
     ----------

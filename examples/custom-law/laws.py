@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two laws of one's own: a torque over the angle of its body, and a mesh stiffness over the mesh phase.
+"""Two user-defined laws: a torque over the angle of its body, and a mesh stiffness over the mesh phase.
 
 Every law is a function f(t, x, p): time, the quantity it depends on, and the numbers under `parameters` in
-the model file. It is compiled; what the compiler does not know runs as plain Python, ten times slower.
+the model file. It is compiled; code that cannot be compiled runs as plain Python, ten times slower.
 """
 
 from math import cos, pi, sin
@@ -20,7 +20,7 @@ def tooth_stiffness(t, psi, p):
 
 
 def broken(t, angle, p):
-    """A law with a fault: it knows no torque after p[0] seconds."""
+    """A law with an error: it has no torque after p[0] seconds."""
     if t > p[0]:
         raise ValueError("the table of the test rig ends here")
     return 150.0

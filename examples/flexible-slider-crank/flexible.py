@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Slider-crank with an elastic rod: how far its middle bends out of the chord, against beam theory.
+"""Slider-crank with an elastic rod: deflection at the centre of the rod, compared with beam theory.
 
 Usage: ``python flexible.py`` prints a table, ``python flexible.py bend.html`` draws the curves,
 ``python flexible.py rod.npz`` writes the matrices of the rod for `elastic.yaml`.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Campbell diagram of the lowest modes: whirl of the disc, torsion, against speed and mesh frequency.
+"""Campbell diagram of the lowest modes (whirl of the disc, torsion) with speed and mesh frequency.
 
 Usage: ``python whirl.py`` prints where the lines meet, ``python whirl.py whirl.html`` draws them.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The broken tooth in the noise: wavelet levels of a bearing force, its period, and rates of detection.
+"""Detection of the broken tooth in noise: wavelet levels of a bearing force, its period, detection rates.
 
 As the paper does it: white noise on the bearing force, Db5, five levels, the period read from a5. What is
 added: many seeds, the healthy gearbox next to it, and other indicators on the same signals.

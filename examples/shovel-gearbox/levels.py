@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Three laws of contact on the same gearbox, side by side: impact force, restitution, DIN 3990.
+"""Comparison of three contact laws on the same gearbox: impact force, restitution, DIN 3990.
 
 Run it with `python levels.py [SECONDS]`. Forces are means and alternating rms of the left side once the
 motors run at their rated speed, penetrations the mean and largest overlap of the flanks normal to them.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears and shafts of one side of the gearbox as solids for CAD programs, and back as mass and inertia.
+"""Export gears and shafts of one side of the gearbox as CAD solids, and import their mass and inertia.
 
 Writes Z1 to Z6 and the four shafts, as STEP (with OCC, the extra `cad`) or STL, gives them to the model as
 `solid` and prints what the masses differ by. Usage: ``python solids.py FOLDER [stl]``.

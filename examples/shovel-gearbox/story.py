@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The story of the shovel gearbox as one page, from teeth to a broken one found in noise.
+"""The study of the shovel gearbox as one page, from tooth geometry to a broken tooth detected in noise.
 
 Run it with `python story.py [OUT.html]`; it computes everything anew, in some minutes, and writes a page
 that needs nothing else.

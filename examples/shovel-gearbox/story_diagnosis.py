@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections of the page about the fault in noise: wavelet levels, periods read, rates of detection."""
+"""Sections of the page about the fault in noise: wavelet levels, periods, detection rates."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the shovel gearbox does, as numbers: geometry, contact parameters, forces and spectra.
+"""Numerical results of the shovel gearbox: geometry, contact parameters, forces and spectra.
 
 `story.py` makes a page of them. Each function takes a model or a run and gives a dataclass.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A speed controller as it runs in a drive: proportional and integral part, limited torque."""
+"""A sampled speed controller: proportional and integral part, limited torque."""
 
 
 def speed_loop(t, inputs, state, parameters):
@@ -7,11 +7,11 @@ def speed_loop(t, inputs, state, parameters):
     gain, integral_gain, most = parameters
     (error,) = inputs
     elapsed = t - state.get("time", t)
-    # the drive has been running: its integral holds the torque that the model file starts with
+    # the drive is running at the start: the integral gives the initial torque of the model file
     integral = state.get("integral", 20.0) + integral_gain * elapsed * error
     wanted = gain * error + integral
     torque = min(max(wanted, -most), most)
-    if torque == wanted:  # at its limit the integral waits
+    if torque == wanted:  # no integration at the torque limit
         state["integral"] = integral
     state["time"] = t
     return torque

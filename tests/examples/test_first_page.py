@@ -85,7 +85,7 @@ def test_python_runs(folder: Path) -> None:
 
 
 def test_links_and_commands_exist() -> None:
-    # those between pages of docs are tried by tests/contracts/test_docs.py
+    # those between pages of docs are verified by tests/contracts/test_docs.py
     for page in (ROOT / "README.md", ROOT / "CONTRIBUTING.md"):
         for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text(encoding="utf-8")):
             assert (page.parent / link).exists(), f"{page.name}: {link}"

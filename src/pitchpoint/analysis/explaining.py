@@ -6,7 +6,7 @@ damage goes) and what they shake (the meshes) puts lines next to their harmonics
 of them that some lie on lines of other parts. They are known to a fraction of a line of the record. So they
 are taken out of the signal, and the test of the other part is made again on what is left.
 
-Derivation: docs/theory/signals.md, "Tests with a stated chance".
+Derivation: docs/theory/signals.md, "Statistical tests".
 """
 
 from __future__ import annotations

@@ -30,16 +30,18 @@ def _tools() -> str:
 @click.argument("tool", required=False)
 @click.option("--channel", "-c", "channels", multiple=True, metavar="NAME", help="Channel; may be repeated.")
 @click.option(
-    "--angle", metavar="NAME", help="Channel with angle [rad] or speed [rad/s] of the shaft of the orders."
+    "--angle", metavar="NAME", help="Channel with angle [rad] or speed [rad/s] of the reference shaft."
 )
-@click.option("--tacho", metavar="NAME", help="Channel with tacho pulses of that shaft, instead of --angle.")
+@click.option(
+    "--tacho", metavar="NAME", help="Channel with tacho pulses of the reference shaft, instead of --angle."
+)
 @click.option(
     "--pulses-per-revolution",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Pulses of the tacho in one turn.",
+    help="Tacho pulses per revolution.",
 )
-@quantity("--sample-rate", "frequency", "Sample rate, where the file does not give it.")
+@quantity("--sample-rate", "frequency", "Sample rate, if the file does not contain it.")
 @click.option(
     "--unit", "units", multiple=True, metavar="NAME=UNIT", help="Unit of a channel, such as acc='50 m/s^2'."
 )
@@ -49,17 +51,17 @@ def _tools() -> str:
     "lines",
     multiple=True,
     metavar="QUANTITY",
-    help="Report which of its harmonics are lost.",
+    help="List its harmonics above half the sample rate.",
 )
-@writes("--csv", help="Write the result as a table.")
-@writes("--html", help="Write a page with pictures.")
+@writes("--csv", help="Write the result to a CSV table.")
+@writes("--html", help="Write an HTML page with plots.")
 @as_json
 @quiet
 @debug
 def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **options: Any) -> None:
     """Apply TOOL to channels of FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF (data set 58).
 
-    Without TOOL the channels of FILE are listed, without FILE the tools.
+    Without TOOL, list the channels of FILE; without FILE, list the tools.
     """
     from pitchpoint.analysis.dataset import analyse as apply
     from pitchpoint.analysis.shaft_channel import with_shaft_angle

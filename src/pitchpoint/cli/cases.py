@@ -33,8 +33,8 @@ def vary_option(function: Any) -> Any:
         "--vary",
         multiple=True,
         metavar="PATH=V1,V2,...",
-        help="Run every value of a key, as in --vary 'loads.input.torque=50 N m,150 N m'; "
-        "several --vary run all combinations, on all cores, into one table.",
+        help="Run every value of a key, such as 'loads.input.torque=50 N m,150 N m'; "
+        "several --vary options run all combinations, on all cores, into one table.",
     )
     return vary(jobs(function))
 
@@ -46,7 +46,7 @@ def set_option(function: Any) -> Any:
         "settings",
         multiple=True,
         metavar="PATH=VALUE",
-        help="Another value of a key than that of FILE, as in --set gears.pinion.faults.chip.severity=0.5.",
+        help="Change the value of a key, such as gears.pinion.faults.chip.severity=0.5.",
     )(function)
 
 

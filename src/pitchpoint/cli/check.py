@@ -33,9 +33,9 @@ FREEDOMS = {
 @model_file
 @common
 def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
-    """Check FILE and report what will be simulated: bodies and their freedoms, places, defaults used.
+    """Check FILE and list bodies with degrees of freedom and positions, meshes, loads, scenarios, defaults.
 
-    Every problem of the file is listed at once, with line, value, limit and remedy; the exit code is then 2.
+    If the file has problems, list all of them with line, value, limit and remedy; the exit code is then 2.
     """
     from pitchpoint.cli.failure import say
     from pitchpoint.cli.reading import read_model

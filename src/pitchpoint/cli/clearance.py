@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 @click.command()
 @model_file
 @output("Picture to write (svg): every place, magnified, where the teeth come nearest.")
-@click.option("--mesh", "only", metavar="NAME", help="One mesh; all if omitted.")
+@click.option("--mesh", "only", metavar="NAME", help="Mesh; default: all.")
 @common
 def clearance(
     file: str, output: str | None, only: str | None, as_json: bool, allow_code: bool, quiet: bool
 ) -> None:
-    """Check the clearances between the gears of FILE when they are assembled.
+    """Check the clearances between the assembled gears of FILE.
 
-    Flanks, tips, roots and fillets of every mesh are rolled through one pitch, as solids without
-    modifications; gears that do not mesh, and shafts next to gears, are treated as cylinders.
+    Flanks, tips, roots and fillets of every mesh are rolled through one pitch, without flank modifications.
+    Gears that do not mesh, and shafts next to gears, are treated as cylinders.
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.io.target import check_target

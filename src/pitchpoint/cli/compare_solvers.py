@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 @click.command(name="compare-solvers")
 @model_file
 @scenario
-@output("Page with the curves of accuracy over processor time (HTML); none if omitted.")
+@output("HTML page with work-precision diagrams; default: none.")
 @click.option(
     "--limit",
     type=click.FloatRange(0.01, 86400.0),
     default=20.0,
     show_default=True,
     metavar="SECONDS",
-    help="Longest time for one run.",
+    help="Maximum computing time per run.",
 )
 @common
 def compare_solvers(
@@ -40,7 +40,7 @@ def compare_solvers(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Run a scenario of FILE with every integrator and form of constraints, at several settings each."""
+    """Run a scenario of FILE with all integrators and constraint formulations, at several settings each."""
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import choose_scenario, unless_it_cannot_begin

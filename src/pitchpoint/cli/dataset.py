@@ -45,18 +45,16 @@ def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int
     "--output",
     metavar="FOLDER",
     folder=True,
-    help="Folder of the data set; PLAN-data in this folder if omitted.",
+    help="Folder of the data set; default: PLAN-data in the current folder.",
 )
-@click.option(
-    "-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; one per core if omitted."
-)
+@click.option("-j", "--jobs", type=click.IntRange(min=1), metavar="N", help="Threads; default: one per core.")
 @click.option(
     "--shard",
     callback=_shard,
     metavar="I/N",
-    help="Compute only every N-th case, beginning with the I-th: for N machines with one folder.",
+    help="Compute every N-th case, starting with the I-th: to share a folder between N machines.",
 )
-@click.option("--dry-run", is_flag=True, help="Report the number of cases, their size and their time.")
+@click.option("--dry-run", is_flag=True, help="Report number of cases, file size and computing time.")
 @common
 def dataset(
     file: str,
@@ -68,10 +66,10 @@ def dataset(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Compute labelled data of PLAN: every combination of its factors, with every seed.
+    """Compute the labelled data set of PLAN: every combination of its factors, with every seed.
 
-    Cases that are in the folder already are not computed again: call it again after an interruption, or with
-    a longer plan.
+    Cases that are already in the folder are not computed again: rerun the command after an interruption or
+    with a longer plan.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.core.kernel import expect

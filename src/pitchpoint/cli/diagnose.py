@@ -24,21 +24,23 @@ PAGE_ENDINGS = (".html", ".htm")
     "--model",
     type=click.Path(exists=True, dir_okay=False),
     metavar="MODEL",
-    help="Model file with shafts, teeth and bearings; a result of pitchpoint keeps its own.",
+    help="Model file with shafts, gears and bearings; default: the model of a pitchpoint result.",
 )
-@click.option("--scenario", "-s", metavar="NAME", help="Scenario of the model that gives the speeds.")
+@click.option("--scenario", "-s", metavar="NAME", help="Scenario of the model with the speeds.")
 @click.option(
-    "--train", metavar="Z/Z-Z/Z", help="Tooth counts of the meshes from the input on, such as 32/96-48/80."
+    "--train",
+    metavar="Z/Z-Z/Z",
+    help="Tooth numbers of the meshes, starting at the input, such as 32/96-48/80.",
 )
 @click.option(
     "--speed",
     "speeds",
     multiple=True,
     metavar="[SHAFT=]QUANTITY",
-    help="Steady speed, such as 30Hz or 1800rpm: of the input of --train, or of a body of the model.",
+    help="Constant speed, such as 30Hz or 1800rpm, of the input of --train or of a body of the model.",
 )
-@click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with the pulses of a tacho.")
-@click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Pulses of the tacho in one turn.")
+@click.option("--tacho", metavar="CHANNEL[@SHAFT]", help="Channel with tacho pulses.")
+@click.option("--pulses", type=click.IntRange(min=1), metavar="N", help="Tacho pulses per revolution.")
 @click.option("--angle", metavar="CHANNEL[@SHAFT]", help="Channel with the angle of a shaft [rad].")
 @click.option("--channel", "-c", "channels", multiple=True, metavar="NAME", help="Channel; may be repeated.")
 @click.option(
@@ -46,29 +48,29 @@ PAGE_ENDINGS = (".html", ".htm")
     "bearings",
     multiple=True,
     metavar="NAME:N,D_W,D_PW,ALPHA@SHAFT",
-    help="Rolling bearing: elements, their diameter, pitch diameter, contact angle; inner ring turns.",
+    help="Rolling bearing with rotating inner ring: number and diameter of elements, pitch diameter, angle.",
 )
 @click.option(
     "--false-alarm",
     type=click.FloatRange(1e-9, 0.5),
     default=0.01,
     show_default=True,
-    help="Part of healthy records in which something is found.",
+    help="Share of healthy records with a false alarm.",
 )
 @click.option(
     "--noise",
     type=float,
     metavar="DB",
-    help="White noise to add, so many dB below the signal; 20 for simulations, none for measured files.",
+    help="Add white noise this far below the signal; default: 20 for simulations, none for measurements.",
 )
-@quantity("--sample-rate", "frequency", "Sample rate, where the file does not give it.")
-@output("HTML page to write, with pictures of the evidence.")
+@quantity("--sample-rate", "frequency", "Sample rate, if the file does not contain it.")
+@output("HTML page with plots of the evidence.")
 @common
 def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     """Look for damaged gears, shafts and bearings in FILE: a result, CSV, TSV, MAT, HDF5, WAV or UFF.
 
-    What turns comes from the model that a result keeps, from --model, or from --train; the speed from
-    an angle or a tacho in the file, or from --speed. Nothing else is assumed.
+    Specify the drive train by the model of a result, --model or --train, and the speed by an angle or tacho
+    channel of the file or --speed. Nothing else is assumed.
     """
     from pitchpoint.report.diagnosis.request import Request, diagnose_file
 

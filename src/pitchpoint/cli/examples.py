@@ -43,7 +43,7 @@ def title_of(folder: Path) -> str:
 
 @click.group()
 def examples() -> None:
-    """List or copy the examples that come with pitchpoint."""
+    """List or copy the examples of pitchpoint."""
 
 
 @examples.command("list")
@@ -70,10 +70,10 @@ def list_examples(as_json: bool) -> None:
 @examples.command("copy")
 @click.argument("name")
 @click.argument("directory", required=False, type=click.Path(file_okay=False))
-@click.option("--force", is_flag=True, help="Overwrite files that are there already.")
+@click.option("--force", is_flag=True, help="Overwrite existing files.")
 @debug
 def copy_example(name: str, directory: str | None, force: bool) -> None:
-    """Copy the example NAME into the folder DIRECTORY (./NAME if omitted)."""
+    """Copy the example NAME to the folder DIRECTORY (default: ./NAME)."""
     if name not in example_names():
         from pitchpoint.core.nearest import did_you_mean
 

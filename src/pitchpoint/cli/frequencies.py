@@ -38,24 +38,22 @@ def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dic
 
 @click.command()
 @model_file
-@click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives the speeds; the only one if omitted."
-)
+@click.option("--scenario", "-s", metavar="NAME", help="Scenario with the speeds; default: the only one.")
 @click.option(
     "--speed",
     "given",
     metavar="BODY=QUANTITY",
     multiple=True,
     callback=_given,
-    help="Speed of a body, such as motor=1500rpm, in place of a scenario; may be repeated.",
+    help="Speed of a body, such as motor=1500rpm, instead of a scenario; may be repeated.",
 )
 @common
 def frequencies(
     file: str, scenario: str | None, given: Mapping[str, float], as_json: bool, allow_code: bool, quiet: bool
 ) -> None:
-    """Show at which frequencies the shafts, meshes, planet sets and rolling bearings of FILE show themselves.
+    """Show the frequencies of shafts, meshes, planetary gear sets and rolling bearings of FILE.
 
-    Speeds are those of a scenario, or of --speed; the others follow from the teeth.
+    Specify speeds by a scenario or --speed; the other speeds follow from the gear ratios.
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.report.frequencies import frequencies_of, scenario_speeds, turning_speeds

@@ -37,24 +37,29 @@ if TYPE_CHECKING:
     multiple=True,
     required=True,
     metavar="NAME",
-    help="What is looked at: BODY.COORDINATE, BODY.ux ... rz, or a channel such as mesh_force[MESH].",
+    help="Response: BODY.COORDINATE, BODY.ux ... rz, or a channel such as mesh_force[MESH].",
 )
-@quantity("--from", "frequency", "Lowest frequency; a hundredth of the highest if omitted.")
+@quantity("--from", "frequency", "Lowest frequency; default: 1 % of the highest.")
 @quantity("--to", "frequency", "Highest frequency.")
 @click.option("--points", type=click.IntRange(min=2), default=400, help="Number of frequencies.")
-@click.option("--linear", is_flag=True, help="Equal steps of the frequency instead of equal ratios.")
+@click.option("--linear", is_flag=True, help="Linear instead of logarithmic frequency steps.")
 @click.option(
-    "--modes", type=click.IntRange(min=1), metavar="N", help="By the lowest N modes; directly if omitted."
+    "--modes",
+    type=click.IntRange(min=1),
+    metavar="N",
+    help="Use the lowest N modes; default: direct solution.",
 )
 @click.option(
-    "--synchronous", metavar="BODY", help="The speed of this body follows the frequency, the others with it."
+    "--synchronous",
+    metavar="BODY",
+    help="Body whose speed follows the frequency; the other speeds follow by their ratios.",
 )
 @state
-@writes("--picture", metavar="HTML", help="Write a picture.")
-@output("Result file (netCDF-4/HDF5); none if omitted.")
+@writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
+@output("Result file (netCDF-4/HDF5); default: none.")
 @common
 def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
-    """Compute the frequency response of FILE about its loaded state."""
+    """Compute the frequency response of FILE about its loaded equilibrium."""
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin

@@ -37,9 +37,9 @@ POINTS_A_FLANK = 20
     "target",
     help="Write a drawing (dxf, svg), points (csv) or a solid (stl, step).",
 )
-@writes("--preview", help="Draw the teeth (svg): tool, circles by name, active flanks.")
-@click.option("--gear", "only", metavar="NAME", help="The gear to draw; the only one if omitted.")
-@click.option("--shaft", metavar="NAME", help="An elastic shaft to export instead, as stl or step.")
+@writes("--preview", help="Draw the teeth with tool, circles and active flanks (svg).")
+@click.option("--gear", "only", metavar="NAME", help="Gear to draw or export; default: the only one.")
+@click.option("--shaft", metavar="NAME", help="Elastic shaft to export instead (stl, step).")
 @common
 def gears(
     file: str,
@@ -51,9 +51,9 @@ def gears(
     allow_code: bool,
     quiet: bool,
 ) -> None:
-    """Show the geometry of gears and pairs of FILE (ISO 21771; bevel gears by ISO 23509), and stiffness.
+    """Show the geometry of gears and pairs of FILE (ISO 21771, bevel gears ISO 23509).
 
-    Stiffness is that of DIN 3990 / ISO 6336.
+    The mesh stiffness listed is that of DIN 3990 / ISO 6336.
     """
     from pitchpoint.cli.reading import read_model
 

@@ -21,31 +21,31 @@ import click
 from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 
 COMMANDS = {
-    "check": "Read a model file and report what will be simulated.",
+    "check": "Check a model file; list its parts and defaults.",
     "gears": "Geometry of gears and pairs; drawings.",
-    "clearance": "Room between the teeth of a stage, with pictures.",
-    "mass": "Mass and inertia: geometry, solids, given values.",
+    "clearance": "Clearances between assembled gears, with pictures.",
+    "mass": "Mass and inertia from geometry, solids, given values.",
     "mesh": "Mesh stiffness over the mesh cycle.",
-    "frequencies": "Frequencies of shafts, teeth, planets, bearings.",
+    "frequencies": "Frequencies of shafts, meshes, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",
     "frf": "Frequency response about an operating point.",
-    "reduce": "Condense linear parts; what is left and its error.",
+    "reduce": "Condense linear parts and report the error.",
     "run": "Time response or slow roll of a scenario.",
-    "sweep": "Speed sweep up and down, with jumps.",
-    "dataset": "Labelled data of many cases, from a plan.",
-    "compare-solvers": "Accuracy against time of all integrators on one model.",
-    "analyse": "Spectra, orders, indicators of any record.",
-    "diagnose": "Damaged gears, shafts and bearings in a record.",
-    "view": "3-D scene of a model or result, one HTML file.",
-    "report": "One HTML file with drawings and curves.",
+    "sweep": "Speed sweep up and down; jumps of the response.",
+    "dataset": "Labelled data set of many cases from a plan.",
+    "compare-solvers": "Accuracy and speed of all integrators on one model.",
+    "analyse": "Spectra, orders and indicators of a record.",
+    "diagnose": "Detect damaged gears, shafts and bearings in a record.",
+    "view": "3-D scene of a model or result in one HTML file.",
+    "report": "Report of a model and its results in one HTML file.",
     "examples": "List or copy the examples.",
-    "warmup": "Compile everything once, so that later starts are quick.",
+    "warmup": "Compile all kernels in advance.",
 }
 
 EPILOG = (
-    "Exit codes: 0 fine, 1 a fault of pitchpoint itself, 2 bad input, 3 computation failed or disk full, "
+    "Exit codes: 0 success, 1 internal error, 2 invalid input, 3 computation failed or disk full, "
     "130 interrupted, 143 terminated. "
-    "Errors go to stderr; with --json, stdout holds nothing but JSON."
+    "Errors go to stderr; with --json, stdout contains only JSON."
 )
 
 
@@ -89,7 +89,7 @@ class LazyGroup(click.Group):
 )
 @click.version_option(package_name="pitchpoint", message="pitchpoint %(version)s", help="Show the version.")
 def pitchpoint() -> None:
-    """Simulate gears inside machines: geometry, mesh stiffness, flank contact, dynamics."""
+    """Simulate gear drives: geometry, mesh stiffness, flank contact, dynamics."""
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

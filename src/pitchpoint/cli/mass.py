@@ -28,10 +28,10 @@ HEAD = (
 @model_file
 @common
 def mass(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
-    """Compare mass and inertia of the gears, shafts and bodies of FILE: geometry, solids of CAD files, given.
+    """Compare mass and inertia of gears, shafts and bodies of FILE by geometry, CAD solids and given values.
 
-    What is given counts before the solid, the solid before the geometry. Transverse inertia is about the
-    centre of mass; differences are from what is in force.
+    Given values take precedence over solids, solids over geometry. Transverse inertia is about the centre of
+    mass; differences are relative to the values used.
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.report.masses import masses

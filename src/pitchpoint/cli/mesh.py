@@ -27,22 +27,22 @@ _BARS = "▁▂▃▄▅▆▇█"
     metavar="X",
     help="Transverse contact ratio (instead of a file).",
 )
-@click.option(
-    "--eps-beta", type=click.FloatRange(0.0, 500.0), metavar="X", help="Overlap ratio; 0 if omitted."
-)
+@click.option("--eps-beta", type=click.FloatRange(0.0, 500.0), metavar="X", help="Overlap ratio; default: 0.")
 @click.option(
     "--stiffness-ratio",
     type=float,
     metavar="S_R",
-    help="Minimum over maximum stiffness of one pair, 0 to 1; 0.8 if omitted.",
+    help="Ratio of minimum to maximum stiffness of one tooth pair, 0 to 1; default: 0.8.",
 )
 @click.option(
     "--tip-relief-factor",
     type=float,
     metavar="T_R",
-    help="Ramp at both ends of each pair, 0 to 1; 0 if omitted.",
+    help="Ramp at both ends of contact of a tooth pair, 0 to 1; default: 0.",
 )
-@click.option("--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Samples.")
+@click.option(
+    "--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Number of samples."
+)
 @common
 def mesh(
     file: str | None,
@@ -57,8 +57,8 @@ def mesh(
 ) -> None:
     """Show the mesh stiffness over one mesh cycle, for the meshes of FILE or for given contact ratios.
 
-    Values are in units of c' b (single stiffness times common face width), or of the mean for a prescribed
-    wave; mean and extremes are analytic.
+    Values are relative to c' b (single stiffness times common face width), or to the mean for a prescribed
+    waveform; mean and extremes are analytic.
     """
     from pitchpoint.report.number_rows import C_PRIME_B
     from pitchpoint.report.numbers import cycle_numbers, cycles_of_model

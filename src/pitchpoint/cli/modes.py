@@ -32,21 +32,21 @@ ROUNDING = 1e-7
     "--phase",
     type=click.FloatRange(0.0, 1.0, max_open=True),
     metavar="PSI",
-    help="Mesh phase at which the meshes are taken; the mean over the mesh cycle if omitted.",
+    help="Mesh phase of the mesh stiffness; default: mean over the mesh cycle.",
 )
 @click.option(
     "--count",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Find and show the lowest N modes. If omitted, the 20 lowest are shown, and all of up to 200 modes "
-    "(the lowest 40 of more) found for JSON and files.",
+    help="Compute and show the lowest N modes. Default: show 20; for JSON and files compute all, "
+    "or the lowest 40 of more than 200.",
 )
 @writes(
     "--animation",
     metavar="FILE",
-    help="Write the motion of bodies and nodes over one cycle of every mode: json or npz.",
+    help="Write the motion of bodies and nodes over one cycle of every mode (json, npz).",
 )
-@output("Result file (netCDF-4/HDF5); none if omitted.")
+@output("Result file (netCDF-4/HDF5); default: none.")
 @common
 def modes(
     file: str,
@@ -59,7 +59,7 @@ def modes(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Compute the modes of FILE about its loaded state."""
+    """Compute the modes of FILE about its loaded equilibrium."""
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin

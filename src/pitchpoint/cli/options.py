@@ -12,38 +12,36 @@ import click
 F = TypeVar("F", bound=Callable[..., Any])
 
 model_file = click.argument("file", type=click.Path(exists=True, dir_okay=False))
-as_json = click.option(
-    "--json", "as_json", is_flag=True, help="Print JSON in SI units and radians, nothing else."
-)
+as_json = click.option("--json", "as_json", is_flag=True, help="Print only JSON, in SI units and radians.")
 allow_code = click.option(
     "--allow-code",
     is_flag=True,
-    help="Run Python functions that the file names. They can do anything you can: only for files you trust.",
+    help="Allow Python functions named in the file. They run with your permissions: trusted files only.",
 )
 quiet = click.option(
     "-q",
     "--quiet",
     is_flag=True,
-    help="No progress and no notes; what goes to a result file is not printed as well.",
+    help="Omit progress, notes, and tables that are written to a result file.",
 )
 debug = click.option(
-    "--debug", is_flag=True, expose_value=False, help="Show the traceback of an error, for a report."
+    "--debug", is_flag=True, expose_value=False, help="Show the traceback of an error, for bug reports."
 )
 scenario = click.option(
     "--scenario",
     "-s",
     metavar="NAME",
-    help="Scenario of the file; default: the only scenario of a suitable type.",
+    help="Scenario of the file; default: the only one of a suitable type.",
 )
 state = click.option(
-    "--scenario", "-s", metavar="NAME", help="Scenario that gives speeds and drives; at rest if omitted."
+    "--scenario", "-s", metavar="NAME", help="Scenario with speeds and drives; default: at rest."
 )
 jobs = click.option(
     "--jobs",
     "-j",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Threads for --vary; one per core if omitted.",
+    help="Threads for --vary; default: one per core.",
 )
 
 

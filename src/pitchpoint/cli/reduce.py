@@ -30,7 +30,7 @@ LISTED = 40
     "--keep",
     multiple=True,
     metavar="NAME",
-    help="Body, or element as 'KIND NAME', that stays; may be repeated.",
+    help="Body, or element as 'KIND NAME', to retain; may be repeated.",
 )
 @state
 @common
@@ -43,7 +43,7 @@ def reduce(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Condense the linear parts of FILE about its loaded state, and report the loss of accuracy.
+    """Condense the linear parts of FILE about its loaded equilibrium, and report the error.
 
     `run --reduce LIMIT` computes a time response with the reduced system.
     """

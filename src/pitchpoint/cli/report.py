@@ -16,14 +16,14 @@ RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 
 @click.command()
 @click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, dir_okay=False))
-@output("HTML file to write; the name of the model file with .html if omitted.")
+@output("HTML file; default: name of the model file with .html.")
 @allow_code
 @quiet
 @debug
 def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: bool) -> None:
     """Write one self-contained HTML page from a model file and any number of result files (.h5).
 
-    FILES: the model file may be omitted; it is then taken from the first result file.
+    FILES: without a model file, the model of the first result file is used.
     """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model

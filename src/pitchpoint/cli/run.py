@@ -37,19 +37,21 @@ NOT_BEGUN: dict[str, Any] = {
 @click.command()
 @model_file
 @scenario
-@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if omitted.")
+@output("Result file (netCDF-4/HDF5); default: MODEL-SCENARIO.h5 in the current folder.")
 @quantity("--step", "time", "Time step instead of that of the scenario, as in '5 us'.")
 @click.option(
-    "--decimate", type=click.IntRange(min=1), metavar="N", help="Store every N-th sample only; 1 if omitted."
+    "--decimate", type=click.IntRange(min=1), metavar="N", help="Store only every N-th sample; default: 1."
 )
 @quantity(
-    "--reduce", "frequency", "Condense the linear parts for frequencies up to this, see the command reduce."
+    "--reduce",
+    "frequency",
+    "Condense the linear parts for frequencies up to this value, see the command reduce.",
 )
 @click.option(
     "--channels",
     multiple=True,
     metavar="PATTERN",
-    help="Store these channels only, such as 'mesh_force[*]'; may be repeated. All if omitted.",
+    help="Store only these channels, such as 'mesh_force[*]'; may be repeated. Default: all.",
 )
 @set_option
 @vary_option
@@ -65,9 +67,9 @@ def run(
     quiet: bool,
     **how: Any,
 ) -> int:
-    """Compute the time response, or the slow roll, of a scenario of FILE.
+    """Compute the time response or slow roll of a scenario of FILE.
 
-    The result file can be read while it grows. Ctrl-C stops and keeps what was computed.
+    The result file can be read during the run. Ctrl-C stops the run; partial results are kept.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model

@@ -25,7 +25,7 @@ NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "points": [], "jumps": []
 @click.command()
 @model_file
 @scenario
-@output("Result file (netCDF-4/HDF5); MODEL-SCENARIO.h5 in this folder if omitted.")
+@output("Result file (netCDF-4/HDF5); default: MODEL-SCENARIO.h5 in the current folder.")
 @vary_option
 @common
 def sweep(
@@ -38,9 +38,9 @@ def sweep(
     allow_code: bool,
     quiet: bool,
 ) -> int:
-    """Sweep the speed of a scenario of FILE, and find the jumps of the response.
+    """Sweep the speed of a scenario of FILE and find the jumps of the response.
 
-    Every finished point is in the result file at once. Ctrl-C stops and keeps what was computed.
+    Every completed point is written to the result file. Ctrl-C stops the sweep; partial results are kept.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model

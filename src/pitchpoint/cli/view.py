@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     "--modes",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Compute the lowest N modes as well and show their shapes; none if omitted.",
+    help="Also compute and show the lowest N mode shapes; default: none.",
 )
 @writes(
     "--film",
-    help="Write the record as a film too (mp4, webm or gif); needs chromium, ffmpeg and Playwright.",
+    help="Also write a video (mp4, webm or gif); requires Chromium, ffmpeg and Playwright.",
 )
-@output("HTML file to write; the name of FILE with .view.html if omitted.")
+@output("HTML file; default: name of FILE with .view.html.")
 @allow_code
 @quiet
 @debug
@@ -41,9 +41,9 @@ def view(
     allow_code: bool,
     quiet: bool,
 ) -> None:
-    """Write the 3-D scene of FILE, a result (.h5) or a model, as one HTML page for any browser.
+    """Write the 3-D scene of FILE, a result (.h5) or a model, to one HTML page for any browser.
 
-    With OTHER, two scenes are shown side by side and share their time.
+    With OTHER, show two scenes side by side with a common time.
     """
     from pitchpoint.report.film import film_maker
     from pitchpoint.report.view import write_view

@@ -48,7 +48,7 @@ Job = tuple[str, Callable[[], object]]
 @quiet
 @debug
 def warmup(quiet: bool) -> None:
-    """Compile everything once, so that later commands start within a second."""
+    """Compile all kernels in advance, so that later commands start within a second."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.kernel import cache_folder

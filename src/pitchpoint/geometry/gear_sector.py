@@ -4,7 +4,7 @@
 Points of the flanks are chosen by how far the chords between them lie off the exact tooth. Teeth may lack
 something on their flanks, and may end below their tips.
 
-Derivation: docs/theory/geometry.md, "What the tool leaves".
+Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
 
 from __future__ import annotations

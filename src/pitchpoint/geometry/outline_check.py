@@ -4,7 +4,7 @@
 Points are complex numbers x + iy [m] with the tooth on the +x axis. Numbers and names of the input are there
 for the messages; whatever does not fit raises an `OutlineError`.
 
-Derivation: docs/theory/geometry.md, "What the tool leaves".
+Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Two gears drawn in mesh: where their outlines are at given rotation angles.
 
-Derivation: docs/theory/geometry.md, "What the tool leaves".
+Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gear as a closed triangulated solid: exact section, twisted along the face width, with its blank.
 
-Derivation: docs/theory/geometry.md, "What the tool leaves".
+Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
 
 from __future__ import annotations

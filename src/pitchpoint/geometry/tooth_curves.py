@@ -3,7 +3,7 @@
 
 Frame as in `pitchpoint.geometry.tooth_form`; points of the transverse plane are complex numbers x + iy.
 
-Derivation: docs/theory/geometry.md, "What the tool leaves".
+Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
 
 from __future__ import annotations

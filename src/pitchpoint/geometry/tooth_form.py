@@ -4,7 +4,7 @@
 Frame: z axis = gear axis, tooth 0 on the +x axis, counter-clockwise positive. Lengths are positive also
 for internal gears, whose outline is the boundary of the hole.
 
-Source: ISO 21771. Derivation: docs/theory/geometry.md, "What the tool leaves".
+Source: ISO 21771. Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
 
 from __future__ import annotations

@@ -79,7 +79,7 @@ def test_equal_inputs_make_equal_files(tmp_path: Path, capsys: pytest.CaptureFix
 
 
 def test_killed_at_any_instant_it_goes_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Killed after its first and sixth file, then left to end: the same bytes as in one go."""
+    """Killed after its first and sixth file, then left to end: the same bytes as without interruption."""
     plan, out = written(tmp_path, PLAN.replace("length: 5 ms", "length: 100 ms")), tmp_path / "out"
     command = [sys.executable, "-c", "from pitchpoint.cli.main import main; main()"]
     command += ["dataset", plan, "-o", str(out), "-j", "2", "-q"]

@@ -5,7 +5,7 @@ All teeth of all cone distances are similar, so one tooth on the unit sphere is 
 described by the polar angle δ_y and the half angle of the tooth there; `placed` puts them into space, along
 the logarithmic spiral of the gear.
 
-Derivation: docs/theory/bevel_gears.md, "What the crown gear leaves".
+Derivation: docs/theory/bevel_gears.md, "Generation by the crown gear".
 """
 
 from __future__ import annotations
