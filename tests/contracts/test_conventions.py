@@ -879,7 +879,7 @@ def of_slide(more: str = "") -> tuple[System, Callable[[str], float]]:
     state.v[system.spin("wheel")] = 2.0
     evaluate.prepare(system)
     evaluate.load(system, state)
-    evaluate.check(system, evaluate.ask(system.workspace, evaluate.ACCELERATE, 0.0))
+    evaluate.check(system, evaluate.send_request(system.workspace, evaluate.ACCELERATE, 0.0))
     row = evaluate.observe(system, evaluate.store(system, 0.0))
     rates = evaluate.store(system, 0.0).a
     names = {c.name: float(row[k]) for k, c in enumerate(system.layout.channels)}

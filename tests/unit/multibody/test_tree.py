@@ -102,7 +102,7 @@ def test_a_tumbling_body_goes_on_alike_in_a_new_chart(motion):
     state.q[d] = 1.1
     before = accelerated(system, state)
     w = system.workspace
-    evaluate.ask(w, evaluate.WRAP)
+    evaluate.send_request(w, evaluate.WRAP)
     after = evaluate.store(system, 0.0)
     assert after.q[d] == 0.0
     np.testing.assert_allclose(after.charts[0] @ after.charts[0].T, np.eye(3), atol=1e-14)

@@ -74,7 +74,7 @@ def test_the_assembled_state_has_consistent_accelerations():
     state.v[crank] = 2.0
     found = assemble_state(system, state, keep_rates=[crank]).state
     evaluate.load(system, found)
-    evaluate.check(system, evaluate.ask(system.workspace, evaluate.ACCELERATE, 0.0))
+    evaluate.check(system, evaluate.send_request(system.workspace, evaluate.ACCELERATE, 0.0))
     a = system.workspace.a.copy()
     h = 1e-4
     rates = []

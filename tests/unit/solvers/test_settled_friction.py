@@ -59,7 +59,7 @@ def test_a_jammed_mechanism_is_named():
     evaluate.prepare(system)
     evaluate.load(system, state)
     with pytest.raises(SolverError, match="jams") as failure:
-        evaluate.check(system, evaluate.ask(system.workspace, evaluate.ACCELERATE, 0.0))
+        evaluate.check(system, evaluate.send_request(system.workspace, evaluate.ACCELERATE, 0.0))
     assert failure.value.status == JAMMED
 
 
