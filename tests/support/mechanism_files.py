@@ -108,7 +108,7 @@ def accelerations(system, state):
     """Accelerations of all coordinates, and the frames that go with them."""
     evaluate.prepare(system)
     evaluate.load(system, state)
-    evaluate.check(system, evaluate.request(system.workspace, evaluate.ACCELERATE, state.t))
+    evaluate.check(system, evaluate.send_request(system.workspace, evaluate.ACCELERATE, state.t))
     found = evaluate.store(system, state.t)
     evaluate.residual(system, found)
     return found.a, system.workspace.fr.copy()

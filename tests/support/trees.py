@@ -112,6 +112,6 @@ def accelerated(system, state):
     evaluate.prepare(system)
     evaluate.load(system, state)
     w = system.workspace
-    evaluate.check(system, evaluate.request(w, evaluate.ACCELERATE, state.t))
+    evaluate.check(system, evaluate.send_request(w, evaluate.ACCELERATE, state.t))
     evaluate.residual(system, evaluate.store(system, state.t))
     return w.fr.copy()

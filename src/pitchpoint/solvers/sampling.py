@@ -136,7 +136,7 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorde
     Parameters
     ----------
     entry
-        The loop: an entry with the addresses of the control record, of the order and of a HARVEST record.
+        The loop: an entry with the addresses of the control record, of the order and of a RECORDER record.
     at
         Address of the control record.
     order

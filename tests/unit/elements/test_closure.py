@@ -97,7 +97,7 @@ def accelerated(system, state):
     """Frames with the accelerations that follow from a state."""
     evaluate.prepare(system)
     evaluate.load(system, state)
-    evaluate.check(system, evaluate.request(system.workspace, evaluate.ACCELERATE, 0.0))
+    evaluate.check(system, evaluate.send_request(system.workspace, evaluate.ACCELERATE, 0.0))
     evaluate.residual(system, evaluate.store(system, 0.0))
     return system.workspace.fr.copy()
 

@@ -41,7 +41,7 @@ def friction(bodies, i, j=0, form=joint_friction.TURN, **numbers):
 def acceleration(system, state):
     evaluate.prepare(system)
     evaluate.load(system, state)
-    evaluate.check(system, evaluate.request(system.workspace, evaluate.ACCELERATE, 0.0))
+    evaluate.check(system, evaluate.send_request(system.workspace, evaluate.ACCELERATE, 0.0))
     return system.workspace.a.copy()
 
 

@@ -17,7 +17,7 @@ from tests.support.engine import torques
 def accelerations(system, state):
     evaluate.prepare(system)
     evaluate.load(system, state)
-    evaluate.check(system, evaluate.request(system.workspace, evaluate.ACCELERATE, 0.0))
+    evaluate.check(system, evaluate.send_request(system.workspace, evaluate.ACCELERATE, 0.0))
     return system.workspace.a.copy()
 
 
