@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A walk over all that a reader can press in a page, whatever it is called: each must change something else.
 
-What counts is what the reader sees besides the control itself: pixels of the scene and of its plots,
+The walk compares what the reader sees besides the control itself: pixels of the scene and of its plots,
 texts, the state that the viewer tells, and files that arrive. A control that has no effect at first, like the
 place of a cut that is not there yet, has another try after all others of its panel.
 """
