@@ -22,6 +22,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
+from pitchpoint.io.sweep_store import QUANTITIES
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.constraint_rows import explain, row_notes
 from pitchpoint.solvers.controls import refuse_sampled
@@ -40,8 +41,6 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.scenario import Scenario
 
-QUANTITIES = ("transmission_error", "deflection", "mesh_force")
-SHARES = ("contact_loss_share", "back_contact_share")
 DRIFT = 0.005
 """Share of its speed by which a machine may leave it at a point without a word."""
 STEPS_PER_PERIOD = 200
@@ -227,7 +226,7 @@ class _Walk:
             "direction": direction,
             "speed": self.speed,
             "mesh_frequency": self._frequency(self.speed),
-            **{q: channels[f"{q}[{self.plan.mesh}]"] for q in QUANTITIES},
+            **{q: channels[f"{q}[{self.plan.mesh}]"] for q, _, _ in QUANTITIES},
             "contact_loss_share": float(found.share_zero[state]),
             "back_contact_share": float(found.share_negative[state]),
             "channels": channels,
@@ -347,7 +346,7 @@ def sweep_speed(
     grid = sorted({p["mesh_frequency"] for p in found.points})
     at = places(found.points, directions, grid)
     data = {
-        **mesh_tables(found.points, at, QUANTITIES, SHARES),
+        **mesh_tables(found.points, at),
         **channel_tables(system.layout.channels, found.points, at),
         **jump_tables(found.jumps, directions),
     }
