@@ -22,7 +22,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.io.sweep_store import QUANTITIES
+from pitchpoint.io.sweep_store import QUANTITIES, STATISTICS
 from pitchpoint.solvers import generalized_alpha
 from pitchpoint.solvers.constraint_rows import explain, row_notes
 from pitchpoint.solvers.controls import refuse_sampled
@@ -31,7 +31,7 @@ from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.start import prepare_start
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
-from pitchpoint.sweep.tables import STATISTICS, channel_tables, jump_tables, mesh_tables, places
+from pitchpoint.sweep.tables import channel_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
