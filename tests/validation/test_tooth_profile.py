@@ -19,8 +19,9 @@ import numpy as np
 import pytest
 
 from pitchpoint.geometry.modifications import deviation, flank_range
+from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.tooth_form import gear_outline, tooth_form
-from pitchpoint.io.gear_export import drawing_dxf, drawing_svg, points_csv, solid_stl
+from pitchpoint.io.gear_export import drawing_dxf, drawing_svg, points_csv
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
 from pitchpoint.system.compile import compile_model
@@ -127,7 +128,7 @@ def test_an_exported_gear_comes_back(kind, tmp_path):
         for draw in (drawing_svg, drawing_dxf, points_csv):
             found, expected = draw(two, 20), draw(one, 20)
             assert len(re.findall(NUMBER, found)) == len(re.findall(NUMBER, expected))
-        assert len(solid_stl(two, 20)) == len(solid_stl(one, 20))
+        assert len(gear_solid(two, 20)) == len(gear_solid(one, 20))
         # the chords between 20 points of a flank
         masses = [m.body_inertia({"g1": "driver", "g2": "driven"}[name]) for m in (plain, model)]
         assert masses[1].mass == pytest.approx(masses[0].mass, rel=4e-4)

@@ -10,7 +10,7 @@ import numpy as np
 from pitchpoint.analysis.spectra import largest_peaks
 from pitchpoint.analysis.tools import TOOLS
 from pitchpoint.viz.analysis_pictures import spectrum_of
-from pitchpoint.viz.quantities import number, scale, span
+from pitchpoint.viz.quantities import amount, number, span
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -158,10 +158,7 @@ def shown(value: float, unit: str) -> str:
     >>> shown(float("nan"), "m")
     'not known'
     """
-    if np.isnan(value):
-        return "not known"
-    best = scale(unit, [value])
-    return f"{number(value * best.factor, 5)} {best.unit}".rstrip()
+    return "not known" if np.isnan(value) else amount(value, unit, 5)
 
 
 def _words(name: object) -> str:

@@ -155,35 +155,6 @@ def drawing_svg(gear: CylindricalGear, n_flank: int = 40, bore_diameter: float =
     )
 
 
-def solid_stl(
-    gear: CylindricalGear,
-    n_flank: int = 20,
-    n_slices: int | None = None,
-    *,
-    bore_diameter: float = 0.0,
-    rim_thickness: float | None = None,
-    web_thickness: float | None = None,
-) -> bytes:
-    """The gear as a closed solid in binary STL, millimetres; parameters as in `gear_solid`.
-
-    Examples
-    --------
-    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-    >>> data = solid_stl(CylindricalGear(z=17, m_n=1e-3, b=0.01), 10)
-    >>> int.from_bytes(data[80:84], "little"), len(data)
-    (1836, 91884)
-    """
-    triangles = gear_solid(
-        gear,
-        n_flank,
-        n_slices,
-        bore_diameter=bore_diameter,
-        rim_thickness=rim_thickness,
-        web_thickness=web_thickness,
-    )
-    return _binary(triangles, "pitchpoint gear, millimetres")
-
-
 def _binary(triangles: NDArray[np.float64], title: str) -> bytes:
     """Binary STL in millimetres."""
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
@@ -244,7 +215,8 @@ def export_gear(
     check_target(path, kind)
     blank = {"bore_diameter": bore_diameter, "rim_thickness": rim_thickness, "web_thickness": web_thickness}
     if kind == "stl":
-        return write_file(path, solid_stl(gear, n_flank, n_slices, **blank))  # type: ignore[arg-type]
+        triangles = gear_solid(gear, n_flank, n_slices, **blank)  # type: ignore[arg-type]
+        return write_file(path, _binary(triangles, "pitchpoint gear, millimetres"))
     if kind == "step":
         from pitchpoint.io.step_export import gear_step
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
+from pitchpoint.io.sweep_store import QUANTITIES, SHARES
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
 from pitchpoint.viz.report.build import (
     CaseTable,
@@ -37,8 +38,6 @@ SOURCES = (
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
 SETTLED = 0.2
 """Share of a record before its statistics begin, where no file reports this (`settle_time`)."""
-SWEPT = ("transmission_error", "deflection", "mesh_force")
-SHARES = ("contact_loss_share", "back_contact_share")
 
 
 def describe(model: Model) -> ReportModel:
@@ -220,11 +219,11 @@ def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
         frequencies = one["mesh_frequency"].values
         order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
         for i in order:
-            values = {name: float(one[name].values[i]) for name in ("speed", *SHARES)}
+            values = {name: float(one[name].values[i]) for name in ("speed", *(share for share, _ in SHARES))}
             if not np.isfinite(values["speed"]):
                 continue
             point: dict[str, Any] = {"direction": str(direction), "mesh_frequency": float(frequencies[i])}
-            for name in SWEPT:
+            for name, _, _ in QUANTITIES:
                 row = {key: float(one[f"{name}_{key}"].values[i]) for key in ("mean", "rms", "min", "max")}
                 point[name] = {"unit": str(one[f"{name}_rms"].attrs.get("units", "")), **row}
             points.append(point | values)

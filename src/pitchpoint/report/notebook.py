@@ -208,7 +208,7 @@ def _modes(data: xr.Dataset) -> str:
 
 def _sweep(data: xr.Dataset) -> str:
     """Where a sweep vibrates most in each direction, and where it jumps."""
-    from pitchpoint.viz.quantities import number, scale
+    from pitchpoint.viz.quantities import amount, number
     from pitchpoint.viz.tables import plain_table
 
     if not {"direction", "mesh_frequency", "statistic"} <= set(data.dims):
@@ -220,10 +220,10 @@ def _sweep(data: xr.Dataset) -> str:
             rms = data[name].sel(direction=direction, statistic="rms").dropna("mesh_frequency")
             if not rms.size:
                 continue
-            top, unit = rms.idxmax("mesh_frequency"), scale("m", [float(rms.max())])
+            top = rms.idxmax("mesh_frequency")
             jumps = data["jump_mesh_frequency"].values[data["jump_direction"].values == k]
             values = (
-                f"{number(float(rms.max()) * unit.factor)} {unit.unit}",
+                amount(float(rms.max()), "m", 5),
                 number(float(top)),
                 ", ".join(number(float(jump)) for jump in jumps) or "none",
             )

@@ -9,7 +9,7 @@ from typing import Any
 
 from pitchpoint.core.status import OK
 from pitchpoint.core.status import sentence as sentence_of
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import amount
 from pitchpoint.viz.report.build import SourceData
 
 KINDS = {"time": "time response", "quasi_static": "slow roll", "sweep": "speed sweep", "cases": "cases"}
@@ -81,5 +81,4 @@ def _text(key: str, value: Any) -> str:
     if isinstance(value, bool) or not isinstance(value, int | float):
         # laws are in the file of the model; what is left of them here is not text for people
         return "" if "(" in str(value) else str(value).replace("_", " ")
-    shown = scale(UNITS.get(key, ""), [float(value)])
-    return f"{number(value * shown.factor)} {shown.unit}".rstrip()
+    return amount(float(value), UNITS.get(key, ""), 5)

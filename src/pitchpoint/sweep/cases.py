@@ -20,6 +20,7 @@ import numpy as np
 from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
+from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
 from pitchpoint.model.numbers import number_at
 from pitchpoint.sweep.threads import on_all_cores
 
@@ -28,10 +29,6 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
-
-STATISTICS = ("mean", "rms", "min", "max")
-QUANTITIES = ("transmission_error", "deflection", "mesh_force")
-SHARES = ("contact_loss_share", "back_contact_share")
 
 
 @dataclass(frozen=True)
@@ -295,21 +292,20 @@ def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tu
         default=0,
     )
     shape = (len(results), len(directions), most)
-    tables = {name: (np.full((*shape, 4), np.nan), "") for name in QUANTITIES}
-    scalars = {"speed": "rad/s", "mesh_frequency": "Hz", **dict.fromkeys(SHARES, "1")}
+    tables = {name: (np.full((*shape, 4), np.nan), unit) for name, unit, _ in QUANTITIES}
+    scalars = {"speed": "rad/s", "mesh_frequency": "Hz", **{name: "1" for name, _ in SHARES}}
     tables |= {name: (np.full(shape, np.nan), unit) for name, unit in scalars.items()}
-    units = dict.fromkeys(QUANTITIES, "m") | {"mesh_force": "N"}
     for c, result in enumerate(results):
         for d, direction in enumerate(directions):
             here = sorted(
                 (p for p in result.points if p["direction"] == direction), key=lambda p: p["mesh_frequency"]
             )
             for k, point in enumerate(here):
-                for name in QUANTITIES:
+                for name, _, _ in QUANTITIES:
                     tables[name][0][c, d, k] = [point[name][s] for s in STATISTICS]
                 for name in scalars:
                     tables[name][0][c, d, k] = point[name]
-    return directions, {n: (v, units.get(n, u)) for n, (v, u) in tables.items()}
+    return directions, tables
 
 
 def column(results: Sequence[CaseResult], path: str) -> tuple[list[Any], str]:

@@ -22,6 +22,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
+from pitchpoint.io.sweep_store import QUANTITIES, STATISTICS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
@@ -30,7 +31,7 @@ from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
-from pitchpoint.sweep.tables import STATISTICS, channel_tables, jump_tables, mesh_tables, places
+from pitchpoint.sweep.tables import channel_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
@@ -40,8 +41,6 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.scenario import Scenario
 
-QUANTITIES = ("transmission_error", "deflection", "mesh_force")
-SHARES = ("contact_loss_share", "back_contact_share")
 DRIFT = 0.005
 """Share of its speed by which a machine may leave it at a point without a word."""
 STEPS_PER_PERIOD = 200
@@ -227,7 +226,7 @@ class _Walk:
             "direction": direction,
             "speed": self.speed,
             "mesh_frequency": self._frequency(self.speed),
-            **{q: channels[f"{q}[{self.plan.mesh}]"] for q in QUANTITIES},
+            **{q: channels[f"{q}[{self.plan.mesh}]"] for q, _, _ in QUANTITIES},
             "contact_loss_share": float(found.share_zero[state]),
             "back_contact_share": float(found.share_negative[state]),
             "channels": channels,
@@ -347,7 +346,7 @@ def sweep_speed(
     grid = sorted({p["mesh_frequency"] for p in found.points})
     at = places(found.points, directions, grid)
     data = {
-        **mesh_tables(found.points, at, QUANTITIES, SHARES),
+        **mesh_tables(found.points, at),
         **channel_tables(system.layout.channels, found.points, at),
         **jump_tables(found.jumps, directions),
     }

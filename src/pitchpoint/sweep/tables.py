@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
 from pitchpoint.solvers.dataset import channel_attributes
 from pitchpoint.system.layout import Channel
 
-STATISTICS = ("mean", "rms", "min", "max")
 DIMENSIONS = ("direction", "mesh_frequency")
 
 Point = Mapping[str, Any]
@@ -56,17 +56,15 @@ def places(points: Sequence[Point], directions: Sequence[str], grid: Sequence[fl
     )
 
 
-def mesh_tables(
-    points: Sequence[Point], at: Places, quantities: Sequence[str], shares: Sequence[str]
-) -> dict[str, Variable]:
+def mesh_tables(points: Sequence[Point], at: Places) -> dict[str, Variable]:
     """Every statistic of the swept mesh as a variable of its own, the shares and the speed."""
     data: dict[str, Variable] = {}
-    for name in quantities:
+    for name, _, _ in QUANTITIES:
         for key in STATISTICS:
             unit = points[0][name]["unit"] if points else ""
             described = {"units": unit, "long_name": f"{name.replace('_', ' ')}, {key}"}
             data[f"{name}_{key}"] = (DIMENSIONS, at.table([p[name][key] for p in points]), described)
-    for name in (*shares, "speed"):
+    for name in (*(share for share, _ in SHARES), "speed"):
         described = {"units": "rad/s" if name == "speed" else "1", "long_name": name.replace("_", " ")}
         data[name] = (DIMENSIONS, at.table([p[name] for p in points]), described)
     return data

@@ -12,7 +12,7 @@ import numpy as np
 
 from pitchpoint.viz import svg
 from pitchpoint.viz.gear_drawing import View, body
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import amount
 from pitchpoint.viz.svg import Array
 
 PANEL, GAP, COLUMNS = 224.0, 16.0, 4
@@ -188,10 +188,7 @@ def length(value: float) -> str:
     >>> length(3.0001e-5), length(-2e-10), length(5e-4)
     ('30 µm', '0 µm', '0.5 mm')
     """
-    if abs(value) < 1e-9:
-        return "0 µm"
-    best = scale("m", [value])
-    return f"{number(value * best.factor, 4)} {best.unit}"
+    return "0 µm" if abs(value) < 1e-9 else amount(value, "m")
 
 
 def _gap(start: Array, end: Array, css: str) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import number, scale, span
+from pitchpoint.viz.quantities import amount, number, scale, span
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -65,15 +65,9 @@ def plot_kurtogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
             f"kurtosis of the envelope, {channel}; largest {number(best[2], 3)} in {where}"
         )
     )
-    widths = [_width(float(np.max((high - low)[level == at]))) for at in levels]
+    widths = [amount(float(np.max((high - low)[level == at])), "Hz", 3) for at in levels]
     figure.update_yaxes(
         tickvals=np.arange(levels.size), ticktext=widths, autorange="reversed", showgrid=False
     )
     figure.update_xaxes(showgrid=False, range=[0.0, float(edges[-1]) * pitch.factor])
     return [figure]
-
-
-def _width(width: float) -> str:
-    """Width of a band [Hz] as text."""
-    best = scale("Hz", [width])
-    return f"{number(width * best.factor, 3)} {best.unit}"

@@ -109,7 +109,7 @@ def plot_transmission_error(
             x=x,
             y=y * shown.factor,
             mode="lines",
-            name=f"{name} (mean {number(means[name] * whole.factor, 4)} {whole.unit})",
+            name=f"{name} (mean {whole.text(means[name])})",
             line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2, "simplify": False},
         )
     figure.update_layout(showlegend=True)

@@ -9,7 +9,7 @@ import numpy as np
 
 from pitchpoint.viz import theme
 from pitchpoint.viz.downsampling import kept_samples
-from pitchpoint.viz.quantities import Array, number, scale
+from pitchpoint.viz.quantities import Array, amount, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -48,10 +48,9 @@ def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
     top = max(float(score.max()), threshold)
     if bool(result["found"]):
         found, deviation = float(result["period"]), float(result["deviation"])
-        near = scale("s", [deviation])
         words = (
-            f"{channel}: {number(found * clock.factor, 5)} {clock.unit}, standard deviation "
-            f"{number(deviation * near.factor, 2)} {near.unit}; chance in noise {shown}"
+            f"{channel}: {clock.text(found, 5)}, standard deviation {amount(deviation, 's', 2)}; "
+            f"chance in noise {shown}"
         )
         exact = float(np.log10(period.size / chance))
         top = max(top, exact)
@@ -96,7 +95,7 @@ def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
     if not period.size:
         return []
     figure.add_bar(
-        x=[f"{number(value * clock.factor, 5)} {clock.unit}" for value in period],
+        x=[clock.text(value, 5) for value in period],
         y=np.abs(score),
         marker={"color": theme.SERIES[0]},
         text=[f"chance {number(float(value), 3)}" for value in result["p_value"].values[known]],

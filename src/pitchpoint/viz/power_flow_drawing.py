@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.viz import theme
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
-from pitchpoint.viz.quantities import Scale, number, scale
+from pitchpoint.viz.quantities import Scale, amount, scale
 from pitchpoint.viz.svg import document, text
 
 WIDTH_BLOCK, STEP = 104.0, 218.0
@@ -55,13 +55,13 @@ def power_flow_svg(flow: PowerFlow) -> str:
     unit = scale("W", [most])
     columns = _columns(len(flow.blocks), links)
     boxes = [
-        _Box(column, LEAST, (block.name, _speed(block.speed)))
+        _Box(column, LEAST, (block.name, amount(block.speed, "rad/s")))
         for column, block in zip(columns, flow.blocks, strict=True)
     ]
     ends: list[_Joined] = []
     for link in links:
         width = max(THINNEST, WIDEST * link.given / most)
-        words = (link.name, _amount(link.given, unit))
+        words = (link.name, unit.text(link.given))
         start = boxes[link.start] if link.start != OUTSIDE else None
         end = boxes[link.end] if link.end != OUTSIDE else None
         if start is None and end is not None:
@@ -90,7 +90,7 @@ def power_flow_svg(flow: PowerFlow) -> str:
         names.append(name)
     # no band of another link lies over a name
     parts += [*names, *(_block(box, x[id(box)]) for box in boxes)]
-    title = f"power flow, {_amount(flow.put_in, unit)} put in"
+    title = f"power flow, {unit.text(flow.put_in)} put in"
     width = 20.0 + STEP * span + WIDTH_BLOCK
     drawing = document(width, height, [f"<style>{STYLE}</style>", *parts], title)
     size = f"min-width:{0.75 * width:.0f}px;max-width:{width:.0f}px"
@@ -190,7 +190,7 @@ def _band(
 def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> str:
     """Name and power above a straight band, and what is lost falling out of it."""
     words = text(x, y - 0.5 * width - 19.0, link.name, "pp-halo")
-    words += text(x, y - 0.5 * width - 5.0, _amount(link.given, unit), "pp-small")
+    words += text(x, y - 0.5 * width - 5.0, unit.text(link.given), "pp-small")
     if link.lost > 0.0:
         words += _drop(x, y + 0.5 * width, max(THINNEST, width * link.lost / link.given), _loss(link))
     return words
@@ -204,7 +204,7 @@ def _beside(
     lost = _loss(link) if link.lost > 0.0 else ""
     # the blocks state which planet is on which carrier
     name = "" if link.kind == "carrier" else link.name
-    lines = [line for line in (name, _amount(link.given, unit), lost) if line]
+    lines = [line for line in (name, unit.text(link.given), lost) if line]
     top = y + half + 15.0 if other_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
     return "".join(
         text(x, top + 14.0 * k, line, "pp-halo" if line == name else "pp-small", anchor)
@@ -214,7 +214,7 @@ def _beside(
 
 def _loss(link: PowerLink) -> str:
     """What is lost, with the sign that it has in the table."""
-    return f"{_amount(link.lost, scale('W', [link.lost]))} lost"
+    return f"{amount(link.lost, 'W')} lost"
 
 
 def _drop(x: float, y: float, width: float, lost: str) -> str:
@@ -242,12 +242,3 @@ def _block(box: _Box, x: float) -> str:
         f"<g>{full}{shape}{text(x + 0.5 * WIDTH_BLOCK, middle - 2.0, name, 'pp-name')}"
         f"{text(x + 0.5 * WIDTH_BLOCK, middle + 14.0, box.words[1], 'pp-small')}</g>"
     )
-
-
-def _amount(power: float, unit: Scale) -> str:
-    return f"{number(power * unit.factor, 4)} {unit.unit}"
-
-
-def _speed(speed: float) -> str:
-    shown = scale("rad/s", [speed])
-    return f"{number(speed * shown.factor, 4)} {shown.unit}"

@@ -45,6 +45,10 @@ class Scale:
         """Axis title with the unit in brackets."""
         return f"{name} [{self.unit}]" if self.unit else name
 
+    def text(self, value: float, digits: int = 4) -> str:
+        """An SI value in this unit."""
+        return f"{number(value * self.factor, digits)} {self.unit}".rstrip()
+
 
 # Angles of channels are tilts of shafts, which are small; angles of gears are given in degrees elsewhere.
 _TILTS = ((0.1, Scale("rad", 1.0)), (1e-3, Scale("mrad", 1e3)), (0.0, Scale("µrad", 1e6)))
@@ -181,6 +185,17 @@ def number(value: float, digits: int = 5) -> str:
         raised = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
         text = f"{mantissa.rstrip('0').rstrip('.') if '.' in mantissa else mantissa}·10{raised}"
     return text.replace("-", "−")
+
+
+def amount(value: float, unit: str, digits: int = 4) -> str:
+    """An SI value in the unit that people use.
+
+    Examples
+    --------
+    >>> amount(1.5e-6, "m"), amount(17.0, "1"), amount(3.0, "N^2/Hz")
+    ('1.5 µm', '17', '3 N²/Hz')
+    """
+    return scale(unit, [value]).text(value, digits)
 
 
 def span(low: float, high: float, unit: str = "Hz") -> str:

@@ -48,6 +48,11 @@ def listed(channel: Channel, quantity: str) -> bool:
     return channel.quantity == quantity and (quantity != "signal" or "." not in owner(channel))
 
 
+def channel_word(count: int) -> str:
+    """The word for so many channels."""
+    return "channel" if count == 1 else "channels"
+
+
 def settled_part(time: Array, settle_time: float) -> np.ndarray:
     """Samples of the window of statistics; everything if the run ended before it began."""
     inside = time >= time[0] + settle_time

@@ -185,11 +185,7 @@ def amplitude_map(
         colorbar={"title": {"text": "dB"}, "thickness": 12, "outlinewidth": 0, "x": 1.01, "xpad": 4},
         hovertemplate="%{x:.5g}, %{y:.5g}: %{z} dB<extra></extra>",
     )
-    figure.update_layout(
-        title=theme.title_above(
-            f"{quantity}, 0 dB = {number(largest * shown.factor, 4)} {shown.unit}".rstrip()
-        )
-    )
+    figure.update_layout(title=theme.title_above(f"{quantity}, 0 dB = {shown.text(largest)}"))
     figure.update_xaxes(showgrid=False)
     figure.update_yaxes(showgrid=False)
     return figure

@@ -16,7 +16,7 @@ from pitchpoint.geometry.triangle_file import (
     read_triangles,
     triangle_faults,
 )
-from pitchpoint.io.gear_export import solid_stl
+from pitchpoint.io.gear_export import export_gear
 from tests.support.contacts import box
 from tests.support.stl import binary, text
 
@@ -55,7 +55,7 @@ def test_every_form_gives_the_same_triangles(tmp_path, form):
 
 def test_the_solid_of_a_gear_comes_back(tmp_path):
     gear = CylindricalGear(z=17, m_n=2e-3, b=0.01)
-    (tmp_path / "gear.stl").write_bytes(solid_stl(gear, 20))
+    export_gear(gear, tmp_path / "gear.stl", n_flank=20)
     found = read_triangles(tmp_path / "gear.stl")
     assert triangle_faults(found, 1e-3) == []
     # 32-bit millimetres

@@ -22,7 +22,7 @@ from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tables import HARMONICS, indicator_tables
 from pitchpoint.report.diagnosis.tooth_places import GearTurn, gear_turns
 from pitchpoint.viz.diagnosis_plots import Lines, in_hertz, line_places, plot_lines, plot_mean_turn
-from pitchpoint.viz.quantities import number, scale, span
+from pitchpoint.viz.quantities import amount, number, span
 from pitchpoint.viz.report.page import Section
 
 SIDEBANDS, BEARING_HARMONICS = 6, 3
@@ -78,13 +78,11 @@ def _level(study: Study, channel: str, unit: str) -> str:
     from scipy.stats import norm
 
     found, size = signal_indicators(study.over.signals[channel]), study.over.signals[channel].size
-    best = scale(unit, [found.rms])
     # the largest magnitude of so many independent Gaussian samples, by its median
     peak = float(norm.isf(-0.5 * np.expm1(np.log(0.5) / size)))
-    rms = f"{number(found.rms * best.factor, 4)} {best.unit}".rstrip()
     return (
-        f"Alternating part of the whole record: rms {rms}, kurtosis {number(found.kurtosis, 3)} "
-        "(Gaussian noise 3, a sine 1.5), crest factor "
+        f"Alternating part of the whole record: rms {amount(found.rms, unit)}, "
+        f"kurtosis {number(found.kurtosis, 3)} (Gaussian noise 3, a sine 1.5), crest factor "
         f"{number(found.crest_factor, 3)} (Gaussian noise of {size} samples about {number(peak, 2)})."
     )
 

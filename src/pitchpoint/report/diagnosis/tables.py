@@ -195,7 +195,7 @@ def _amplitudes(e: Evidence, rms: float, unit: str) -> tuple[str, str]:
         return "–", "–"
     needed = max(e.amplitude * 10.0 ** ((e.threshold - e.value) / 20.0), 0.01 * rms)
     best = scale(unit, [needed])
-    return tuple(f"{number(a * best.factor, 3)} {best.unit}".rstrip() for a in (e.amplitude, needed))  # type: ignore[return-value]
+    return tuple(best.text(a, 3) for a in (e.amplitude, needed))  # type: ignore[return-value]
 
 
 def _fault(e: Evidence) -> str:

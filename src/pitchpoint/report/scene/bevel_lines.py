@@ -38,8 +38,8 @@ def _plain(law: Any, count: int) -> np.ufunc:
 _SHAPE, _LOW_LOAD = _plain(pair_shape, 4), _plain(low_load, 2)
 
 
-class BevelLines:
-    """What one bevel mesh does over the frames; names as of cylindrical meshes.
+class MeshLines:
+    """What one mesh does over the frames.
 
     Parameters
     ----------
@@ -47,8 +47,6 @@ class BevelLines:
         Its record in the system, shape (1,).
     n
         Number of frames.
-    pool
-        Tables of the records of its kind, shape (m,).
 
     Attributes
     ----------
@@ -60,25 +58,36 @@ class BevelLines:
         Travel of the gears at R_m, (n,) [m].
     line
         Path from A to E and face in ζ [m], pressure angle and backlash, (n, 6).
-    axes
-        Across the pitch ray towards gear 2, along the tangent and along the ray, columns, (n, 3, 3).
     first
         The record in the first frame.
     """
 
-    def __init__(self, record: NDArray[np.void], n: int, pool: Array) -> None:
+    def __init__(self, record: NDArray[np.void], n: int) -> None:
         self.record = record
-        self.pool = pool
         self.pairs = int(record[0]["n_pair"])
         self.forces = np.zeros((n, 2, self.pairs))
         self.loads = np.zeros((n, 2, self.pairs, STATIONS))
         self.travel = np.zeros((n, 2))
         self.deflection = np.zeros(n)
         self.line = np.zeros((n, 6))
+        self.first: Any = None
+
+
+class BevelLines(MeshLines):
+    """What one bevel mesh does over the frames; `pool` holds the tables of the records of its kind, (m,).
+
+    Attributes
+    ----------
+    axes
+        Across the pitch ray towards gear 2, along the tangent and along the ray, columns, (n, 3, 3).
+    """
+
+    def __init__(self, record: NDArray[np.void], n: int, pool: Array) -> None:
+        super().__init__(record, n)
+        self.pool = pool
         self.axes = np.zeros((n, 3, 3))
         self.displacement = np.zeros((n, 3))
         self.aside = np.zeros((n, 2))
-        self.first: Any = None
 
     @property
     def cone(self) -> tuple[float, float]:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.model.frames import place_of, split, unit
 from pitchpoint.model.shafts import station_names
+from pitchpoint.report.scene.shapes import skin
 from pitchpoint.viz.scene.content import Blend, ModalShape, SceneSolid
 
 if TYPE_CHECKING:
@@ -69,15 +70,6 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
     ring = outline[:, :1] * x + outline[:, 1:] * y
     points = (root + share[:, None] * (tip - root))[:, None, :] + ring
     n = len(outline)
-    k, after = np.arange(n), (np.arange(n) + 1) % n
-    faces = []
-    for low in range(0, (count - 1) * n, n):
-        faces += [np.c_[low + k, low + after, low + n + k], np.c_[low + after, low + n + after, low + n + k]]
-    last = (count - 1) * n
-    faces += [
-        np.c_[0 * k[1:-1], after[1:-1], k[1:-1]],
-        np.c_[last + 0 * k[1:-1], last + k[1:-1], last + after[1:-1]],
-    ]
     stations = [at.names.get(label) for label in station_names(name, part.pieces)[1:]]
     between = [number for number in stations if number is not None]
     # a scene at rest knows no stations of beams
@@ -92,7 +84,7 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
         kind="shaft",
         body=bodies[0],
         points=(points.reshape(-1, 3) - origin) @ axes,
-        triangles=np.concatenate(faces),
+        triangles=skin(count, n),
         blend=Blend(bodies, np.repeat(first, n), np.repeat(first + 1, n), np.repeat(weight, n)),
     )
 

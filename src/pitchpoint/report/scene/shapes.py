@@ -109,18 +109,20 @@ def tube(line: ArrayLike, radius: float, sides: int = 6) -> Surface:
         x = x - z * (x @ z)
         x /= np.linalg.norm(x)
         rings.append(p + radius * (np.cos(angle)[:, None] * x + np.sin(angle)[:, None] * np.cross(z, x)))
+    return np.concatenate(rings), skin(len(points), sides)
+
+
+def skin(rings: int, sides: int) -> Indices:
+    """Triangles of a closed surface over rings of `sides` points each, one ring after the other."""
     k, after = np.arange(sides), (np.arange(sides) + 1) % sides
     faces = []
-    for n in range(len(points) - 1):
-        low, high = n * sides, (n + 1) * sides
-        faces += [
-            np.column_stack([low + k, low + after, high + k]),
-            np.column_stack([low + after, high + after, high + k]),
-        ]
-    last = (len(points) - 1) * sides
-    faces += [np.column_stack([0 * k[1:-1], after[1:-1], k[1:-1]])]
-    faces += [np.column_stack([last + 0 * k[1:-1], last + k[1:-1], last + after[1:-1]])]
-    return np.concatenate(rings), np.concatenate(faces)
+    for low in range(0, (rings - 1) * sides, sides):
+        high = low + sides
+        faces += [np.c_[low + k, low + after, high + k], np.c_[low + after, high + after, high + k]]
+    last = (rings - 1) * sides
+    faces.append(np.c_[0 * k[1:-1], after[1:-1], k[1:-1]])
+    faces.append(np.c_[last + 0 * k[1:-1], last + k[1:-1], last + after[1:-1]])
+    return np.concatenate(faces)
 
 
 def coil(radius: float, wire: float, turns: int = 7) -> Surface:

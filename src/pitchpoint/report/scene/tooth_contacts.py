@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,7 @@ from pitchpoint.core.status import OK, sentence
 from pitchpoint.elements.mesh import contact_lines
 from pitchpoint.elements.mesh.record import PROFILE
 from pitchpoint.elements.mesh.tooth_pairs import pair_teeth
-from pitchpoint.report.scene.bevel_lines import BevelLines, bevel_tooth_at
+from pitchpoint.report.scene.bevel_lines import STATIONS, BevelLines, MeshLines, bevel_tooth_at
 from pitchpoint.report.scene.motion import shown_bodies
 from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_places
 from pitchpoint.viz.scene.contacts import ContactFlank, FlankSurface, SceneContact
@@ -35,8 +35,6 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Read = Callable[[str], Array | None]
 
-STATIONS = 9
-"""Places along a contact line at which its load is kept."""
 PLACES = 65
 """Places of the path of contact at which the pressure of a load is kept."""
 GRID = (9, 11)
@@ -104,18 +102,8 @@ class ContactLines:
             mesh.keep(frame, self.questions[2 * m : 2 * m + 2])
 
 
-class _Mesh:
-    """What one mesh answered."""
-
-    def __init__(self, record: NDArray[np.void], n: int) -> None:
-        self.record = record
-        self.pairs = int(record[0]["n_pair"])
-        self.forces = np.zeros((n, 2, self.pairs))
-        self.loads = np.zeros((n, 2, self.pairs, STATIONS))
-        self.travel = np.zeros((n, 2))
-        self.deflection = np.zeros(n)
-        self.line = np.zeros((n, 6))
-        self.first: Any = None
+class _Mesh(MeshLines):
+    """What one cylindrical mesh answered."""
 
     def keep(self, frame: int, answers: NDArray[np.void]) -> None:
         """Take over what is not written in place."""
@@ -123,12 +111,7 @@ class _Mesh:
         now = b["now"]
         self.travel[frame] = now["xi_A"] + (answers["pairs"] + answers["psi"]) * b["p_bt"]
         self.deflection[frame] = answers[0]["deflection"]
-        ends = (
-            now["xi_A"],
-            now["xi_A"] + now["eps"] * b["p_bt"],
-            now["z_lo"],
-            now["z_hi"],
-        )
+        ends = (now["xi_A"], now["xi_A"] + now["eps"] * b["p_bt"], now["z_lo"], now["z_hi"])
         self.line[frame] = (*ends, math.atan2(now["sin_a"], now["cos_a"]), now["gap"])
         if frame == 0:
             self.first = self.record.copy()[0]
@@ -154,7 +137,7 @@ def scene_contacts(
     shown = shown_bodies(system)
     for bevel in lines.bevels.values():
         bevel.close()
-    meshes: list[tuple[str, _Mesh | BevelLines]] = [*zip(lines.names, lines.found, strict=True)]
+    meshes: list[tuple[str, MeshLines]] = [*zip(lines.names, lines.found, strict=True)]
     for name, mesh in (*meshes, *lines.bevels.items()):
         m = mesh_names(system).index(name)
         if mesh.first["source"] != PROFILE:
@@ -205,7 +188,7 @@ def _moves(values: Array) -> float:
     return float(np.ptp(values, axis=0).max())
 
 
-def _as_kept(name: str, mesh: _Mesh | BevelLines, read: Read) -> tuple[Array, Array]:
+def _as_kept(name: str, mesh: MeshLines, read: Read) -> tuple[Array, Array]:
     """Forces and loads of all slots, brought to the forces that the result keeps, damping included."""
     kept = [read(f"pair_force[{name}.{k}]") for k in range(mesh.pairs)]
     if any(one is None for one in kept) or not kept:
@@ -239,7 +222,7 @@ def _unit_pressure(model: Model, name: str, path: tuple[float, ...]) -> Array:
     return np.asarray(peak_pressure(1.0, width))
 
 
-def _penetration(name: str, mesh: _Mesh | BevelLines, read: Read) -> Array:
+def _penetration(name: str, mesh: MeshLines, read: Read) -> Array:
     """Of the front and the back flanks [m]: channels give that of the nearer one and its side."""
     nearer = read(f"penetration[{name}]")
     cos_b = math.cos(math.atan(float(mesh.first["tan_b"])))
@@ -252,7 +235,7 @@ def _penetration(name: str, mesh: _Mesh | BevelLines, read: Read) -> Array:
 
 
 def _surfaces(
-    model: Model, name: str, mesh: _Mesh | BevelLines, side: int, moved: Motion, shown: list[int]
+    model: Model, name: str, mesh: MeshLines, side: int, moved: Motion, shown: list[int]
 ) -> list[FlankSurface]:
     """Flanks of both gears where the path of contact reaches them: what the kernel's lines sweep over.
 

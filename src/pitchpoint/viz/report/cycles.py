@@ -76,7 +76,7 @@ def _roll_caption(mesh: str, periods: Any, errors: Mapping[str, Any]) -> str:
     spans = {name: float(np.ptp(values)) for name, values in errors.items()}
     spans = {name: span if span > ROUND_OFF else 0.0 for name, span in spans.items()}
     shown = scale("m", [*spans.values(), ROUND_OFF])
-    words = ", ".join(f"{number(span * shown.factor, 4)} {shown.unit} {name}" for name, span in spans.items())
+    words = ", ".join(f"{shown.text(span)} {name}" for name, span in spans.items())
     words = words.replace(" mesh force", " at a mesh force of")
     count = number(float(np.max(periods)), 4)
     return f"Transmission error of {mesh} over the {count} periods rolled; peak to peak {words}."

@@ -12,7 +12,7 @@ import numpy as np
 from pitchpoint.analysis.statistics import signal_statistics
 from pitchpoint.viz.quantities import Array, Channel, Scale, channels, number, scale, span
 from pitchpoint.viz.report.page import Section
-from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES, listed, settled_part
+from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES, channel_word, listed, settled_part
 from pitchpoint.viz.tables import MOST_ROWS, plain_table
 
 
@@ -69,8 +69,8 @@ def _add_table(
         folded = f"<details><summary>{len(more)} more channels</summary>{plain_table(head, more)}</details>"
         section.add(folded if more else "")
     zeros, others = len(wanted) - len(moving), len(found) - len(wanted)
-    words = [f"{zeros} {_channels(zeros)} zero throughout"] if zeros else []
-    words += [f"{others} {_channels(others)} of other quantities"] if others else []
+    words = [f"{zeros} {channel_word(zeros)} zero throughout"] if zeros else []
+    words += [f"{others} {channel_word(others)} of other quantities"] if others else []
     if words:
         section.add(f"<p>Not listed, but in the result: {' and '.join(words)}.</p>")
 
@@ -93,7 +93,3 @@ def _time(moment: float, clock: Scale, linked: bool) -> str:
         return text
     words = f"show the scene at {text} {clock.unit}"
     return f'<button type="button" class="when" data-time="{moment!r}" title="{words}">{text}</button>'
-
-
-def _channels(count: int) -> str:
-    return "channel" if count == 1 else "channels"

@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.viz.power_flow import PowerFlow
-from pitchpoint.viz.quantities import Channel, channels, number, scale
+from pitchpoint.viz.quantities import Channel, amount, channels
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.run_record import owner, settled_part
 from pitchpoint.viz.scene.page import scene_fragment
@@ -53,7 +53,7 @@ def _run_row(name: str, run: Any, state: str, powers: Mapping[str, PowerFlow | s
     flow = powers.get(name)
     cells = [
         escape(state),
-        _amount("W", flow.put_in) if isinstance(flow, PowerFlow) and flow.put_in else "–",
+        amount(flow.put_in, "W") if isinstance(flow, PowerFlow) and flow.put_in else "–",
         _largest(found, "mesh_force", window, lambda low, high: max(abs(low), abs(high))),
         _largest(found, "transmission_error", window, lambda low, high: high - low),
         _contact(found, time, window),
@@ -74,7 +74,7 @@ def _largest(found: Mapping[str, Channel], quantity: str, window: np.ndarray, si
     if not sizes:
         return "–"
     name = max(sizes, key=lambda key: sizes[key])
-    return _amount(next(c.unit for c in found.values() if c.quantity == quantity), sizes[name]) + (
+    return amount(sizes[name], next(c.unit for c in found.values() if c.quantity == quantity)) + (
         f", {escape(name)}" if len(sizes) > 1 else ""
     )
 
@@ -88,11 +88,6 @@ def _contact(found: Mapping[str, Channel], time: np.ndarray, window: np.ndarray)
     name = max(shares, key=lambda key: shares[key])
     text = f"{100.0 * shares[name]:.3g} %"
     return text + (f", {escape(name)}" if len(shares) > 1 and shares[name] else "")
-
-
-def _amount(unit: str, value: float) -> str:
-    shown = scale(unit, [value])
-    return f"{number(value * shown.factor, 4)} {shown.unit}"
 
 
 def scene_section(data: Any) -> Section:

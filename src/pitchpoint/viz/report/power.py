@@ -8,7 +8,7 @@ from html import escape
 
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
 from pitchpoint.viz.power_flow_drawing import power_flow_svg
-from pitchpoint.viz.quantities import Scale, number, scale, span
+from pitchpoint.viz.quantities import Scale, amount, number, scale, span
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.tables import plain_table
 
@@ -54,9 +54,9 @@ def balance(flow: PowerFlow) -> str:
         "lost": flow.lost,
         "into rotation and flanks": flow.stored,
     }
-    words = [f"{what} {_power(power)}" for what, power in parts.items() if abs(power) > NEGLIGIBLE * most]
+    words = [f"{what} {amount(p, 'W')}" for what, p in parts.items() if abs(p) > NEGLIGIBLE * most]
     share = abs(flow.remainder) / most if most else 0.0
-    text = f"Balance: {', '.join(words)}; remainder {_power(flow.remainder)}"
+    text = f"Balance: {', '.join(words)}; remainder {amount(flow.remainder, 'W')}"
     text += f", {number(100.0 * share, 2)} % of the largest power." if most else "."
     if flow.unfollowed:
         text += f" It holds what these take or give: {', '.join(flow.unfollowed)}."
@@ -73,7 +73,7 @@ def _blocks(flow: PowerFlow, most: float) -> str:
     left = flow.left(worst)
     if abs(left) <= NEGLIGIBLE * most:
         return f" Every block closes by itself, to {number(100.0 * NEGLIGIBLE, 2)} % of the largest power."
-    return f" Of single blocks {flow.blocks[worst].name} leaves most: {_power(left)}."
+    return f" Of single blocks {flow.blocks[worst].name} leaves most: {amount(left, 'W')}."
 
 
 def _friction(flow: PowerFlow) -> str:
@@ -106,8 +106,3 @@ def _loss(link: PowerLink, word: str, unit: Scale) -> str:
 
 def _end(flow: PowerFlow, block: int) -> str:
     return "outside" if block == OUTSIDE else flow.blocks[block].name
-
-
-def _power(power: float) -> str:
-    shown = scale("W", [power])
-    return f"{number(power * shown.factor, 4)} {shown.unit}"

@@ -14,12 +14,13 @@ from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
-from pitchpoint.viz.quantities import Array, Channel, channels, number, scale
+from pitchpoint.viz.quantities import Array, Channel, amount, channels, number, scale
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.run_record import (
     FORCE_PARTS,
     TIME_QUANTITIES,
     changes_speed,
+    channel_word,
     listed,
     owner,
     settled_part,
@@ -158,10 +159,6 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
     return section
 
 
-def _channels(count: int) -> str:
-    return "channel" if count == 1 else "channels"
-
-
 def _add_signals(
     section: Section, time: Array, group: Sequence[Channel], state: Array | None, steady: bool
 ) -> None:
@@ -227,9 +224,8 @@ def _caption(group: Sequence[Channel]) -> str:
     """What a single channel is, in a sentence; of many, how many are not drawn."""
     if len(group) > MOST_LINES:
         more = len(group) - MOST_LINES
-        return (
-            f"{more} more {_channels(more)} of this kind {'is' if more == 1 else 'are'} in the result file."
-        )
+        verb = "is" if more == 1 else "are"
+        return f"{more} more {channel_word(more)} of this kind {verb} in the result file."
     long = group[0].long_name
     return f"{long[:1].upper()}{long[1:]}." if len(group) == 1 and long else ""
 
@@ -253,14 +249,12 @@ def _contact_table(
         force = found.get(f"mesh_force[{mesh}]")
         c = contact_statistics(time, state, None if force is None else force.values[settled])
         peaks = [i.peak for i in c.impacts if i.peak is not None]
-        peak = scale("N", peaks) if peaks else None
-        longest = scale("s", [c.longest_loss])
         cells = (
             f"{100.0 * c.loss_share:.3g} %",
             f"{100.0 * c.back_contact_share:.3g} %",
-            f"{number(c.longest_loss * longest.factor, 4)} {longest.unit}" if c.separations else "–",
+            amount(c.longest_loss, "s") if c.separations else "–",
             str(len(c.impacts)),
-            f"{number(max(peaks) * peak.factor, 4)} {peak.unit}" if peak else "–",
+            amount(max(peaks), "N") if peaks else "–",
         )
         body.append(
             f'<tr><th scope="row">{escape(mesh)}</th><td></td>'
