@@ -13,7 +13,7 @@ from pitchpoint.analysis.sampled import Array, Lines, SignalError, as_signal, po
 
 
 def multiples(known: ArrayLike, top: float, apart: float) -> Array:
-    """All multiples of some frequencies up to a highest one, those that coincide only once.
+    """All multiples of some frequencies up to a highest one, rising and each only once, shape (m,).
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ def fourier_blocks(x: Array, nu: Array, length: int) -> tuple[Lines, Array]:
 
 
 def overlap(first: Array, second: Array, samples: int) -> Array:
-    """Inner products of complex sines over a record, time counted from its middle.
+    """Inner products of complex sines over a record, time counted from its middle, shape (n, m).
 
     Parameters
     ----------

@@ -113,6 +113,11 @@ def kernel(function: Any = None, *, inline: bool = False) -> Any:
     return Kernel(function, inline) if COMPILING else function
 
 
+def plain(function: Any) -> Any:
+    """A kernel as plain Python, for a single call or for whole arrays; other functions as they are."""
+    return getattr(function, "py_func", function)
+
+
 # ------------------------------------------------------------------------------------------------- addresses
 
 _ENTRY_CALL = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_int64, ctypes.c_int64)

@@ -73,7 +73,7 @@ def bends(record: np.void) -> tuple[str, ...]:
 
 
 @kernel
-def _begin(b, flank, x):
+def begin_side(b, flank, x):
     """Phase, contact lines and penetration of one flank, into the scratch; its rows of the basis."""
     now = b["now"]
     begin_flank(b, flank, b["R_m"])
@@ -161,7 +161,7 @@ def _one_mesh(b, fr, kk):
     front = contact_event(x - 0.5 * now["gap"] - b["sep_min"], 0.0)
     back = contact_event(-x - 0.5 * now["gap"] - b["sep_min"], 0.0)
     for flank in (1, -1):
-        _begin(b, flank, x)
+        begin_side(b, flank, x)
         if now["eps"] <= 0.0 or not _touches(b):
             continue
         rows = _sum(b, f, g)

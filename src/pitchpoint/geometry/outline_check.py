@@ -49,7 +49,7 @@ class OutlineError(GeometryError):
 
 
 def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray, IntArray]:
-    """Points without repetitions, and their numbers in the input.
+    """Points x + iy without repetitions, and their numbers in the input, shape (m,) each.
 
     Parameters
     ----------

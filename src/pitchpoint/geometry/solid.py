@@ -46,7 +46,7 @@ def tooth_cell(region: NDArray[np.int8], n_foot: int, is_internal: bool) -> tupl
     Parameters
     ----------
     region
-        Regions of the points as in `pitchpoint.geometry.tooth_form.even_profile`.
+        Regions of the points as in `pitchpoint.geometry.tooth_form.even_profile`, shape (n_point,).
     n_foot
         Points of the straight line between the feet of the tooth: they have the numbers -1, -2, ...
     is_internal

@@ -24,9 +24,14 @@ class Noise:
     """White Gaussian noise on a channel; exactly one key is given."""
 
     snr: float | None = quantity(
-        "dimensionless", "rms of the alternating part of the channel over that of the noise [dB]", None
+        "dimensionless",
+        "rms of the alternating part of the channel over that of the noise [dB]",
+        None,
+        one_of="level",
     )
-    rms: float | None = positive("dimensionless", "rms of the noise in the SI unit of the channel", None)
+    rms: float | None = positive(
+        "dimensionless", "rms of the noise in the SI unit of the channel", None, one_of="level"
+    )
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.core.kernel import plain
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.solvers.constraints.assembly import assemble_state
 from pitchpoint.solvers.sampling import Chunk, accumulate
@@ -111,7 +112,7 @@ class KinematicRun:
             self.steps += 1
             row = evaluate.observe(self.system, self.here)
             if statistics is not None and self.steps % stride == 0:
-                getattr(accumulate, "py_func", accumulate)(row, statistics)
+                plain(accumulate)(row, statistics)
             if every and self.steps % every == 0:
                 rows.append(np.concatenate([[self.here.t], row]))
         width = self.system.sizes["no"] + 1

@@ -7,6 +7,7 @@ import math
 from pathlib import Path
 from typing import Any
 
+from pitchpoint.core.kernel import plain
 from pitchpoint.core.user_law import UserLaw
 from pitchpoint.elements import signal
 from pitchpoint.elements.line import line_between
@@ -31,7 +32,7 @@ def law_fault(system: System, kind: str, number: int) -> str:
     pool = system.pools.get(kind)
     t, x, first, count = _arguments(system, record, pool)
     p = pool[first : first + count] if pool is not None and count else signal.Pool().array()
-    message = UserLaw(_plain(function), p, _name(function)).diagnose(t, x)
+    message = UserLaw(plain(function), p, _name(function)).diagnose(t, x)
     return f": {message} (t = {t:.6g} s, x = {x:.6g})" if message else ""
 
 
@@ -59,13 +60,9 @@ def _arguments(system: System, record: Any, pool: Any) -> tuple[float, float, in
     return t, x, int(record["start"]), int(record["n"])
 
 
-def _plain(function: Any) -> Any:
-    return getattr(function, "py_func", function)
-
-
 def _name(function: Any) -> str:
     """File and function, as a model file names them."""
-    plain = _plain(function)
-    code = getattr(plain, "__code__", None)
+    found = plain(function)
+    code = getattr(found, "__code__", None)
     file = f"{Path(code.co_filename).name}:" if code is not None else ""
-    return f"{file}{getattr(plain, '__name__', 'law')}"
+    return f"{file}{getattr(found, '__name__', 'law')}"

@@ -7,7 +7,9 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.contact.damping import linear_ramp, ramp
 from pitchpoint.core.errors import Message
+from pitchpoint.core.kernel import plain
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.system.meshes import mesh_names, mesh_records
@@ -88,8 +90,7 @@ def weak_damping(system: System, statistics: Mapping[str, Mapping[str, Any]]) ->
         depth = float(row["mean"]) * float(law["normal"])
         if not 0.0 < depth < law["s_0"] or state["share_zero"] != 0.0:
             continue
-        share = depth / float(law["s_0"])
-        share = share * share * (3.0 - 2.0 * share) if law["smooth"] else share
+        share, _ = plain(ramp if law["smooth"] else linear_ramp)(depth, float(law["s_0"]))
         if share < FULL_DAMPING:
             reached, full = (format_quantity(x, "length", 3) for x in (depth, float(law["s_0"])))
             mesh = system.model.every_mesh.get(name) if system.model is not None else None

@@ -92,7 +92,7 @@ def test_all_problems_at_once_with_their_lines(tmp_path: Path) -> None:
         (13, "'mm' is not the unit of a frequency"),
         (14, "length (line 14): '-1 s' is out of range"),
         (15, "is not a whole number"),
-        (17, "needs exactly one of snr and rms"),
+        (17, "give exactly one of snr, rms"),
         (18, "did you mean tacho?"),
         (19, "pulses (line 19): 0 is out of range"),
     ):

@@ -86,6 +86,14 @@ def test_rings_lie_at_one_place(section: str, keys: str) -> None:
     assert loads_model(text % "0.9 mm")
 
 
+def test_rings_at_a_place_that_cannot_be_read_are_not_compared():
+    frame = "  frame: {motion: fixed, position: [0, 0, 200 mm]}\n"
+    text = ROTOR + f"{frame}rolling_bearings:\n  b: {{ends: [r.m, frame], {BALLS % '[0.52, 0.52]'}}}\n"
+    assert loads_model(text % "200 mm")
+    problem = only(text % "200 kg")
+    assert problem.where.startswith("bodies.r.markers.m")
+
+
 # --- speeds against a fixed mate ----------------------------------------------------------------------------
 FIXED_MATE = TORSIONAL_PAIR.replace(
     "driven: {gears: [g2], motion: torsion", "driven: {gears: [g2], motion: fixed"

@@ -11,8 +11,8 @@ import pytest
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.flanks import flank_lines
 from pitchpoint.report.scene.build import scene_of
+from pitchpoint.report.scene.contact_lines import ContactLines
 from pitchpoint.report.scene.motion import motion
-from pitchpoint.report.scene.tooth_contacts import ContactLines
 from tests.support.bevel_teeth import PAIR, RUN
 from tests.support.scene_models import seen
 
@@ -75,7 +75,7 @@ def test_loads_and_marks_follow_the_numbers_of_the_teeth():
 
 
 def _forces_are_those_of_the_kernel(system, result):
-    """Before the scene brings them to those: Simpson's rule is exact to 3 % beside kinks of the law."""
+    """Before the scene brings them to those."""
     count = result.sizes["time"]
 
     def read(name):
@@ -83,7 +83,6 @@ def _forces_are_those_of_the_kernel(system, result):
 
     lines = ContactLines(system, read, count)
     motion(system, count, read, result["time"].values, lines.look)
-    bevel = lines.bevels["stage"]
-    bevel.close()
+    bevel = lines.meshes["stage"]
     kept = np.stack([result[f"pair_force[stage.{k}]"].values for k in range(bevel.pairs)], axis=1)
-    assert bevel.forces[:, 0] == pytest.approx(kept, abs=0.03 * kept.max())
+    assert bevel.forces[:, 0] == pytest.approx(kept, abs=1e-5 * kept.max())

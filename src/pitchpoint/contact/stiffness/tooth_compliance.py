@@ -60,7 +60,7 @@ class ToothCompliance:
 
 
 def section(form: ToothForm, roll: Array) -> tuple[Array, Array, Array]:
-    """Half thickness, height above the tooth's root [m] and its derivative by the roll angle.
+    """Half thickness, height above the tooth's root [m], its derivative by the roll angle, shape (n,) each.
 
     Parameters
     ----------

@@ -41,7 +41,7 @@ def private() -> Any:
             _ways[:] = [None]
             notice(
                 f"Numba {numba.__version__} {reason}: kernels compile through its public interface, "
-                "which takes about twice as long"
+                "which takes about three times as long"
             )
     return _ways[0]
 

@@ -39,7 +39,7 @@ LINES = np.dtype(
     align=True,
 )
 
-_INSIDE = 1e-9
+INSIDE = 1e-9
 """Part of a line that its first and last station are away from its ends, where loads may jump."""
 
 
@@ -76,7 +76,7 @@ def _loads(b, p_0, x_q, deviating, loads):
         end = min(end, max(u, v))
     n = loads.size
     for s in range(n):
-        share = _INSIDE + (1.0 - 2.0 * _INSIDE) * s / (n - 1)
+        share = INSIDE + (1.0 - 2.0 * INSIDE) * s / (n - 1)
         loads[s] = pair_node(b, None, p_0, x_q, a + share * (end - a), 1.0, deviating)
 
 

@@ -100,7 +100,7 @@ class BevelTooth:
         Returns
         -------
         polar, half_angle : ndarray
-            Polar angles and half angles of the tooth [rad].
+            Polar angles and half angles of the tooth [rad], shape (n,).
 
         Notes
         -----

@@ -16,17 +16,18 @@ from pitchpoint.model.sections import groups_of
 def check_given(parts: Parts, report: Reader) -> None:
     """Check `one_of` and `needs` of the keys of all components, at any depth."""
     for group in groups_of(parts):
-        _within(getattr(parts, group), (group,), report)
+        check_keys(getattr(parts, group), (group,), report)
 
 
-def _within(value: Any, at: Place, report: Reader) -> None:
+def check_keys(value: Any, at: Place, report: Reader) -> None:
+    """Check them for a component, a list or a mapping of components, and all that is in it."""
     if isinstance(value, Mapping):
         for name, each in value.items():
-            _within(each, (*at, str(name)), report)
+            check_keys(each, (*at, str(name)), report)
     elif isinstance(value, tuple):
         for k, each in enumerate(value):
             if is_dataclass(each):
-                _within(each, (*at, k), report)
+                check_keys(each, (*at, k), report)
     elif is_dataclass(value) and not isinstance(value, type):
         _component(value, at, report)
 
@@ -35,7 +36,7 @@ def _component(part: Any, at: Place, report: Reader) -> None:
     exclusive: dict[str, list[str]] = {}
     for name, key in keys_of(type(part)).items():
         value = getattr(part, name)
-        _within(value, (*at, name), report)
+        check_keys(value, (*at, name), report)
         if key.one_of:
             exclusive.setdefault(key.one_of, []).append(name)
         if key.needs and value is not None and getattr(part, key.needs) is None and at not in report.tainted:

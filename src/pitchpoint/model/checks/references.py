@@ -52,8 +52,9 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> boo
         return True
     names = parts.known(group)
     guess = did_you_mean(name, names)
-    single = {"gears": "gear", "bevel_gears": "bevel gear", "bodies": "body", "meshes": "mesh"}[group]
-    have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {group.replace('_', ' ')}"
+    words = group.replace("_", " ")
+    single = {"bodies": "body", "meshes": "mesh"}.get(group, words.removesuffix("s"))
+    have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {words}"
     report.problem(at, f"names the {single} {name[:40]!r}, which does not exist", remedy=guess + have)
     return False
 

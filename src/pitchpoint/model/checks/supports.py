@@ -135,7 +135,8 @@ def check_rings(parts: Parts, report: Reader) -> None:
     for group in ("rolling_bearings", "plain_bearings"):
         for name, bearing in getattr(parts, group).items():
             places = [place_of(parts, end) for end in bearing.ends]
-            if (group, name) in report.tainted or places[0] is None or places[1] is None:
+            named = {(group, name), *(("bodies", split(end)[0]) for end in bearing.ends)}
+            if named & report.tainted or places[0] is None or places[1] is None:
                 continue
             if _apart(parts, (group, name, "ends"), bearing.ends, (places[0], places[1]), report):
                 continue

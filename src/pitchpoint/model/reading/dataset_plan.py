@@ -10,6 +10,7 @@ from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
+from pitchpoint.model.checks.choices import check_keys
 from pitchpoint.model.dataset_plan import DatasetPlan, Level, ObservedChannel, TachoChannel
 from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
 from pitchpoint.model.model import Model
@@ -58,8 +59,7 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
             values[name] = value
     values["factors"] = _factors(data.get("factors"), reader)
     values["jitter"] = _jitter(data.get("jitter"), reader)
-    for name, channel in values.get("channels", {}).items():
-        _noise(name, channel, reader)
+    check_keys(values.get("channels", {}), ("channels",), reader)
     if (
         not values.get("channels")
         and ("channels",) not in reader.tainted
@@ -164,17 +164,6 @@ def _jitter(data: Any, reader: Reader) -> dict[str, float]:
         if share is not BAD:
             found[str(path)] = share
     return found
-
-
-def _noise(name: str, channel: Any, reader: Reader) -> None:
-    """Noise is given in one way."""
-    noise = getattr(channel, "noise", None)
-    if noise is not None and (noise.snr is None) == (noise.rms is None):
-        reader.problem(
-            ("channels", name, "noise"),
-            "needs exactly one of snr and rms",
-            remedy="write {snr: 20} (in dB), or {rms: 0.1}",
-        )
 
 
 def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> DatasetPlan:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.provenance import content_hash
+from pitchpoint.report.scene.contact_lines import ContactLines
 from pitchpoint.report.scene.elastic import elastic_parts
 from pitchpoint.report.scene.forces import force_arrows
 from pitchpoint.report.scene.marks import scene_marks
@@ -21,7 +22,7 @@ from pitchpoint.report.scene.motion import motion, scene_bodies, shown_bodies
 from pitchpoint.report.scene.places import Places
 from pitchpoint.report.scene.solids import scene_solids
 from pitchpoint.report.scene.spectra import scene_spectra
-from pitchpoint.report.scene.tooth_contacts import ContactLines, scene_contacts
+from pitchpoint.report.scene.tooth_contacts import scene_contacts
 from pitchpoint.viz.quantities import Channel, channel_scale
 from pitchpoint.viz.scene.contacts import SceneContact
 from pitchpoint.viz.scene.content import Scene, SceneArrow, SceneChannel, SceneMark

@@ -1,30 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where and how teeth touch over the frames of a scene: contact lines and their loads, from the kernels.
 
-The state of each frame is put back into the compiled system (`motion`), which is then requested the contact
-lines (`elements/mesh/contact_lines`). A result does not keep all velocities, so these loads are elastic; that
-they add up to the pair forces of the result, damping included, is seen to by one factor a pair.
+The state of each frame is put back into the compiled system (`motion`), and the contact lines are evaluated
+there (`contact_lines`). Their loads are elastic; one factor per pair scales them to the pair forces of the
+result, damping included.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import flank_radius, half_width, peak_pressure, plane_strain_compliance
-from pitchpoint.core.errors import SolverError
-from pitchpoint.core.kernel import invoke
-from pitchpoint.core.status import OK, sentence
-from pitchpoint.elements.mesh import contact_lines
+from pitchpoint.core.kernel import plain
 from pitchpoint.elements.mesh.record import PROFILE
 from pitchpoint.elements.mesh.tooth_pairs import pair_teeth
-from pitchpoint.report.scene.bevel_lines import STATIONS, BevelLines, MeshLines, bevel_tooth_at
+from pitchpoint.report.scene.contact_lines import BevelLines, ContactLines, MeshLines, Read
 from pitchpoint.report.scene.motion import shown_bodies
-from pitchpoint.system.meshes import is_bevel, mesh_names, mesh_places
+from pitchpoint.system.meshes import mesh_names
 from pitchpoint.viz.scene.contacts import ContactFlank, FlankSurface, SceneContact
 
 if TYPE_CHECKING:
@@ -33,7 +29,6 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
-Read = Callable[[str], Array | None]
 
 PLACES = 65
 """Places of the path of contact at which the pressure of a load is kept."""
@@ -41,80 +36,6 @@ GRID = (9, 11)
 """Points of a painted flank over its width and along the path."""
 STEADY = 2e-8
 """Motion of a pitch point [m], and turn of its directions times the path, below which one row is enough."""
-
-
-class ContactLines:
-    """Answers of all meshes, frame by frame, while a motion goes through them.
-
-    Parameters
-    ----------
-    system
-        The machine.
-    read
-        Gives a channel of the result at the frames, or None.
-    n
-        Number of frames.
-    """
-
-    def __init__(self, system: System, read: Read, n: int) -> None:
-        self.system = system
-        meshes = list(zip(mesh_names(system), mesh_places(system), strict=True))
-        one = {name: system.records[kind][k : k + 1] for name, (kind, k) in meshes}
-        self.names = tuple(name for name in one if not is_bevel(one[name][0]))
-        self.deflection = [read(f"deflection[{name}]") for name in self.names]
-        self.found = [_Mesh(one[name], n) for name in self.names]
-        self.bevels = {
-            name: BevelLines(one[name], n, system.pools[kind])
-            for name, (kind, _) in meshes
-            if is_bevel(one[name][0])
-        }
-        self.questions = np.zeros(2 * len(self.names), contact_lines.LINES)
-        for m, mesh in enumerate(self.found):
-            for k, flank in enumerate((1, -1)):
-                one = self.questions[2 * m + k]
-                one["record"], one["flank"], one["stations"] = mesh.record.ctypes.data, flank, STATIONS
-
-    def look(self, frame: int) -> None:
-        """Evaluate all meshes at the present state.
-
-        Raises
-        ------
-        SolverError
-            If the core refuses.
-        """
-        for bevel in self.bevels.values():
-            bevel.look(frame)
-        if not self.names:
-            return
-        for m, mesh in enumerate(self.found):
-            b, channel = mesh.record[0], self.deflection[m]
-            travel = b["now"]["u"] - b["now"]["e_t"] if channel is None else channel[frame]
-            for k in range(2):
-                one = self.questions[2 * m + k]
-                one["deflection"] = travel
-                one["forces"] = mesh.forces[frame, k].ctypes.data
-                one["loads"] = mesh.loads[frame, k].ctypes.data
-        where, at = self.questions.ctypes.data, self.system.workspace.at
-        status = invoke(contact_lines.answer, at, where, len(self.questions))
-        if status != OK:
-            raise SolverError(sentence(status), int(status))
-        for m, mesh in enumerate(self.found):
-            mesh.keep(frame, self.questions[2 * m : 2 * m + 2])
-
-
-class _Mesh(MeshLines):
-    """What one cylindrical mesh answered."""
-
-    def keep(self, frame: int, answers: NDArray[np.void]) -> None:
-        """Take over what is not written in place."""
-        b = self.record[0]
-        now = b["now"]
-        self.travel[frame] = now["xi_A"] + (answers["pairs"] + answers["psi"]) * b["p_bt"]
-        self.deflection[frame] = answers[0]["deflection"]
-        ends = (now["xi_A"], now["xi_A"] + now["eps"] * b["p_bt"], now["z_lo"], now["z_hi"])
-        self.line[frame] = (*ends, math.atan2(now["sin_a"], now["cos_a"]), now["gap"])
-        if frame == 0:
-            self.first = self.record.copy()[0]
 
 
 def scene_contacts(
@@ -135,10 +56,7 @@ def scene_contacts(
     """
     found, notes = [], []
     shown = shown_bodies(system)
-    for bevel in lines.bevels.values():
-        bevel.close()
-    meshes: list[tuple[str, MeshLines]] = [*zip(lines.names, lines.found, strict=True)]
-    for name, mesh in (*meshes, *lines.bevels.items()):
+    for name, mesh in lines.meshes.items():
         m = mesh_names(system).index(name)
         if mesh.first["source"] != PROFILE:
             notes.append(
@@ -147,9 +65,8 @@ def scene_contacts(
         forces, loads = _as_kept(name, mesh, read)
         at = moved.pitch_points[:, m]
         axes = np.swapaxes(moved.directions[:, m][:, (1, 0, 2)], 1, 2)
-        cone = None
         if isinstance(mesh, BevelLines):
-            axes, cone = mesh.axes, mesh.cone
+            axes = mesh.axes
         path = tuple(float(x) for x in mesh.line[0, :2])
         steady = max(_moves(at), _moves(axes) * max(abs(x) for x in path)) < STEADY
         rows = slice(0, 1) if steady else slice(None)
@@ -165,7 +82,7 @@ def scene_contacts(
                 base_pitch=float(mesh.first["p_bt"]),
                 width=(float(mesh.line[0, 2]), float(mesh.line[0, 3])),
                 path=(path[0], path[1]),
-                cone=cone,
+                cone=mesh.cone,
                 penetration=_penetration(name, mesh, read),
                 unit_pressure=_unit_pressure(model, name, path) if mesh.pairs else None,
                 flanks=[
@@ -251,9 +168,7 @@ def _surfaces(
     line = mesh.travel[0, k] + side * float(b["tan_b"]) * width
     half = 0.5 * (side * mesh.deflection[0] - 0.5 * mesh.line[0, 5])
     normal = side * now["cos_a"] * now["t"] + now["sin_a"] * now["e"]
-    points = now["P"] + width[..., None] * now["m"] + path[..., None] * normal
-    if isinstance(mesh, BevelLines):
-        points = mesh.placed(width, path, normal)
+    points = mesh.placed(width, path, normal)
     found = []
     for gear, (field, sign) in enumerate((("i", 1.0), ("j", -1.0))):
         body, z = int(b[field]), int(b[f"z{gear + 1}"])
@@ -266,11 +181,11 @@ def _surfaces(
         )
         own = model.every_mesh[name].gears[gear]
         if isinstance(mesh, BevelLines):
-            tooth, step = bevel_tooth_at(model, own, placed), side if gear else -side
+            tooth, step = _bevel_tooth_at(model, own, placed), side if gear else -side
         else:
             pair_0 = b.copy()
             pair_0["now"]["flank"], pair_0["now"]["tooth"] = side, 0
-            tooth = int(pair_teeth.py_func(pair_0, 0)[gear]) % abs(z)
+            tooth = int(plain(pair_teeth)(pair_0, 0)[gear]) % abs(z)
             step = -side if gear == 0 else side * (1 if z > 0 else -1)
         found.append(
             FlankSurface(
@@ -284,3 +199,35 @@ def _surfaces(
             )
         )
     return found
+
+
+def _bevel_tooth_at(model: Model, gear: str, points: Array) -> int:
+    """Number of the tooth that has a flank.
+
+    Parameters
+    ----------
+    model
+        The machine.
+    gear
+        Name of the gear.
+    points
+        Points of the flank in the frame of its body, over the face and along the path, shape (nz, nx, 3) [m].
+
+    Notes
+    -----
+    On the pitch cone at R_m a flank is a quarter of a pitch next to the middle of its tooth, or nearly
+    so.
+    """
+    part = model.bevel_gears[gear]
+    shape = part.geometry
+    apex = model.bodies[str(model.body_of(gear))].bevel_gears[gear]
+    own = (points - np.array([0.0, 0.0, apex])) * np.array([1.0, part.direction, part.direction])
+    R = np.linalg.norm(own, axis=-1)
+    polar = np.arccos(own[..., 2] / R)
+    near = np.unravel_index(
+        np.argmin(np.abs(polar - shape.delta) + np.abs(np.log(R / shape.R_m))), polar.shape
+    )
+    x, y, _ = own[near]
+    spiral = shape.spiral_rate * math.log(R[near] / shape.R_m)
+    angle = math.atan2(y, x) - spiral - part.direction * model.bevel_angles[gear]
+    return round(angle * shape.z / math.tau) % shape.z

@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.kernel import invoke
+from pitchpoint.core.kernel import invoke, plain
 from pitchpoint.core.status import OK
 from pitchpoint.solvers.taylor import APART, DISAGREEMENT, forward_derivatives
 from pitchpoint.system.linear import solve_entry
@@ -24,7 +24,7 @@ from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
-_derivatives = getattr(forward_derivatives, "py_func", forward_derivatives)  # of whole arrays
+_derivatives = plain(forward_derivatives)  # of whole arrays
 
 
 def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | None:

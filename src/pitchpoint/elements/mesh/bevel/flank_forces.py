@@ -79,7 +79,7 @@ def _aside(b, sigma, p_rate):
 
 
 @kernel
-def _pair_node(b, watch, p_0, R, weight):
+def pair_node(b, watch, p_0, R, weight):
     """One node of the pair whose contact line is at p_0 at R_m, with its share of the face width [m]."""
     now = b["now"]
     p = _line_at(b, p_0, R)
@@ -135,7 +135,7 @@ def _gauss(b, watch, p_0, a, c):
         if b["source"] == PHASE:
             f += _total_node(b, watch, R, half * _WEIGHTS[k])
         else:
-            f += _pair_node(b, watch, p_0, R, half * _WEIGHTS[k])
+            f += pair_node(b, watch, p_0, R, half * _WEIGHTS[k])
     return f
 
 
@@ -236,22 +236,34 @@ def _own(b, q):
 
 
 @kernel
+def first_and_last(b):
+    """Numbers of the first and of the last pair whose contact line may cross the shared face."""
+    now = b["now"]
+    inner = _line_at(b, now["psi"], b["R_m"] + b["z_lo"])
+    outer = _line_at(b, now["psi"], b["R_m"] + b["z_hi"])
+    return float(math.ceil(-max(inner, outer))), math.floor(now["eps"] - min(inner, outer))
+
+
+@kernel
+def sum_pair(b, watch, q):
+    """Sum over the contact line of the pair q, with the deviations of its teeth."""
+    _nominal(b)
+    if b["n_sep"] > 0:
+        _own(b, q)
+    return _pair(b, watch, b["now"]["psi"] + q)
+
+
+@kernel
 def sum_flank(b, watch):
     """All pairs of the current flank, or its constant total stiffness."""
     now = b["now"]
-    _nominal(b)
     if b["source"] == PHASE:
+        _nominal(b)
         _piece(b, watch, 0.0, b["R_m"] + b["z_lo"], b["R_m"] + b["z_hi"])
         return
-    first = _line_at(b, now["psi"], b["R_m"] + b["z_lo"])
-    last = _line_at(b, now["psi"], b["R_m"] + b["z_hi"])
-    q = float(math.ceil(-max(first, last)))
-    stop = math.floor(now["eps"] - min(first, last))
-    while q <= stop:
-        if b["n_sep"] > 0:
-            _nominal(b)
-            _own(b, q)
-        f = _pair(b, watch, now["psi"] + q)
+    q, last = first_and_last(b)
+    while q <= last:
+        f = sum_pair(b, watch, q)
         if watch is not None and b["request"]["out"] != 0 and b["n_pair"] > 0:
             add_pair_force(b, N_OUT, (now["tooth"] - int(q)) % b["n_pair"], now["flank"] * f)
         q += 1.0
