@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Contact lines of all meshes over the frames of a scene: their positions and loads.
 
-The kernels `elements/mesh/contact_lines` and `elements/mesh/bevel/contact_lines` give the loads of each frame,
-without damping: a result does not contain all velocities. Widths of bevel gears are ζ = R_m ln(R/R_m),
+The kernels `elements/mesh/contact_lines` and `elements/mesh/bevel/contact_lines` give the loads of each
+frame, without damping: a result does not contain all velocities. Widths of bevel gears are ζ = R_m ln(R/R_m),
 in which contact lines are straight, x = x_0 ± tan β_b ζ with the arc x = R_m σ from the pitch ray
 (docs/theory/bevel_mesh.md).
 """

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Contact lines of one flank of a bevel mesh: their positions and loads, for the scene.
 
-The counterpart of `mesh.contact_lines`, with the same requests. Loads are those of the nodes of `flank_forces`.
-The coordinate along the face is zeta = R_m ln(R/R_m), in which contact lines are straight; stations are evenly
-spaced in it.
+The counterpart of `mesh.contact_lines`, with the same requests. Loads are those of the nodes in
+`flank_forces`. The coordinate along the face is zeta = R_m ln(R/R_m), in which contact lines are straight;
+stations are evenly spaced in it.
 """
 
 from __future__ import annotations
