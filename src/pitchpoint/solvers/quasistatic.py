@@ -38,6 +38,7 @@ from pitchpoint.solvers.roll_path import (
     without_deflections,
 )
 from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.solvers.switched_off import without_friction
 from pitchpoint.solvers.unloaded_mesh import tangent_stiffness, unloaded_error
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.remarks import deep_contacts
@@ -150,7 +151,8 @@ def roll_through(
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
     refuse_rates(system, "a slow roll")
-    point = operating_point(system, _begun(system, scenario))
+    # torques balance without the friction that a slow roll does not have
+    point = operating_point(without_friction(system, joints=True), _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
     spin, _ = turned_gear(own, k)
@@ -196,7 +198,7 @@ def roll_through(
     }
     notes = (
         *load_notes(own, held, reaction[:done], rows),
-        *friction_notes(own),
+        *friction_notes(system),
         *deep_contacts(own.model, [spans]),
     )
     return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
