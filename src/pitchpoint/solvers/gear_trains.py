@@ -290,12 +290,22 @@ def _null_space(rows: Array) -> Array:
     return np.asarray(basis[int(np.sum(sizes > SAME * sizes.max(initial=0.0))) :].T)
 
 
-def _as_the_teeth_want(system: System, spin: int) -> dict[int, float]:
-    """Rates of the spins of a train that cannot turn as a whole, where its relations differ least."""
-    rows = [p.row for p in torque_paths(system) if not p.to_ground]
+def spins_of_train(system: System, spin: int) -> set[int]:
+    """Spins that teeth, couplings and other paths of torque join with one, itself among them."""
+    return _joined([p.row for p in torque_paths(system) if not p.to_ground], spin)
+
+
+def _joined(rows: Sequence[Row], spin: int) -> set[int]:
     joined = {spin}
     while more := {s for row in rows if not joined.isdisjoint(row) for s in row} - joined:
         joined |= more
+    return joined
+
+
+def _as_the_teeth_want(system: System, spin: int) -> dict[int, float]:
+    """Rates of the spins of a train that cannot turn as a whole, where its relations differ least."""
+    rows = [p.row for p in torque_paths(system) if not p.to_ground]
+    joined = _joined(rows, spin)
     place = {s: k for k, s in enumerate(sorted(joined))}
     rows = [row for row in rows if spin in joined and not joined.isdisjoint(row)]
     A = np.zeros((len(rows) + 1, len(place)))

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,6 @@ from pitchpoint.elements.ratio import place_of
 from pitchpoint.model.mechanism import given
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.shafts import station_names
-from pitchpoint.model.speed_ratios import trains
 from pitchpoint.solvers.assembly import assemble_state, close_loops
 from pitchpoint.solvers.constrained_rest import is_looped
 from pitchpoint.solvers.equilibrium import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
@@ -25,6 +24,7 @@ from pitchpoint.solvers.gear_trains import (
     held_spins,
     rates_through_loops,
     rotations,
+    spins_of_train,
 )
 from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
 from pitchpoint.solvers.model_damping import with_damping
@@ -103,12 +103,10 @@ def body_rates(system: System, body: str, scenario: Scenario | None = None) -> N
     known = highest_speeds(system, chosen)
     others = {}
     if known.keys() - {body}:
-        machine: Any = model
-        train = next((t for t in trains(machine) if body in t), {body})
+        train = spins_of_train(system, system.spin(body))
         own = model.start_speeds(replace(chosen, speed=known)).get(body, 0.0)
-        others = {
-            n: w / own if own else 0.0 for n, w in known.items() if n in train - {body} and (own or not w)
-        }
+        beside = {n: w for n, w in known.items() if n != body and system.spin(n) in train}
+        others = {n: w / own if own else 0.0 for n, w in beside.items() if own or not w}
     rates = np.zeros(system.sizes["nd"])
     for name, ratio in model.start_speeds(replace(chosen, speed={body: 1.0} | others)).items():
         if ratio != 0.0:

@@ -98,6 +98,14 @@ def test_a_free_ring_turns_as_the_scenario_says(case):
     assert found.orders == pytest.approx({"sp": order, "pr": order})
 
 
+def test_a_diagram_over_the_carrier_keeps_the_ratio_of_the_speeds():
+    """Of the carrier itself, which has no teeth: n_s and n_c as given, f = z_s (n_s - n_c)."""
+    text = planetary("scenarios:\n  on: {speed: {sun: 900 rpm, carrier: 300 rpm}, duration: 1 s}\n")
+    text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2")
+    found = follow_modes(compiled(text, "on")[1], [100.0], "carrier")
+    assert found.orders == pytest.approx({"sp": 2.0 * SUN, "pr": 2.0 * SUN})
+
+
 def test_a_ring_that_is_held_stands_still_in_a_sweep():
     text = planetary(SWEEP.replace("{sweep:", "{hold: [ring], sweep:"))
     text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2")
