@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Channels that hold the pulses of a tacho: two levels, steep edges, even intervals.
+"""Channels that hold the pulses of a tacho: two levels or single lobes, even intervals.
 
 Derivation: docs/theory/signals.md, "Angle".
 """
@@ -7,10 +7,12 @@ Derivation: docs/theory/signals.md, "Angle".
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.sampled import as_signal
 from pitchpoint.analysis.tacho import FEWEST_PULSES, rising_edges
+
+Array = NDArray[np.float64]
 
 LEVEL = 0.15
 """Distance from a level, over the range, up to which a sample lies on it: filtered edges overshoot by 9 %."""
@@ -36,7 +38,8 @@ def is_pulse_train(values: ArrayLike, time: ArrayLike) -> bool:
     Notes
     -----
     Vibration has no flat levels: of a sine half the samples lie farther than 15 % of the range from both
-    extremes, of impacts the peaks decay.
+    extremes, of impacts the peaks decay. Inductive pickups give one lobe per pulse, or one up and one down,
+    all alike, and rest in between; structures that an impact hits ring several times.
 
     Examples
     --------
@@ -51,9 +54,30 @@ def is_pulse_train(values: ArrayLike, time: ArrayLike) -> bool:
     y = (x - low) / (high - low)
     upper = y >= 0.5
     if np.mean(y[upper] >= 1.0 - LEVEL) < FLAT or np.mean(y[~upper] <= LEVEL) < FLAT:
+        return _of_a_pickup(x, time)
+    return _even(np.diff(rising_edges(x, time)))
+
+
+def _of_a_pickup(x: Array, time: ArrayLike) -> bool:
+    """Whether single lobes, or pairs of one up and one down, stand out of a signal at rest."""
+    y = x - np.median(x)
+    y /= y[np.argmax(np.abs(y))]
+    if np.mean(np.abs(y) <= LEVEL) < FLAT:
         return False
-    intervals = np.diff(rising_edges(x, time))
-    if intervals.size < FEWEST_PULSES:
+    up = rising_edges(np.clip(y, 0.0, 4.0 * LEVEL), time, hysteresis=0.25)
+    if not _even(np.diff(up)):
         return False
-    ratio = intervals[1:] / intervals[:-1]
+    if y.min() < -2.0 * LEVEL:
+        down = rising_edges(np.clip(-y, 0.0, 4.0 * LEVEL), time, hysteresis=0.25)
+        if np.mean(np.diff(np.searchsorted(down, up)) == 1) < FLAT:
+            return False
+    places = np.searchsorted(np.asarray(time, dtype=np.float64), up[:-1])
+    return _even(np.maximum.reduceat(y, places))
+
+
+def _even(sizes: Array) -> bool:
+    """Whether successive intervals or heights are alike."""
+    if sizes.size < FEWEST_PULSES:
+        return False
+    ratio = sizes[1:] / sizes[:-1]
     return bool(np.mean(np.abs(np.log(ratio)) < np.log(EVEN)) >= FLAT)

@@ -26,7 +26,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.closure import DISTANCE, RIGHT
 from pitchpoint.elements.closure import RECORD as CLOSURE
-from pitchpoint.elements.kind import FREE, FRICTION, Kind
+from pitchpoint.elements.kind import FREE, FRICTION, JOINT, Kind
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.channels import F8, I8, bounded, events, frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, less, moved_axis, times, triple
@@ -203,6 +203,7 @@ def entry(ctl, rec, n):
 
 KIND = Kind(
     name="joint_friction",
+    role=JOINT,
     channel=FRICTION,
     record=RECORD,
     entry=entry,

@@ -28,6 +28,7 @@ __all__ = [
     "FRICTION",
     "GEARED",
     "HOLDS",
+    "JOINT",
     "MESH",
     "MODAL",
     "MOTION",
@@ -70,6 +71,8 @@ RAYLEIGH = "rayleigh"
 """Damping matrix D of all coordinates."""
 RATIO = "ratio"
 """Linear relation between rates: factors `c_i`, `c_j`, `c_k`."""
+JOINT = "joint"
+"""Friction of joints from the load that they carry: `mu`."""
 CLOSURE = "closure"
 """Rows that close loops, whose multipliers are the loads of joints."""
 

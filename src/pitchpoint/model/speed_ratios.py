@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.carried_trains import carried_speeds, has_carriers
@@ -118,7 +118,7 @@ def fixed_bodies(parts: Parts) -> set[str]:
 
 
 def start_speeds(
-    parts: Parts, given: Mapping[str, float]
+    parts: Parts, given: Mapping[str, float], held: Sequence[str] = ()
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
     """Speeds of all bodies at the start, and the given ones that do not fit the others.
 
@@ -128,16 +128,18 @@ def start_speeds(
         The parts of a model.
     given
         Speeds of some bodies [rad/s].
+    held
+        Bodies that a scenario holds at their speed.
 
     Returns
     -------
     tuple
-        Speed by body [rad/s], 0 for bodies that nothing sets in motion or that a torsional support holds
-        while the given speeds leave it open; and (body, fitting speed) for each given speed that contradicts
-        an earlier one.
+        Speed by body [rad/s], 0 for bodies that nothing sets in motion, and for those that a torsional
+        support or the scenario holds while the given speeds leave it open; and (body, fitting speed) for each
+        given speed that contradicts an earlier one.
     """
     if has_carriers(parts, joined := links_of(parts)):
-        return carried_speeds(parts, joined, given, supported_bodies(parts), SPEED_TOLERANCE)
+        return carried_speeds(parts, joined, given, [*supported_bodies(parts), *held], SPEED_TOLERANCE)
     links = ratios(parts)
     speeds: dict[str, float] = {}
     wrong = []

@@ -8,6 +8,7 @@ supports holds it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,7 @@ from pitchpoint.model.mechanism import seat_frame
 if TYPE_CHECKING:
     from pitchpoint.model.components.bushing import Bushing
     from pitchpoint.model.components.law import Law
+    from pitchpoint.model.components.spring import Spring
     from pitchpoint.model.frames import Array
     from pitchpoint.model.parts import Parts
 
@@ -29,23 +31,28 @@ SAME = 1e-9
 
 
 def supported_bodies(parts: Parts) -> list[str]:
-    """Bodies that stiffness or a closed brake holds against turning from the ground, brakes last.
+    """Bodies that stiffness or a closed brake holds against turning from what does not move, brakes last.
 
-    Torsion springs, bushings, bearings with torsional stiffness; brakes that are closed at t = 0.
+    Torsion springs, springs with a lever, bushings, bearings with torsional stiffness; brakes that are closed
+    at t = 0.
     """
     found = [s.bodies[0] for s in parts.torsion_springs.values() if len(s.bodies) == 1 and s.stiffness > 0.0]
+    for spring in parts.springs.values():
+        body = _held(parts, [split(end)[0] for end in spring.ends])
+        if body is not None and spring.stiffness > 0.0 and _has_lever(parts, spring, body):
+            found.append(body)
     for bearing in parts.bearings.values():
         stiff = bearing.stiffness.matrix6()[5][5] > 0.0 and play(bearing.faults.values()) == 0.0
         if stiff and bearing.housing in (None, GROUND):
             found.append(bearing.body)
     for bushing in parts.bushings.values():
-        bodies = [split(end)[0] for end in bushing.ends]
-        for body in bodies:
-            if GROUND in bodies and body in parts.mechanism.seats and _resists(parts, bushing, body):
-                found.append(body)
+        body = _held(parts, [split(end)[0] for end in bushing.ends])
+        if body is not None and _resists(parts, bushing, body):
+            found.append(body)
     for clutch in parts.clutches.values():
-        if len(clutch.bodies) == 1 and _closed_at_start(clutch.capacity):
-            found.append(clutch.bodies[0])
+        body = _held(parts, [*clutch.bodies, GROUND][:2])
+        if body is not None and _closed_at_start(clutch.capacity):
+            found.append(body)
     return list(dict.fromkeys(body for body in found if body in parts.bodies))
 
 
@@ -55,13 +62,31 @@ def bushed_pairs(parts: Parts) -> dict[str, tuple[str, str]]:
     for name, bushing in parts.bushings.items():
         one, two = (split(end)[0] for end in bushing.ends)
         seats = parts.mechanism.seats
-        if one == two or one not in seats or two not in seats or not _resists(parts, bushing, one):
+        if one == two or one not in seats or two not in seats or _held(parts, [one, two]):
+            continue
+        if not _resists(parts, bushing, one):
             continue
         (place, axes), (other, turned) = (seat_frame(parts, seats[body]) for body in (one, two))
         off = np.cross(other - place, axes[:, 2])
         if axes[:, 2] @ turned[:, 2] > 1.0 - SAME and np.linalg.norm(off) <= SAME:
             found[name] = (one, two)
     return found
+
+
+def _held(parts: Parts, ends: Sequence[str]) -> str | None:
+    """The one of two bodies that moves, if the other is ground or does not move."""
+    moving = [e for e in ends if e != GROUND and not (e in parts.bodies and parts.bodies[e].moves == "fixed")]
+    return moving[0] if len(moving) == 1 and moving[0] in parts.mechanism.seats else None
+
+
+def _has_lever(parts: Parts, spring: Spring, body: str) -> bool:
+    """Whether the line of a spring passes the axis of its body, neither through it nor along it."""
+    at, frame = seat_frame(parts, parts.mechanism.seats[body])
+    places = [place_of(parts, end) for end in spring.ends]
+    if any(place is None for place in places):
+        return False
+    one, two = (np.asarray(place) - at for place in places)
+    return bool(abs(frame[:, 2] @ np.cross(one, two)) > SAME * np.linalg.norm(two - one))
 
 
 def _resists(parts: Parts, bushing: Bushing, body: str) -> bool:

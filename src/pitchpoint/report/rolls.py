@@ -70,7 +70,10 @@ def points_per_period(periods: int, points: int = ALL_POINTS) -> int:
 
 
 def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
-    """Speeds of all bodies where the first turning one of a mesh has 1, and the tooth frequency then."""
+    """Speeds of all bodies where the first turning one of a mesh has 1, and the tooth frequency then.
+
+    As a file counts them: those of planets against their carriers.
+    """
     from pitchpoint.core.errors import PitchpointError
     from pitchpoint.model.scenario import Scenario
 
@@ -81,17 +84,20 @@ def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
                 turning = model.start_speeds(Scenario(speed={body: 1.0}))
             except PitchpointError:
                 return {}, 0.0
-            return turning, float(model.toothed[gear].number_of_teeth)
+            return turning, _order_of(model, mesh, turning)
     return {}, 0.0
 
 
 def _order_of(model: Model, mesh: str, turning: dict[str, float]) -> float:
     """Tooth frequency of a mesh for these speeds of the bodies; zero if it does not turn."""
-    for gear in model.every_mesh[mesh].gears:
-        speed = turning.get(model.body_of(gear) or "", 0.0)
-        if speed:
-            return abs(speed) * model.toothed[gear].number_of_teeth
-    return 0.0
+    from pitchpoint.model.carried_trains import line_carrier, speed_in_space
+
+    machine: Any = model
+    one, two = (model.body_of(gear) for gear in model.every_mesh[mesh].gears)
+    if one is None or two is None:
+        return 0.0
+    speed = speed_in_space(machine, turning, one, against=line_carrier(machine, one, two))
+    return abs(speed) * model.toothed[model.every_mesh[mesh].gears[0]].number_of_teeth
 
 
 def _denominator(ratio: float) -> int:

@@ -236,7 +236,8 @@ def highest_speed(system: System, body: str, frequency: Any) -> float:
 
     If none turns the body, the speed where the slowest mesh has met every mode.
     """
-    from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
+    from pitchpoint.solvers.gear_trains import mesh_orders
+    from pitchpoint.solvers.initial_state.start import body_rates
 
     scenarios = model_of(system).scenarios.values()
     reached = max((highest_of_scenario(system, s, body) for s in scenarios), default=0.0)
@@ -268,7 +269,8 @@ def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
 
 def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
     """Highest prescribed speeds of bodies [rad/s]: of drives, and the end of a sweep."""
-    from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
+    from pitchpoint.solvers.gear_trains import mesh_orders
+    from pitchpoint.solvers.initial_state.start import body_rates
 
     end = scenario.duration or 0.0
     found = [(name, _fastest(drive, end)) for name, drive in scenario.drive.items()]
@@ -276,7 +278,9 @@ def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
     if sweep is not None and sweep.speed is not None:
         found.append((sweep.body, sweep.speed[1]))
     elif sweep is not None and sweep.mesh_frequency is not None:
-        order = mesh_orders(system, body_rates(system, sweep.body))[model_of(system).sweep_mesh(scenario)]
+        order = mesh_orders(system, body_rates(system, sweep.body, scenario))[
+            model_of(system).sweep_mesh(scenario)
+        ]
         found.append((sweep.body, 2.0 * math.pi * sweep.mesh_frequency[1] / order if order > 0.0 else 0.0))
     return [(name, speed) for name, speed in found if speed > 0.0]
 

@@ -19,7 +19,8 @@ from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
 from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
-from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
+from pitchpoint.solvers.gear_trains import mesh_orders
+from pitchpoint.solvers.initial_state.start import body_rates
 from pitchpoint.solvers.linear_system import (
     Linearised,
     damped_modes,
@@ -28,6 +29,7 @@ from pitchpoint.solvers.linear_system import (
 )
 from pitchpoint.solvers.modal import energy_shares
 from pitchpoint.solvers.mode_names import mode_names
+from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
@@ -82,7 +84,7 @@ def follow_modes(
     omega = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
     linear = linear or linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
-    rates = body_rates(own, body)
+    rates = body_rates(own, body, scenario_named(own, scenario))
     modes = lowest(linear, count)
     values, shapes, n = modes.omega, modes.shapes, len(modes.omega)
     found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
@@ -172,7 +174,8 @@ def solve_campbell(
         Speeds of one body [rad/s], shape (n_speed,).
     body
         The body whose speed counts; default the first. The others follow from the gear ratios, or turn with
-        it. Where bodies hang in trees, every speed has its own relative equilibrium.
+        it; what these leave open, as in a planet set of three free members, has the ratio of the speeds and
+        drives of the scenario. Where bodies hang in trees, every speed has its own relative equilibrium.
     scenario
         Gives loads and the operating point; meshes count with the mean over their cycle.
     count

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.elements.kind import FORCE, MESH, TORQUE
+from pitchpoint.elements.kind import FORCE, JOINT, MESH, TORQUE
 from pitchpoint.elements.signal import set_constant
 from pitchpoint.system import evaluate
 from pitchpoint.system.link import TABLES, kind_of_row
@@ -26,19 +26,20 @@ NEGLIGIBLE = 1e-13
 """Entry of the mass matrix over the largest that counts as none."""
 
 
-def without_friction(system: System) -> System:
-    """The same system with frictionless flanks.
+def without_friction(system: System, *, joints: bool = False) -> System:
+    """Copy of the system with frictionless flanks, and on request frictionless joints.
 
     Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
     into modes that real sliding does not.
     """
     rough = [k for k in system.kinds(MESH) if system.records[k]["contact"]["mu"].any()]
-    if not rough:
-        return system
     smooth = {kind: system.records[kind].copy() for kind in rough}
     for records in smooth.values():
         records["contact"]["mu"] = 0.0
-    return system.with_params(smooth)
+    for kind in system.kinds(JOINT) if joints else ():
+        smooth[kind] = system.records[kind].copy()
+        smooth[kind]["mu"] = 0.0
+    return system.with_params(smooth) if smooth else system
 
 
 def without_loads(system: System) -> System:

@@ -23,9 +23,10 @@ from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.campbell import at_speeds
 from pitchpoint.solvers.equilibrium.unknowns import LARGE
-from pitchpoint.solvers.gear_trains import body_rates
+from pitchpoint.solvers.initial_state.start import body_rates
 from pitchpoint.solvers.inputs_outputs import Input, Outputs, find_inputs, find_outputs
 from pitchpoint.solvers.linear_system import Linearised, linearise, lowest
+from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -102,7 +103,11 @@ def find_response(
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
     hertz = np.atleast_1d(np.asarray(frequencies, dtype=np.float64))
     basis = linear.basis if modes is None else lowest(linear, modes).shapes.T
-    rates = None if synchronous is None else body_rates(linear.system, synchronous)
+    rates = (
+        None
+        if synchronous is None
+        else body_rates(linear.system, synchronous, scenario_named(linear.system, scenario))
+    )
     found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
     matrices = _matrices(linear)
     for f, omega in enumerate(2.0 * np.pi * hertz):

@@ -16,7 +16,6 @@ from numpy.typing import NDArray
 
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.elements.ratio import place_of
-from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.constraints.assembly import loop_rows
 from pitchpoint.solvers.null_space import NullSpace, null_space
@@ -48,7 +47,8 @@ def driven_coordinates(system: System) -> tuple[int, ...]:
 def exchange(system: System, held: Sequence[int], spin: int, state: State | None = None) -> tuple[int, ...]:
     """Hold one spin in place of the one among `held` that its train moves most; it comes last.
 
-    With a state a train also continues through closed loops in their position there.
+    Driven ones are let go last. With a state a train also continues through closed loops in their position
+    there.
     """
     return exchange_all(system, held, (spin,), state)
 
@@ -57,18 +57,21 @@ def exchange_all(
     system: System, held: Sequence[int], spins: Sequence[int], state: State | None = None
 ) -> tuple[int, ...]:
     """Hold several spins in place of others, one after the other as by `exchange`."""
-    kept = tuple(held)
+    kept, driven = tuple(held), driven_coordinates(system)
     if all(spin in kept for spin in spins):
         return (*(h for h in kept if h not in spins), *spins)
     free = _free(system)
     if state is not None and loop_rows(system):
         free = _whole(_motions(system, state))
     for spin in spins:
-        kept = _exchanged(free, kept, spin)
+        kept = _exchanged(free, kept, spin, (driven, spins))
     return kept
 
 
-def _exchanged(free: NullSpace, held: tuple[int, ...], spin: int) -> tuple[int, ...]:
+def _exchanged(
+    free: NullSpace, held: tuple[int, ...], spin: int, keep: tuple[Sequence[int], Sequence[int]]
+) -> tuple[int, ...]:
+    """Spins held with one in place of another; those in the second list of `keep` stay longest."""
     if spin in held or not free.moves(spin):
         return (*(h for h in held if h != spin), spin)
     train = free.group_of[spin]
@@ -77,7 +80,10 @@ def _exchanged(free: NullSpace, held: tuple[int, ...], spin: int) -> tuple[int, 
         return (*held, spin)
     rows = np.array([free.row(h) for h in turning])
     shares = np.linalg.lstsq(rows.T, free.row(spin), rcond=None)[0]
-    given_up = turning[int(np.argmax(np.abs(shares)))]
+    sizes = np.abs(shares)
+    able = [k for k in range(len(turning)) if sizes[k] > SAME * sizes.max()]
+    least = min(able, key=lambda k: (turning[k] in keep[1], turning[k] in keep[0], -sizes[k]))
+    given_up = turning[least]
     return (*(h for h in held if h != given_up), spin)
 
 
@@ -188,17 +194,6 @@ def mesh_orders(system: System, rates: Array) -> dict[str, float]:
     return found
 
 
-def body_rates(system: System, body: str) -> Array:
-    """Rates of all coordinates, shape (nd,), as one body turns at 1 rad/s and its train with it."""
-    if system.model is None:
-        return np.asarray(rotations(system, (system.spin(body),))[:, 0])
-    rates = np.zeros(system.sizes["nd"])
-    for name, ratio in system.model.start_speeds(Scenario(speed={body: 1.0})).items():
-        if ratio != 0.0:
-            rates[system.spin(name)] = ratio
-    return rates
-
-
 def rotations(system: System, spins: Sequence[int]) -> Array:
     """Rates of all coordinates as each of some spins turns at 1 rad/s and other held ones are at rest.
 
@@ -295,12 +290,22 @@ def _null_space(rows: Array) -> Array:
     return np.asarray(basis[int(np.sum(sizes > SAME * sizes.max(initial=0.0))) :].T)
 
 
-def _as_the_teeth_want(system: System, spin: int) -> dict[int, float]:
-    """Rates of the spins of a train that cannot turn as a whole, where its relations differ least."""
-    rows = [p.row for p in torque_paths(system) if not p.to_ground]
+def spins_of_train(system: System, spin: int) -> set[int]:
+    """Spins that teeth, couplings and other paths of torque join with one, itself among them."""
+    return _joined([p.row for p in torque_paths(system) if not p.to_ground], spin)
+
+
+def _joined(rows: Sequence[Row], spin: int) -> set[int]:
     joined = {spin}
     while more := {s for row in rows if not joined.isdisjoint(row) for s in row} - joined:
         joined |= more
+    return joined
+
+
+def _as_the_teeth_want(system: System, spin: int) -> dict[int, float]:
+    """Rates of the spins of a train that cannot turn as a whole, where its relations differ least."""
+    rows = [p.row for p in torque_paths(system) if not p.to_ground]
+    joined = _joined(rows, spin)
     place = {s: k for k, s in enumerate(sorted(joined))}
     rows = [row for row in rows if spin in joined and not joined.isdisjoint(row)]
     A = np.zeros((len(rows) + 1, len(place)))

@@ -37,6 +37,16 @@ class OperatingPoint:
     notes: tuple[str, ...] = ()
 
 
+def scenario_named(system: System, scenario: Scenario | str | None) -> Scenario | None:
+    """The scenario of a model that a name means; what is none is left as it is."""
+    if not isinstance(scenario, str):
+        return scenario
+    if system.model is None or scenario not in system.model.scenarios:
+        known = [] if system.model is None else list(system.model.scenarios)
+        raise SolverError(f"no scenario {scenario!r}; there are: {', '.join(known) or 'none'}", INCONSISTENT)
+    return system.model.scenarios[scenario]
+
+
 def operating_point(
     system: System, scenario: Scenario | str | None = None, start: State | None = None
 ) -> OperatingPoint:
@@ -57,13 +67,7 @@ def operating_point(
     SolverError
         If there is no equilibrium.
     """
-    if isinstance(scenario, str):
-        if system.model is None or scenario not in system.model.scenarios:
-            known = [] if system.model is None else list(system.model.scenarios)
-            raise SolverError(
-                f"no scenario {scenario!r}; there are: {', '.join(known) or 'none'}", INCONSISTENT
-            )
-        scenario = system.model.scenarios[scenario]
+    scenario = scenario_named(system, scenario)
     own = system.copy()
     held = held_spins(own)
     if own.model is None or start is not None:

@@ -12,7 +12,7 @@ import numpy as np
 
 from pitchpoint.model.scenario import EXPLICIT_METHODS
 from pitchpoint.solvers.gear_trains import mesh_rates
-from pitchpoint.solvers.initial_state.start import Start, drive_records, speeds_of
+from pitchpoint.solvers.initial_state.start import Start, highest_speeds, speeds_of
 from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.system.meshes import mesh_records
 
@@ -35,19 +35,11 @@ On a spur pair whose mesh excites its resonance 200 steps leave 3e-4 in the rms 
 
 def fastest_mesh(system: System, scenario: Scenario) -> float:
     """Highest mesh frequency [Hz] of a scenario, from its start speeds and drives."""
-    from pitchpoint.elements import drive
-    from pitchpoint.elements.ratio import place_of
-
     if not mesh_records(system):
         return 0.0
     speeds = speeds_of(system, scenario)
     highest = _mesh_frequency(system, speeds)
-    driven = dict(scenario.speed)
-    for name, record in drive_records(system):
-        if place_of(record, "i") != int(record["spin_i"]):
-            continue
-        times = np.linspace(0.0, scenario.duration or 1.0, 401)
-        driven[name] = max((drive.target_of(record, t)[1] for t in times), key=abs)
+    driven = highest_speeds(system, scenario)
     if driven and system.model is not None:
         highest = max(
             highest, _mesh_frequency(system, system.model.start_speeds(replace(scenario, speed=driven)))

@@ -25,9 +25,9 @@ from pitchpoint.elements.kind import DRIVE
 from pitchpoint.io.sweep_store import QUANTITIES, STATISTICS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.controls import refuse_sampled
-from pitchpoint.solvers.gear_trains import body_rates, mesh_orders
+from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.initial_state.start import body_rates, prepare_start
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.step_choice import mesh_mode
 from pitchpoint.solvers.time import next_chunk, scenario_of
@@ -128,7 +128,7 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
     if model is None or sweep is None:
         raise SolverError("the scenario is not a sweep", NOT_FINITE)
     mesh = model.sweep_mesh(scenario)
-    orders = mesh_orders(system, body_rates(system, sweep.body))
+    orders = mesh_orders(system, body_rates(system, sweep.body, replace(scenario, speed={})))
     order = orders[mesh]
     if not order > 0.0:
         raise SolverError(

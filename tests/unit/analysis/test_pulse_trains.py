@@ -20,6 +20,11 @@ def ringing(turned, damping):
     return np.exp(-damping * since) * np.sin(2.0 * np.pi * 90.0 * since)
 
 
+def lobe(turned, place):
+    """What an inductive pickup gives of one tooth a turn, without the other sign."""
+    return np.exp(-(((turned % 1.0 - place) / 0.02) ** 2))
+
+
 @pytest.mark.parametrize(
     "pulses",
     [
@@ -27,6 +32,9 @@ def ringing(turned, damping):
         5.0 * (TURNED % 1.0 < 0.05) - 2.0,
         (TURNED % 1.0 < 0.1) + 0.02 * NOISE,
         np.clip(20.0 * np.sin(2.0 * np.pi * TURNED), -1.0, 1.0),
+        lobe(TURNED, 0.3) + 0.02 * NOISE,
+        -lobe(2.0 * TURNED, 0.3),
+        (1.0 + 0.02 * TURNED) * (lobe(TURNED, 0.3) - lobe(TURNED, 0.36)) + 0.02 * NOISE,
     ],
 )
 def test_pulses_in_a_run_up_are_recognised(pulses):
@@ -42,6 +50,9 @@ def test_pulses_in_a_run_up_are_recognised(pulses):
         np.abs(ringing(TURNED, 30.0)),
         ringing(TURNED, 3.0) + 0.1 * NOISE,
         np.sin(2.0 * np.pi * 20.0 * TURNED) * (1.0 + 0.5 * np.sin(2.0 * np.pi * TURNED)),
+        ringing(TURNED, 90.0) + 0.02 * NOISE,
+        np.where(NOISE > 3.0, 5.0, 0.0) + 0.1 * NOISE,
+        lobe(TURNED, 0.3) * np.cos(2.0 * np.pi * 60.0 * TURNED),
         np.zeros(TIME.size),
     ],
 )

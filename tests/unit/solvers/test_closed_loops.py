@@ -8,8 +8,10 @@ import pytest
 
 from pitchpoint.elements.force import RECORD as FORCE
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
+from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.system import evaluate
 from tests.support.engine import torques
+from tests.support.machines import compiled
 from tests.support.mechanisms import four_bar, slider_crank
 
 
@@ -72,3 +74,32 @@ def test_a_moment_on_a_free_mechanism_has_no_rest():
     system = four_bar(torque=torques([(1, 5.0)]))
     with pytest.raises(Exception, match="no equilibrium found"):
         find_equilibrium(system, None, [])
+
+
+def test_a_four_bar_comes_to_rest_in_line():
+    """Springs without moment where all joints are on one line: that is the rest, from wherever it starts.
+
+    There the loop leaves one direction more free than beside it.
+    """
+    text = """\
+bodies:
+  crank: {mass: 1 kg, center_of_mass: [50 mm, 0, 0], inertia_tensor: [1e-4, 1e-3, 1e-3, 0, 0, 0],
+    position: [0, 0, 0], markers: {pin: {position: [100 mm, 0, 0]}}}
+  rod: {mass: 1 kg, center_of_mass: [150 mm, 0, 0], inertia_tensor: [1e-4, 8e-3, 8e-3, 0, 0, 0],
+    markers: {big: {}, small: {position: [300 mm, 0, 0]}}}
+  rocker: {mass: 1 kg, center_of_mass: [100 mm, 0, 0], inertia_tensor: [1e-4, 5e-3, 5e-3, 0, 0, 0],
+    position: [200 mm, 0, 0], markers: {a: {}, b: {position: [200 mm, 0, 0]}}}
+joints:
+  main: {type: revolute, bodies: [ground, crank], position: [0, 0, 0], start: {spin: 60 deg}}
+  first: {type: revolute, bodies: [crank.pin, rod.big]}
+  base: {type: revolute, bodies: [ground, rocker.a], position: [200 mm, 0, 0], start: {spin: 80 deg}}
+  second: {type: revolute, bodies: [rod.small, rocker.b]}
+torsion_springs:
+  k: {bodies: [crank], stiffness: 900 N m/rad}
+  l: {bodies: [rocker], stiffness: 500 N m/rad}
+scenarios:
+  on: {duration: 1 s}
+"""
+    _, system = compiled(text, "on")
+    state = prepare_start(system, system.scenario).state
+    assert np.abs(state.q).max() < 1e-6

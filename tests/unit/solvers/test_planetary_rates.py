@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import SolverError
+from pitchpoint.report.rolls import periods_until_repeat
 from pitchpoint.solvers.campbell import follow_modes
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.sweep.speed import plan_sweep, run_sweep
@@ -72,6 +73,53 @@ def test_a_sweep_counts_mesh_frequencies_against_the_carrier():
 def test_both_meshes_of_a_campbell_diagram_have_one_frequency():
     found = follow_modes(compiled(planetary(""))[1], [100.0], "sun")
     assert found.orders == pytest.approx({"sp": ORDER, "pr": ORDER})
+
+
+SPEEDS = {
+    "drive at rest": ("drive: {ring: {speed: 0 rpm}}, speed: {sun: 900 rpm}", 0.0),
+    "both driven, run-up": (
+        "drive: {ring: {speed: 0 rpm}, sun: {speed: {table: [[0 s, 0 rpm], [1 s, 900 rpm]]}}}",
+        0.0,
+    ),
+    "hold": ("hold: [ring], speed: {sun: 900 rpm}", 0.0),
+    "two speeds": ("speed: {sun: 900 rpm, ring: -300 rpm}", -1 / 3),
+    "two drives": ("drive: {sun: {speed: 900 rpm}, ring: {speed: -300 rpm}}", -1 / 3),
+}
+
+
+@pytest.mark.parametrize("case", SPEEDS)
+def test_a_free_ring_turns_as_the_scenario_says(case):
+    """Three free members: n_c = (z_s n_s + z_r n_r) / (z_s + z_r), with n_r / n_s as in the scenario."""
+    scenario, ratio = SPEEDS[case]
+    text = planetary(f"scenarios:\n  on: {{{scenario}, duration: 1 s}}\n")
+    text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2")
+    order = SUN * (1.0 - (SUN + RING * ratio) / (SUN + RING))
+    found = follow_modes(compiled(text, "on")[1], [100.0], "sun")
+    assert found.orders == pytest.approx({"sp": order, "pr": order})
+
+
+def test_a_diagram_over_the_carrier_keeps_the_ratio_of_the_speeds():
+    """Of the carrier itself, which has no teeth: n_s and n_c as given, f = z_s (n_s - n_c)."""
+    text = planetary("scenarios:\n  on: {speed: {sun: 900 rpm, carrier: 300 rpm}, duration: 1 s}\n")
+    text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2")
+    found = follow_modes(compiled(text, "on")[1], [100.0], "carrier")
+    assert found.orders == pytest.approx({"sp": 2.0 * SUN, "pr": 2.0 * SUN})
+
+
+def test_a_ring_that_is_held_stands_still_in_a_sweep():
+    text = planetary(SWEEP.replace("{sweep:", "{hold: [ring], sweep:"))
+    text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2")
+    model, system = compiled(text, "up")
+    for point in run_sweep(system, model.scenarios["up"]).points:
+        sun, carrier, ring = (point["channels"][f"speed[{b}]"]["mean"] for b in ("sun", "carrier", "ring"))
+        assert SUN * (sun - carrier) / math.tau == pytest.approx(point["mesh_frequency"], rel=1e-3)
+        assert abs(ring) < 1e-9 * sun
+
+
+def test_a_report_rolls_both_meshes_of_a_planet_through_the_same_periods():
+    """Both meshes have one frequency whatever is fixed, so everything repeats after one period."""
+    model = compiled(planetary(""))[0]
+    assert [periods_until_repeat(model, mesh) for mesh in ("sp", "pr")] == [1, 1]
 
 
 def test_one_period_of_a_slow_roll_is_one_base_pitch():

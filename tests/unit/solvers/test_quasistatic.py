@@ -241,3 +241,23 @@ def test_friction_that_a_slow_roll_leaves_out_is_reported():
     assert note.startswith(
         "friction of mesh first and second is neglected: a slow roll is computed at zero speed"
     )
+
+
+def test_a_balanced_torque_of_a_slow_roll_holds_no_friction():
+    """At speed friction takes part of the torque; the roll has none, so the teeth carry all of it."""
+    text = (
+        "gears:\n"
+        "  a: {number_of_teeth: 30, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}\n"
+        "  b: {number_of_teeth: 45, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0}\n"
+        "bodies:\n  one: {gears: [a], position: [0, 0, 0]}\n  two: {gears: [b], motion: torsion}\n"
+        "joints:\n  pin: {type: revolute, bodies: [ground, one], "
+        "friction: {coefficient: 0.1, radius: 20 mm}}\n"
+        "meshes:\n  stage: {gears: [a, b], stiffness: {law: din3990}, friction: {mu: 0.05}}\n"
+        "loads:\n  in: {body: one, torque: 200 N m}\n  out: {body: two, torque: balance}\n"
+        "scenarios:\n  slow: {speed: {one: 1000 rpm}, quasi_static: {mesh: stage, points: 12}}\n"
+    )
+    system = compiled(text, "slow")[1]
+    roll = roll_through(system, system.scenario)
+    (note,) = roll.notes
+    assert note.startswith("friction of mesh stage and of joint pin is neglected")
+    assert channel(system, roll, "mesh_force[stage]") == pytest.approx(200.0 / R_B1, rel=1e-9)

@@ -12,6 +12,7 @@ import pytest
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
+from pitchpoint.solvers.initial_state.start import UNBALANCED, prepare_start
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
 
@@ -22,6 +23,10 @@ SUPPORTS = {
     "bearing": "bearings: {hold: {body: ring, stiffness: {torsion: 1e7 N m/rad}}}",
     "brake": "clutches: {hold: {bodies: [ring], capacity: 5 kN m}}",
     "brake that opens": "clutches: {hold: {bodies: [ring], capacity: {table: [[0 s, 5 kN m], [1 s, 0]]}}}",
+    "spring with a lever": "springs: {hold: {ends: [ring.arm, post.side], stiffness: 1e9 N/m}}",
+    "bushing on an arm": "bushings: {hold: {ends: [ring.arm, post.arm], stiffness: {radial: 1e9 N/m}}}",
+    "bushing on a housing": "bushings: {hold: {ends: [ring, post.axis], stiffness: {torsion: 1e7 N m/rad}}}",
+    "brake on a housing": "clutches: {hold: {bodies: [post, ring], capacity: 5 kN m}}",
     "coupling": "couplings: {hold: {bodies: [ring, case], stiffness: {torsion: 1e7 N m/rad}}}",
 }
 LOOSE = {
@@ -31,7 +36,25 @@ LOOSE = {
 }
 
 
-def planet_set(support: str, speed: str = "sun: 1000 rpm", balance: str = "carrier") -> Model:
+MARKERS = {
+    "ring": {"arm": (200, 0)},
+    "post": {"arm": (-100, 0), "side": (-100, 100), "axis": (-300, 0)},
+}
+
+
+def marked(body: str, support: str) -> str:
+    """Markers of a body that a support names [mm]."""
+    own = [
+        f"{n}: {{position: [{x} mm, {y} mm, 0]}}"
+        for n, (x, y) in MARKERS[body].items()
+        if f"{body}.{n}" in support
+    ]
+    return f", markers: {{{', '.join(own)}}}" if own else ""
+
+
+def planet_set(
+    support: str, speed: str = "sun: 1000 rpm", balance: str = "carrier", more: str = "", ring: str = ""
+) -> Model:
     gear = (
         "normal_module: 4 mm, face_width: 40 mm, profile_shift_coefficient: 0, normal_pressure_angle: 25 deg"
     )
@@ -40,6 +63,7 @@ def planet_set(support: str, speed: str = "sun: 1000 rpm", balance: str = "carri
     mesh = "stiffness: {law: constant, value: 5e8 N/m}, damper: {ratio: 0.05}"
     torques = {"sun": 300.0, "carrier": -1440.0}
     loads = {b: "balance" if b == balance else f"{t} N m" for b, t in torques.items()}
+    loads |= {"ring": ring} if ring else {}
     lines = [
         "gears:",
         f"  sun: {{number_of_teeth: 20, {gear}}}",
@@ -48,9 +72,14 @@ def planet_set(support: str, speed: str = "sun: 1000 rpm", balance: str = "carri
         "bodies:",
         "  sun: {gears: [sun], position: [0, 0, 0]}",
         "  carrier: {inertia: 0.5 kg m^2, mass: 10 kg, position: [0, 0, 0]}",
-        "  ring: {gears: [ring], inertia: 0.3 kg m^2, position: [0, 0, 0]}",
+        f"  ring: {{gears: [ring], inertia: 0.3 kg m^2, position: [0, 0, 0]{marked('ring', support)}}}",
         *(f"  b{k}: {{gears: [p{k}], position: [{x!r} mm, {y!r} mm, 0]}}" for k, (x, y) in enumerate(places)),
         "  case: {motion: fixed, position: [0, 0, 0]}",
+        *(
+            [f"  post: {{motion: fixed, position: [300 mm, 0, 0]{marked('post', support)}}}"]
+            if "post" in support
+            else []
+        ),
         "joints:",
         *(f"  pin{k}: {{type: revolute, bodies: [carrier, b{k}]}}" for k in range(3)),
         "meshes:",
@@ -59,7 +88,7 @@ def planet_set(support: str, speed: str = "sun: 1000 rpm", balance: str = "carri
         support,
         "loads:",
         *(f"  {b}: {{body: {b}, torque: {t}}}" for b, t in loads.items()),
-        f"scenarios:\n  steady: {{speed: {{{speed}}}, duration: 10 ms}}",
+        f"scenarios:\n  steady: {{speed: {{{speed}}}, duration: 10 ms{more}}}",
     ]
     return loads_model("\n".join(line for line in lines if line))
 
@@ -100,6 +129,36 @@ def test_a_torque_balanced_on_the_sun_is_shared_with_the_brake():
     found = solve_time(compile_model(planet_set(SUPPORTS["brake"], balance="sun"), "steady"))
     assert float(found["torque[sun]"][0]) == pytest.approx(300.0, rel=1e-6)
     np.testing.assert_allclose(found["torque[hold]"].values, 1440.0 - 300.0, rtol=1e-4)
+
+
+HELD = {
+    "driven at no speed": ("sun: 1000 rpm", ", drive: {ring: {speed: 0 rpm}}", "", 0.0),
+    "held": ("sun: 1000 rpm", ", hold: [ring]", "", 0.0),
+    "driven backwards": ("sun: 1000 rpm", ", drive: {ring: {speed: -200 rpm}}", "", -200.0),
+    "balanced too": ("sun: 1000 rpm, ring: 0 rpm", "", "balance", 0.0),
+}
+
+
+@pytest.mark.parametrize("case", HELD)
+def test_a_ring_with_a_given_speed_takes_its_share_of_a_balanced_torque(case):
+    """The drive of the ring stays while the torque of the carrier is found, and both are those of Willis."""
+    speed, more, ring, rpm = HELD[case]
+    found = solve_time(compile_model(planet_set("", speed, more=more, ring=ring), "steady"))
+    assert not found.attrs["notes"]
+    np.testing.assert_allclose(found["torque[carrier]"].values, -1440.0, rtol=1e-6)
+    np.testing.assert_allclose(
+        found["torque[ring]"].values, 1140.0, rtol=1e-5
+    )  # rounding of angles, over h^2
+    np.testing.assert_allclose(found["speed[carrier]"].values, (20e3 + 76 * rpm) / 96 * RPM, rtol=1e-6)
+    np.testing.assert_allclose(found["speed[sun]"].values, 1000.0 * RPM, rtol=1e-6)
+
+
+def test_rounding_of_stiffness_is_no_torque_left_over():
+    """Without any load the spring of 1e7 N m/rad leaves 1.6e-9 N m on the sun."""
+    model = planet_set(SUPPORTS["torsion spring"])
+    bare = model.replace("loads.sun.torque", "0 N m").replace("loads.carrier.torque", "0 N m")
+    found = prepare_start(compile_model(bare, "steady"), bare.scenarios["steady"])
+    assert not [note for note in found.notes if note.startswith(UNBALANCED)]
 
 
 def test_a_bushing_on_one_axis_turns_both_bodies():

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from shlex import quote
 from typing import Any
 
 import numpy as np
@@ -192,9 +193,10 @@ def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[di
             remarks.append(f"{name}: is constant; omitted")
             continue
         if time is not None and is_pulse_train(x, time):
+            word = quote(name)
             remarks.append(
-                f"{name}: looks like the pulses of a tacho, not like vibration; omitted; --tacho {name} "
-                f"--pulses N takes the speed from it, -c {name} looks at it all the same"
+                f"{name}: looks like the pulses of a tacho, not like vibration; omitted; --tacho {word} "
+                f"--pulses N takes the speed from it, -c {word} looks at it all the same"
             )
             continue
         kept[name] = x

@@ -157,8 +157,13 @@ def _directions(G: Array, weight: Array) -> Array:
 
 
 def _matched(basis: Array, other: Array) -> Array:
-    """The same directions as `basis`, turned to be as near as they can to the columns of another."""
-    if basis.shape != other.shape or basis.shape[1] == 0:
+    """The same directions as `basis`, turned to be as near as they can to the columns of another.
+
+    At a singular position of a mechanism the other has more: then its columns, as far as `basis` allows them.
+    """
+    if basis.shape != other.shape:
+        return np.asarray(basis @ (basis.T @ other))
+    if basis.shape[1] == 0:
         return basis
     u, _, v = np.linalg.svd(basis.T @ other)
     return np.asarray(basis @ u @ v)

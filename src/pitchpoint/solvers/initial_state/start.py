@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pitchpoint.core.errors import Message, SolverError, note
 from pitchpoint.core.units import format_quantity
@@ -16,26 +17,30 @@ from pitchpoint.elements.kind import DRIVE, MESH, TORQUE
 from pitchpoint.elements.ratio import place_of
 from pitchpoint.model.components.joint import COORDINATES, RATES
 from pitchpoint.model.mechanism import given
+from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.constraints.assembly import assemble_state, close_loops
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
+from pitchpoint.solvers.equilibrium.unknowns import ROUNDING, rest_matrix
 from pitchpoint.solvers.gear_trains import (
     driven_coordinates,
     held_spins,
     rates_through_loops,
+    rotations,
+    spins_of_train,
 )
 from pitchpoint.solvers.initial_state.clutches import settle_clutches
 from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of_inputs
 from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
 from pitchpoint.solvers.model_damping import with_damping
+from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from pitchpoint.model.model import Model
-    from pitchpoint.model.scenario import Scenario
 
 
 SAME = 1e-6
@@ -154,6 +159,40 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
     for name, places in model.stations.items():
         found |= dict.fromkeys(station_names(name, len(places)), found[name])
     return found
+
+
+def highest_speeds(system: System, scenario: Scenario) -> dict[str, float]:
+    """Speeds that a scenario gives bodies [rad/s]; of drives the highest, with its sign."""
+    found = dict(scenario.speed)
+    times = np.linspace(0.0, scenario.duration or 1.0, 401)
+    for name, record in drive_records(system):
+        if place_of(record, "i") == int(record["spin_i"]):
+            found[name] = max((drive_element.target_of(record, t)[1] for t in times), key=abs)
+    return found
+
+
+def body_rates(system: System, body: str, scenario: Scenario | None = None) -> NDArray[np.float64]:
+    """Rates of all coordinates, shape (nd,), as one body turns at 1 rad/s and its train with it.
+
+    What this leaves open, as in a planet set of three free members, turns in the ratio of the speeds that the
+    scenario gives, and rests where it drives or holds a body at rest.
+    """
+    model = system.model
+    if model is None:
+        return np.asarray(rotations(system, (system.spin(body),))[:, 0])
+    chosen = scenario or system.scenario or Scenario()
+    known = highest_speeds(system, chosen)
+    others = {}
+    if known.keys() - {body}:
+        train = spins_of_train(system, system.spin(body))
+        own = model.start_speeds(replace(chosen, speed=known)).get(body, 0.0)
+        beside = {n: w for n, w in known.items() if n != body and system.spin(n) in train}
+        others = {n: w / own if own else 0.0 for n, w in beside.items() if own or not w}
+    rates = np.zeros(system.sizes["nd"])
+    for name, ratio in model.start_speeds(replace(chosen, speed={body: 1.0} | others)).items():
+        if ratio != 0.0:
+            rates[system.spin(name)] = ratio
+    return rates
 
 
 def drive_records(system: System) -> list[tuple[str, np.void]]:
@@ -283,13 +322,23 @@ def _passed_on(system: System, state: State, keep: Collection[int], rates: Colle
     return assemble_state(system, state, keep=keep, keep_rates=rates).state
 
 
+def _rounding(system: System, state: State) -> float:
+    """Largest rounding of a force or torque at a state [N, N m]: of stiffness times 1 m and 1 rad."""
+    K = rest_matrix(system, state, NEWTON, (0.0, 0.0, 1.0))
+    return ROUNDING * float((abs(K) @ (np.abs(state.q) + 1.0)).max(initial=0.0))
+
+
 def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[Message, ...]:
     """Notes on loads that do not balance: the speed will then drift."""
     largest = max((abs(float(r["value"])) for r in system.rows(TORQUE)), default=0.0)
     notes = []
+    least = max(IMBALANCE * largest, 1e-9)
+    left = [abs(r) for s, r in zip(found.held, found.reaction, strict=True) if s not in known]
+    if max(left, default=0.0) > least:
+        least = max(least, _rounding(system, found.state))
     for spin, reaction in zip(found.held, found.reaction, strict=True):
         body = system.layout.coordinates[spin].rsplit(".", 1)[0]
-        if spin not in known and abs(reaction) > max(IMBALANCE * largest, 1e-9):
+        if spin not in known and abs(reaction) > least:
             notes.append(
                 note(
                     f"{UNBALANCED}: {-reaction:.4g} N m are left over on {body}, so the speed will change",

@@ -74,17 +74,21 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
 
 
 def friction_notes(system: System) -> tuple[str, ...]:
-    """A sentence if meshes have friction: a slow roll is the limit of zero speed, where it vanishes."""
+    """A sentence if meshes or joints have friction: at zero speed, the limit of a slow roll, it vanishes."""
     rubbing = [
         name
         for name, record in zip(mesh_names(system), mesh_records(system), strict=True)
         if record["contact"]["mu"] > 0.0
     ]
-    if not rubbing:
+    pins = (
+        [] if system.model is None else [n for n, j in system.model.joints.items() if j.friction is not None]
+    )
+    what = [f"{kind} {' and '.join(names)}" for kind, names in (("mesh", rubbing), ("joint", pins)) if names]
+    if not what:
         return ()
     return (
-        f"friction of mesh {' and '.join(rubbing)} is neglected: a slow roll is computed at zero speed, "
-        "where the smoothed friction force is zero; use a time response for tooth friction",
+        f"friction of {' and of '.join(what)} is neglected: a slow roll is computed at zero speed, "
+        "where the smoothed friction force is zero; use a time response for friction",
     )
 
 

@@ -26,6 +26,7 @@ from pitchpoint.model.components.law import Balance
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.controls import refuse_rates
+from pitchpoint.solvers.element_tangents import without_friction
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import exchange, held_spins, mesh_orders, rotations, tied_by_teeth
@@ -150,7 +151,8 @@ def roll_through(
     if system.model is None:
         raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
     refuse_rates(system, "a slow roll")
-    point = operating_point(system, _begun(system, scenario))
+    # torques balance without the friction that a slow roll does not have
+    point = operating_point(without_friction(system, joints=True), _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
     spin, _ = turned_gear(own, k)
@@ -196,7 +198,7 @@ def roll_through(
     }
     notes = (
         *load_notes(own, held, reaction[:done], rows),
-        *friction_notes(own),
+        *friction_notes(system),
         *deep_contacts(own.model, [spans]),
     )
     return Roll(mesh, position, rows, meshes, reaction[:done, 0], notes, status, text)
