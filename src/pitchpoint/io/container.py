@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.status import NOT_WRITTEN
-from pitchpoint.io.claim import is_at, keep, make_way
+from pitchpoint.io.claim import hold, is_at, keep, make_way
 from pitchpoint.io.disk_fault import WriteError, abandon, conclude
 from pitchpoint.io.superblock import clear_writer_flag
 from pitchpoint.io.target import cannot_be_written, check_target, disk_errno, make_folder
@@ -181,7 +181,10 @@ class Container:
             make_folder(place)
             mode = make_way(place)
             # "w" would empty the file of another writer before it is known to be locked
-            file = h5py.File(place, "x", libver="latest", rdcc_nbytes=_CHUNK_CACHE)
+            file = h5py.File(place, "x", libver="latest", rdcc_nbytes=_CHUNK_CACHE, locking=False)
+            if not hold(file.id.get_vfd_handle(), place):
+                abandon(file)
+                raise BlockingIOError
         except (OSError, ValueError) as error:
             raise ResultError(cannot_be_written(self.path, error)) from error
         if mode is not None:
@@ -282,7 +285,7 @@ class Container:
         """Freeze the structure and let others read, but not replace the file."""
         with self.writing():
             self.file.flush()  # changing the mode on a full disk crashes HDF5
-            self.file.swmr_mode = True  # here HDF5 lets go of its lock
+            self.file.swmr_mode = True
             if not keep(self.file.id.get_vfd_handle(), self._place):
                 self._open = False
                 self.file.close()
