@@ -78,11 +78,17 @@ def member(group: h5py.Group, name: str) -> h5py.Group | h5py.Dataset:
     if not isinstance(group.get(name, getlink=True), h5py.HardLink):
         raise ValueError(f"{name} is a link to somewhere else")
     item = group[name]
-    if isinstance(item, h5py.Dataset):
-        made = item.id.get_create_plist()
-        if made.get_layout() == h5py.h5d.VIRTUAL or made.get_external_count():
-            raise ValueError(f"{name} is stored in another file")
+    if isinstance(item, h5py.Dataset) and is_elsewhere(item):
+        raise ValueError(f"{name} is stored in another file")
     return item
+
+
+def is_elsewhere(item: h5py.Dataset) -> bool:
+    """Whether the numbers of an array lie in another file: external storage, or a virtual dataset."""
+    import h5py
+
+    made = item.id.get_create_plist()
+    return bool(made.get_layout() == h5py.h5d.VIRTUAL or made.get_external_count())
 
 
 def members(group: h5py.Group) -> dict[str, h5py.Group | h5py.Dataset]:
