@@ -44,7 +44,7 @@ COMMANDS = {
 
 EPILOG = (
     "Exit codes: 0 fine, 1 a fault of pitchpoint itself, 2 bad input, 3 computation failed or disk full, "
-    "130 interrupted, 143 terminated. "
+    "129 hung up, 130 interrupted, 143 terminated. "
     "Errors go to stderr; with --json, stdout holds nothing but JSON."
 )
 

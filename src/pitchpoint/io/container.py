@@ -151,26 +151,35 @@ class Container:
             raise
         except (OSError, RuntimeError) as error:
             raise self._give_up(error) from error
+        except KeyboardInterrupt:
+            if self._flushed is None:  # the structure is not complete: a file that nobody can read
+                self._abandon()
+            raise
 
     def _give_up(self, error: OSError | RuntimeError) -> PitchpointError:
         """Cut the file off from the disk with the reason in it; gives the error to raise."""
+        kept = self._abandon()
+        fault: PitchpointError = WriteError(self.path, error, kept=kept)
+        if disk_errno(error) == errno.EAGAIN:
+            fault = ResultError(cannot_be_written(self.path, BlockingIOError()))
+        if kept:
+            texts = {"status": self._fixed("status", FAILED), "sentence": self._fixed("sentence", str(fault))}
+            conclude(self._place, texts, NOT_WRITTEN, self._flushed or {})
+        return fault
+
+    def _abandon(self) -> bool:
+        """Close the file without writing to it; False if nothing of it is kept, and it is removed."""
         there = False  # another writer's file of this name is left alone
         with contextlib.suppress(OSError, RuntimeError):
             there = is_at(self.file.id.get_vfd_handle(), self._place)
         kept = there and self._flushed is not None
-        fault: PitchpointError = WriteError(self.path, error, kept=kept)
-        if disk_errno(error) == errno.EAGAIN:
-            fault = ResultError(cannot_be_written(self.path, BlockingIOError()))
         self._open = False
         self._growing.clear()
         abandon(self.file)
-        if kept:
-            texts = {"status": self._fixed("status", FAILED), "sentence": self._fixed("sentence", str(fault))}
-            conclude(self._place, texts, NOT_WRITTEN, self._flushed or {})
-        elif there:
+        if there and not kept:
             with contextlib.suppress(OSError):
                 self._place.unlink()
-        return fault
+        return kept
 
     def _make_file(self) -> h5py.File:
         """Replace what is there by a new file; a link still points to it."""

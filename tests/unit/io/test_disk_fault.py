@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import textwrap
 import time
 from pathlib import Path
 
@@ -19,6 +20,7 @@ import pytest
 from pitchpoint.cli.failure import exit_code_of
 from pitchpoint.core.status import NOT_WRITTEN
 from pitchpoint.io.reading import open_result, read_channel, read_header
+from pitchpoint.io.results import Channel, Header, ResultWriter
 from pitchpoint.io.target import OutputError, write_file
 from tests.support.cli_files import TORSION, written
 
@@ -191,3 +193,34 @@ def test_sigterm_ends_a_run_in_order(tmp_path: Path) -> None:
     assert process.returncode == 143, words
     assert read_header(target)["status"] == "interrupted"
     assert len(read_channel(target, "mesh_force[stage]")[0]) > 0
+
+
+def test_ctrl_c_while_the_structure_is_made_leaves_no_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(ResultWriter, "_make_variables", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        ResultWriter(tmp_path / "r.h5", Header("time"), [Channel("mesh_force[stage]", "N")])
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("name", "code"), [("SIGHUP", 129), ("SIGTERM", 143), ("SIGINT", 130)])
+@pytest.mark.parametrize("ignored", [False, True])
+def test_signals_that_end_a_command_in_order(name: str, code: int, ignored: bool) -> None:
+    """One that was ignored before, as `nohup` does, goes on being ignored."""
+    lines = f"""
+        import os, signal, sys
+        from pitchpoint.cli.interrupt import code_of_interruption, end_at_the_second_interrupt
+        if {ignored}:
+            signal.signal(signal.{name}, signal.SIG_IGN)
+        end_at_the_second_interrupt()
+        try:
+            os.kill(os.getpid(), signal.{name})
+        except KeyboardInterrupt:
+            sys.exit(code_of_interruption())
+    """
+    done = subprocess.run([sys.executable, "-c", textwrap.dedent(lines)], check=False)
+    assert done.returncode == (0 if ignored else code)
