@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SIGTERM and SIGHUP (a closed terminal) end a command in order, as Ctrl-C does; a second signal ends at once.
+"""SIGTERM and SIGHUP (a closed terminal) end a command in order, as Ctrl-C does; a second one ends at once.
 
 Python acts upon Ctrl-C between two of its own instructions: a compiled function that does not return, such as
 a law with an endless loop, never gets there. Every signal is written into a socket at once, though, and a
