@@ -181,7 +181,7 @@ def _is_private(group: int) -> bool:
 
 
 def own_bytes(file: Path) -> bytes:
-    """Contents of a file of the cache that nobody but the user can have written.
+    """Contents of a file of the cache that only the user can have written.
 
     Others may have left it in the folder before their permission was removed.
 

@@ -152,7 +152,7 @@ class Container:
         except (OSError, RuntimeError) as error:
             raise self._give_up(error) from error
         except KeyboardInterrupt:
-            if self._flushed is None:  # the structure is not complete: a file that nobody can read
+            if self._flushed is None:  # the structure is not complete, and the file cannot be read
                 self._abandon()
             raise
 

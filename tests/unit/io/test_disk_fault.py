@@ -6,6 +6,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -223,3 +224,32 @@ def test_signals_that_end_a_command_in_order(name: str, code: int, ignored: bool
     """
     done = subprocess.run([sys.executable, "-c", textwrap.dedent(lines)], check=False)
     assert done.returncode == (0 if ignored else code)
+
+
+FULL = """
+    import os, shutil, sys
+    from pitchpoint.io.reading import read_header
+    shutil.copy(sys.argv[1], "r.h5")
+    os.truncate("r.h5", 1 << 20)
+    with open("rest", "wb", buffering=0) as file:
+        try:
+            while file.write(bytes(4096)) == 4096:
+                pass
+        except OSError:
+            print(read_header("r.h5")["status"])
+"""
+
+
+def test_a_result_with_gaps_is_read_on_a_full_disk_in_memory(tmp_path: Path) -> None:
+    """Gaps of a file that is mapped have to be filled: a process that reads them there ends by SIGBUS."""
+    with ResultWriter(tmp_path / "r.h5", Header("time"), [Channel("mesh_force[stage]", "N")]):
+        pass
+    mount = ["unshare", "-rm", "sh", "-c"]
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    words = f'mount -t tmpfs -o size=256k disk "{disk}" && cd "{disk}" && exec "$0" "$@"'
+    if shutil.which("unshare") is None or subprocess.run([*mount, words, "true"], check=False).returncode:
+        pytest.skip("a file system in memory cannot be mounted here")
+    code = [sys.executable, "-c", textwrap.dedent(FULL), str(tmp_path / "r.h5")]
+    done = subprocess.run([*mount, words, *code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout.strip()) == (0, "finished"), done.stderr
