@@ -152,6 +152,12 @@ def test_an_older_page_stays_whole_when_the_disk_is_full(tmp_path: Path, monkeyp
     assert page.stat().st_mode & 0o777 == 0o640
 
 
+def test_a_text_from_a_damaged_file_is_written(tmp_path: Path) -> None:
+    """HDF5 gives bytes that are not UTF-8 as surrogates, which no file can hold."""
+    write_file(tmp_path / "page.html", b"title: \xffm".decode("utf-8", "surrogateescape"))
+    assert (tmp_path / "page.html").read_text() == "title: ?m"
+
+
 def test_a_link_goes_on_pointing_to_the_file(tmp_path: Path) -> None:
     (tmp_path / "link.html").symlink_to(tmp_path / "there.html")
     write_file(tmp_path / "link.html", "a")
