@@ -7,6 +7,7 @@
 | 1 | a fault of pitchpoint itself (or stdout was closed early) |
 | 2 | bad input: command line, model file, units, impossible gears, unreadable files |
 | 3 | the computation failed, or the disk is full or broken; what was computed is kept |
+| 129 | the terminal was closed (SIGHUP); what was computed is kept |
 | 130 | interrupted with Ctrl-C; what was computed is kept |
 | 143 | terminated with SIGTERM; what was computed is kept |
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SIGTERM ends a command in order, as Ctrl-C does; a second signal ends the process, whatever it is doing.
+"""SIGTERM and SIGHUP (a closed terminal) end a command in order, as Ctrl-C does; a second one ends at once.
 
 Python acts upon Ctrl-C between two of its own instructions: a compiled function that does not return, such as
 a law with an endless loop, never gets there. Every signal is written into a socket at once, though, and a
@@ -21,8 +21,8 @@ APART = 0.3
 """Signals closer than this count as one: some callers pass on what the terminal sends as well [s]."""
 PATIENCE = 1.5
 """Time after which a waiting user is shown what else can be done [s]."""
-_CODES = {signal.SIGINT: 130, signal.SIGTERM: 143}
-"""Exit codes: 128 and the number of the signal."""
+_ENDS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
+_CODES = {number: 128 + number for number in (signal.SIGINT, *_ENDS)}
 _received: list[int] = []
 AGAIN = b"\xff"
 """Request for a signal that was lost; no signal has this number."""
@@ -31,8 +31,8 @@ PAUSE = 0.01
 
 
 def code_of_interruption() -> int:
-    """Exit code of a command that a signal ended: 143 after SIGTERM, else 130."""
-    return _CODES[signal.SIGTERM if signal.SIGTERM in _received else signal.SIGINT]
+    """Exit code of a command that a signal ended: 143 after SIGTERM, 129 after SIGHUP, else 130."""
+    return _CODES[_received[0] if _received else signal.SIGINT]
 
 
 def _terminate(number: int, _: Any) -> None:
@@ -51,7 +51,9 @@ def end_at_the_second_interrupt() -> None:
         here.close()
         there.close()
         return
-    signal.signal(signal.SIGTERM, _terminate)
+    for number in _ENDS:
+        if signal.getsignal(number) is not signal.SIG_IGN:  # nohup has SIGHUP ignored
+            signal.signal(number, _terminate)
     _hear_what_is_lost(there)
     threading.Thread(target=_listen, args=(here, there), daemon=True, name="interrupts").start()
 

@@ -44,7 +44,7 @@ COMMANDS = {
 
 EPILOG = (
     "Exit codes: 0 success, 1 internal error, 2 invalid input, 3 computation failed or disk full, "
-    "130 interrupted, 143 terminated. "
+    "129 hung up, 130 interrupted, 143 terminated. "
     "Errors go to stderr; with --json, stdout contains only JSON."
 )
 

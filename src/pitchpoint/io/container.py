@@ -25,7 +25,7 @@ from pitchpoint.core.status import NOT_WRITTEN
 from pitchpoint.io.disk_fault import WriteError, abandon, conclude
 from pitchpoint.io.superblock import clear_writer_flag
 from pitchpoint.io.target import cannot_be_written, check_target, disk_errno, make_folder
-from pitchpoint.io.write_lock import is_at, keep, remove_old
+from pitchpoint.io.write_lock import hold, is_at, keep, remove_old
 
 if TYPE_CHECKING:
     import h5py
@@ -151,26 +151,35 @@ class Container:
             raise
         except (OSError, RuntimeError) as error:
             raise self._give_up(error) from error
+        except KeyboardInterrupt:
+            if self._flushed is None:  # the structure is not complete, and the file cannot be read
+                self._abandon()
+            raise
 
     def _give_up(self, error: OSError | RuntimeError) -> PitchpointError:
         """Cut the file off from the disk with the reason in it; gives the error to raise."""
+        kept = self._abandon()
+        fault: PitchpointError = WriteError(self.path, error, kept=kept)
+        if disk_errno(error) == errno.EAGAIN:
+            fault = ResultError(cannot_be_written(self.path, BlockingIOError()))
+        if kept:
+            texts = {"status": self._fixed("status", FAILED), "sentence": self._fixed("sentence", str(fault))}
+            conclude(self._place, texts, NOT_WRITTEN, self._flushed or {})
+        return fault
+
+    def _abandon(self) -> bool:
+        """Close the file without writing to it; False if nothing of it is kept, and it is removed."""
         there = False  # another writer's file of this name is left alone
         with contextlib.suppress(OSError, RuntimeError):
             there = is_at(self.file.id.get_vfd_handle(), self._place)
         kept = there and self._flushed is not None
-        fault: PitchpointError = WriteError(self.path, error, kept=kept)
-        if disk_errno(error) == errno.EAGAIN:
-            fault = ResultError(cannot_be_written(self.path, BlockingIOError()))
         self._open = False
         self._growing.clear()
         abandon(self.file)
-        if kept:
-            texts = {"status": self._fixed("status", FAILED), "sentence": self._fixed("sentence", str(fault))}
-            conclude(self._place, texts, NOT_WRITTEN, self._flushed or {})
-        elif there:
+        if there and not kept:
             with contextlib.suppress(OSError):
                 self._place.unlink()
-        return fault
+        return kept
 
     def _make_file(self) -> h5py.File:
         """Replace what is there by a new file; a link still points to it."""
@@ -181,7 +190,10 @@ class Container:
             make_folder(place)
             mode = remove_old(place)
             # "w" would empty the file of another writer before it is known to be locked
-            file = h5py.File(place, "x", libver="latest", rdcc_nbytes=_CHUNK_CACHE)
+            file = h5py.File(place, "x", libver="latest", rdcc_nbytes=_CHUNK_CACHE, locking=False)
+            if not hold(file.id.get_vfd_handle(), place):
+                abandon(file)
+                raise BlockingIOError
         except (OSError, ValueError) as error:
             raise ResultError(cannot_be_written(self.path, error)) from error
         if mode is not None:
@@ -282,7 +294,7 @@ class Container:
         """Freeze the structure and let others read, but not replace the file."""
         with self.writing():
             self.file.flush()  # changing the mode on a full disk crashes HDF5
-            self.file.swmr_mode = True  # here HDF5 lets go of its lock
+            self.file.swmr_mode = True
             if not keep(self.file.id.get_vfd_handle(), self._place):
                 self._open = False
                 self.file.close()

@@ -11,7 +11,6 @@ looked through.
 from __future__ import annotations
 
 import contextlib
-import mmap
 import os
 import time
 from collections.abc import Iterator
@@ -78,11 +77,17 @@ def member(group: h5py.Group, name: str) -> h5py.Group | h5py.Dataset:
     if not isinstance(group.get(name, getlink=True), h5py.HardLink):
         raise ValueError(f"{name} is a link to somewhere else")
     item = group[name]
-    if isinstance(item, h5py.Dataset):
-        made = item.id.get_create_plist()
-        if made.get_layout() == h5py.h5d.VIRTUAL or made.get_external_count():
-            raise ValueError(f"{name} is stored in another file")
+    if isinstance(item, h5py.Dataset) and is_elsewhere(item):
+        raise ValueError(f"{name} is stored in another file")
     return item
+
+
+def is_elsewhere(item: h5py.Dataset) -> bool:
+    """Whether the numbers of an array lie in another file: external storage, or a virtual dataset."""
+    import h5py
+
+    made = item.id.get_create_plist()
+    return bool(made.get_layout() == h5py.h5d.VIRTUAL or made.get_external_count())
 
 
 def members(group: h5py.Group) -> dict[str, h5py.Group | h5py.Dataset]:
@@ -157,8 +162,7 @@ def heaps_end(data: Any, until: int | None = None) -> bool:
     """Whether the texts of a file lie in sequence up to the end of their heaps.
 
     A heap is a chain of (index, length); HDF5 follows it without looking whether it leads on (HDF5 File
-    Format Specification 3.0, III.E). `data` are bytes, or a file mapped to memory; heaps are looked for up to
-    the byte `until`.
+    Format Specification 3.0, III.E). `data` are bytes; heaps are looked for up to the byte `until`.
     """
     stop = len(data) if until is None else until
     heap = data.find(_HEAP, 0, stop)
@@ -185,7 +189,7 @@ def _open_unmarked(name: str) -> h5py.File:
     try:
         if not share(unmarked.fileno()):
             raise BlockingIOError
-        if not _texts_end(unmarked.fileno()):
+        if not _texts_end(unmarked):
             raise ValueError("texts do not fit where they are stored")
         file = h5py.File(unmarked, "r")
     except BaseException:
@@ -208,11 +212,18 @@ def _open_unmarked(name: str) -> h5py.File:
         raise
 
 
-def _texts_end(descriptor: int) -> bool:
-    if os.fstat(descriptor).st_size == 0:
-        return True
-    with mmap.mmap(descriptor, 0, access=mmap.ACCESS_READ) as data:
-        return heaps_end(data, _TEXTS_END)
+def _texts_end(file: UnmarkedFile) -> bool:
+    """Whether the texts end; not mapped to memory, as gaps of a file on a full tmpfs then end the process."""
+    size = os.fstat(file.fileno()).st_size
+    for room in (_TEXTS_END, 4 * _TEXTS_END):  # the text of a large model may extend beyond the first
+        data = bytearray(min(size, room))
+        file.seek(0)
+        file.readinto(data)
+        if heaps_end(data, _TEXTS_END):
+            return True
+        if size <= room:
+            break
+    return False
 
 
 def _look_through(file: h5py.File) -> None:

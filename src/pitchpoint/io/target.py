@@ -160,7 +160,7 @@ def check_place(path: str | os.PathLike[str]) -> None:
 
 
 def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
-    """Write a whole file, texts as UTF-8; its folder is made if it does not exist.
+    """Write a whole file, texts as UTF-8, bytes of damaged texts as question marks; its folder is made.
 
     An older file stays as it is until the new one is on the disk. Pipes need a process that reads them.
 
@@ -170,7 +170,7 @@ def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
         With the path and the reason, if that is not possible.
     """
     target = Path(path)
-    whole = data.encode("utf-8") if isinstance(data, str) else data
+    whole = data.encode("utf-8", "replace") if isinstance(data, str) else data
     try:
         make_folder(target)
         if target.exists() and not target.is_file():

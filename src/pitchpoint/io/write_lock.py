@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Who writes a result file: its writer keeps it from being replaced, and nothing that is in use is emptied.
 
-HDF5 locks a file while it is open, exclusively to write and shared to read, but a writer releases the lock
-where SWMR begins. From then on it keeps a shared lock of its own: readers are admitted, and a process that
-replaces the file requests an exclusive one first. The system drops a lock when its process ends.
+A writer holds an exclusive lock while it makes the structure of its file, and a shared one from where SWMR
+begins: readers, which lock a file shared, are admitted then, and a process that replaces the file requests an
+exclusive one first. The system drops a lock when its process ends. HDF5 does not lock for the writer: it
+releases its lock and requests it again where SWMR begins, and a reader in between would end the run.
 
 An older file is not emptied but taken out of its folder, and the new one is made where no file is: a reader
 of the old one without a lock reads it to its end. Of several writers that begin at once one continues; the
@@ -18,12 +19,17 @@ from __future__ import annotations
 import errno
 import os
 import stat
+import time
 from pathlib import Path
 
 try:
     import fcntl
 except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
+
+PATIENCE = 5.0
+"""How long a writer waits for readers that opened its file the moment it was there [s]."""
+_PAUSE = 0.001
 
 
 def is_held(path: Path) -> bool:
@@ -63,6 +69,18 @@ def _unlink_unless_held(path: Path) -> None:
         if not _locked(file.fileno(), exclusive=True) or not is_at(file.fileno(), path):
             raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
         path.unlink()  # under the lock: whoever opened it before is refused, whoever comes now finds no file
+
+
+def hold(descriptor: int, path: Path) -> bool:
+    """Lock a new file while its structure is made; False if another process has taken it away or keeps it."""
+    until = time.monotonic() + PATIENCE
+    while is_at(descriptor, path):
+        if _locked(descriptor, exclusive=True):
+            return is_at(descriptor, path)
+        if time.monotonic() > until:
+            break
+        time.sleep(_PAUSE)
+    return False
 
 
 def keep(descriptor: int, path: Path) -> bool:

@@ -204,13 +204,11 @@ def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_
     assert done.stdout.split() == ["0"], done.stdout + done.stderr
 
 
-@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
-@pytest.mark.parametrize("place", ["entries", ".", "entries/settings"])
-def test_a_cache_that_others_can_write_is_not_used(tmp_path, monkeypatch, caplog, place):
-    """Machine code from there is executed: another user could have put it there."""
+@pytest.fixture
+def entry(tmp_path, monkeypatch):
+    """A function whose machine code is in a cache of the test, under `cache/entries/settings`."""
     (tmp_path / "kind.py").write_text("def entry():\n    return 1\n")
-    cache = tmp_path / "cache"
-    monkeypatch.setenv("NUMBA_CACHE_DIR", str(cache))
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "cache"))
     monkeypatch.setattr(machine_code, "_settings", lambda: "settings")
     monkeypatch.setattr(notices, "_listeners", [])
     monkeypatch.setattr(notices, "_given", set())
@@ -221,15 +219,56 @@ def test_a_cache_that_others_can_write_is_not_used(tmp_path, monkeypatch, caplog
     machine_code.is_trusted.cache_clear()
     machine_code.save(kind.entry, b"code", ["sin"])
     assert machine_code._read(kind.entry) == (["sin"], b"code")
-    (cache / place).chmod(0o777)
     machine_code.is_trusted.cache_clear()
-    assert machine_code._read(kind.entry) is None
-    assert machine_code.load(kind.entry) is None
+    yield kind.entry
+    machine_code.is_trusted.cache_clear()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+@pytest.mark.parametrize(
+    ("place", "mode"), [("entries", 0o777), (".", 0o777), ("entries/settings", 0o777), (".", 0o770)]
+)
+def test_a_cache_that_others_can_write_is_not_used(entry, tmp_path, monkeypatch, caplog, place, mode):
+    """Machine code from there is executed: another user could have put it there."""
+    monkeypatch.setattr(machine_code, "_is_private", lambda _: False)
+    folder = tmp_path / "cache" / place
+    folder.chmod(mode)
+    assert machine_code._read(entry) is None
+    assert machine_code.load(entry) is None
     assert not machine_code.can_save()
     (line,) = caplog.messages
-    assert line.startswith(str((cache / place).resolve()))
+    assert line.startswith(str(folder.resolve()))
     assert "chmod go-w" in line
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+def test_where_a_link_to_the_cache_leads_counts(entry, tmp_path, monkeypatch):
+    shared = tmp_path / "shared"
+    shared.mkdir()
+    (tmp_path / "cache").rename(shared / "mine")
+    (tmp_path / "cache").symlink_to(shared / "mine")
+    assert machine_code._read(entry)
     machine_code.is_trusted.cache_clear()
+    shared.chmod(0o777)
+    assert machine_code._read(entry) is None
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+def test_code_that_others_left_in_the_cache_is_not_used(entry):
+    """Their permission for the folder may have been removed since."""
+    file = machine_code.code_file(entry)
+    assert file.stat().st_mode & 0o777 == 0o600
+    file.chmod(0o666)
+    assert machine_code._read(entry) is None
+    file.chmod(0o600)
+    assert machine_code._read(entry)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+@pytest.mark.skipif(os.name == "posix" and os.getuid() != 0, reason="only root can give a file away")
+def test_code_of_another_user_is_not_used(entry):
+    os.chown(machine_code.code_file(entry), 12345, 0)
+    assert machine_code._read(entry) is None
 
 
 @pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")

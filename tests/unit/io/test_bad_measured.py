@@ -154,8 +154,10 @@ def test_headers_that_promise_four_gigabytes(tmp_path):
 
     hdf = tmp_path / "a.h5"
     with h5py.File(hdf, "w") as file:
-        file.create_dataset("x", shape=(1 << 40,), dtype="f8", chunks=(1024,))
-    assert "8796093022208 bytes are promised where 0 are stored" in refusal(hdf, sample_rate=1.0)
+        file.create_dataset("x", shape=(1 << 26,), dtype="f8", chunks=(1024,))
+        file.create_dataset("y", shape=(1 << 40,), dtype="f8", chunks=(1024,))
+    assert "536870912 bytes are promised where 0 are stored" in refusal(hdf, sample_rate=1.0, channels="x")
+    assert "1099512 million samples are chosen at once" in refusal(hdf, sample_rate=1.0, channels="y")
 
 
 def test_a_result_without_signals_over_time(tmp_path):
@@ -212,3 +214,17 @@ def test_packed_arrays_are_bounded_by_their_declared_size(tmp_path, monkeypatch)
     lying = zlib.compress(struct.pack("<II", 14, 64) + bytes(5_000_000))
     path.write_bytes(data[:128] + struct.pack("<II", 15, len(lying)) + lying)
     assert "a packed array does not end" in refusal(path, sample_rate=1.0)
+
+
+@pytest.mark.parametrize("name", ["x", "time"])
+def test_packed_hdf5_arrays_are_bounded(name, tmp_path):
+    """500 packed blocks of 32 MB of zeros, 16 MB on the disk, would take 16 GB of memory."""
+    path = tmp_path / "zeros.h5"
+    block = 4_000_000
+    packed = zlib.compress(bytes(8 * block))
+    with h5py.File(path, "w") as file:
+        file["short"] = np.zeros(3)
+        made = file.create_dataset(name, (500 * block,), "f8", chunks=(block,), compression="gzip")
+        for k in range(500):
+            made.id.write_direct_chunk((k * block,), packed)
+    assert "2000 million samples are chosen at once (limit 125 million)" in refusal(path, sample_rate=1.0)

@@ -13,6 +13,7 @@ import pytest
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.io.container import ResultError
 from pitchpoint.io.measured.reading import read_measured
+from pitchpoint.io.measured.record import MeasuredError
 from pitchpoint.io.reading import list_channels, open_result, read_channel, read_units
 from pitchpoint.io.results import Channel, Header, ResultWriter
 from pitchpoint.io.sweep_store import SweepWriter, read_sweep
@@ -58,8 +59,22 @@ def test_other_files_are_not_read(place: Callable, run: Path, monkeypatch: pytes
     for question in questions:
         with pytest.raises(ResultError, match="somewhere else|in another file"):
             question(run)
-    with pytest.raises(Exception, match="damaged"):
+    with pytest.raises(MeasuredError, match="damaged"):
         read_measured(run)
+
+
+@pytest.mark.parametrize("place", [_storage, _virtual])
+def test_measured_files_do_not_lead_to_other_files(
+    place: Callable, run: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(run.parent)
+    path = run.with_name("foreign.h5")
+    with h5py.File(path, "w") as file:
+        place(file)
+        file["other"] = np.arange(10.0)
+    with pytest.raises(MeasuredError, match="force: is stored in another file"):
+        read_measured(path, sample_rate=1.0)
+    assert read_measured(path, sample_rate=1.0, channels="other")["other"].values[-1] == 9.0
 
 
 @pytest.mark.parametrize("name", ["time", "blocks/time", "blocks/statistic"])

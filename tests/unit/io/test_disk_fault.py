@@ -6,6 +6,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -19,6 +20,7 @@ import pytest
 from pitchpoint.cli.failure import exit_code_of
 from pitchpoint.core.status import NOT_WRITTEN
 from pitchpoint.io.reading import open_result, read_channel, read_header
+from pitchpoint.io.results import Channel, Header, ResultWriter
 from pitchpoint.io.target import OutputError, write_file
 from tests.support.cli_files import TORSION, written
 
@@ -150,6 +152,12 @@ def test_an_older_page_stays_whole_when_the_disk_is_full(tmp_path: Path, monkeyp
     assert page.stat().st_mode & 0o777 == 0o640
 
 
+def test_a_text_from_a_damaged_file_is_written(tmp_path: Path) -> None:
+    """HDF5 gives bytes that are not UTF-8 as surrogates, which no file can hold."""
+    write_file(tmp_path / "page.html", b"title: \xffm".decode("utf-8", "surrogateescape"))
+    assert (tmp_path / "page.html").read_text() == "title: ?m"
+
+
 def test_a_link_goes_on_pointing_to_the_file(tmp_path: Path) -> None:
     (tmp_path / "link.html").symlink_to(tmp_path / "there.html")
     write_file(tmp_path / "link.html", "a")
@@ -191,3 +199,63 @@ def test_sigterm_ends_a_run_in_order(tmp_path: Path) -> None:
     assert process.returncode == 143, words
     assert read_header(target)["status"] == "interrupted"
     assert len(read_channel(target, "mesh_force[stage]")[0]) > 0
+
+
+def test_ctrl_c_while_the_structure_is_made_leaves_no_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def stopped(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(ResultWriter, "_make_variables", stopped)
+    with pytest.raises(KeyboardInterrupt):
+        ResultWriter(tmp_path / "r.h5", Header("time"), [Channel("mesh_force[stage]", "N")])
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("name", "code"), [("SIGHUP", 129), ("SIGTERM", 143), ("SIGINT", 130)])
+@pytest.mark.parametrize("ignored", [False, True])
+def test_signals_that_end_a_command_in_order(name: str, code: int, ignored: bool) -> None:
+    """One that was ignored before, as `nohup` does, goes on being ignored."""
+    lines = f"""
+        import os, signal, sys
+        from pitchpoint.cli.interrupt import code_of_interruption, end_at_the_second_interrupt
+        if {ignored}:
+            signal.signal(signal.{name}, signal.SIG_IGN)
+        end_at_the_second_interrupt()
+        try:
+            os.kill(os.getpid(), signal.{name})
+        except KeyboardInterrupt:
+            sys.exit(code_of_interruption())
+    """
+    done = subprocess.run([sys.executable, "-c", textwrap.dedent(lines)], check=False)
+    assert done.returncode == (0 if ignored else code)
+
+
+FULL = """
+    import os, shutil, sys
+    from pitchpoint.io.reading import read_header
+    shutil.copy(sys.argv[1], "r.h5")
+    os.truncate("r.h5", 1 << 20)
+    with open("rest", "wb", buffering=0) as file:
+        try:
+            while file.write(bytes(4096)) == 4096:
+                pass
+        except OSError:
+            print(read_header("r.h5")["status"])
+"""
+
+
+def test_a_result_with_gaps_is_read_on_a_full_disk_in_memory(tmp_path: Path) -> None:
+    """Gaps of a file that is mapped have to be filled: a process that reads them there ends by SIGBUS."""
+    with ResultWriter(tmp_path / "r.h5", Header("time"), [Channel("mesh_force[stage]", "N")]):
+        pass
+    mount = ["unshare", "-rm", "sh", "-c"]
+    disk = tmp_path / "disk"
+    disk.mkdir()
+    words = f'mount -t tmpfs -o size=256k disk "{disk}" && cd "{disk}" && exec "$0" "$@"'
+    if shutil.which("unshare") is None or subprocess.run([*mount, words, "true"], check=False).returncode:
+        pytest.skip("a file system in memory cannot be mounted here")
+    code = [sys.executable, "-c", textwrap.dedent(FULL), str(tmp_path / "r.h5")]
+    done = subprocess.run([*mount, words, *code], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout.strip()) == (0, "finished"), done.stderr

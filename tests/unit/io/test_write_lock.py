@@ -10,6 +10,7 @@ import stat
 import subprocess
 import sys
 import textwrap
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NoReturn
@@ -126,6 +127,26 @@ def test_a_running_file_has_readers(tmp_path: Path) -> None:
     with another(path), h5py.File(path) as plain, open_result(path) as ds:
         assert plain["time"].shape == (1000,)
         assert ds.sizes["time"] == 1000
+
+
+def test_hdf5_does_not_lock_what_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It would release its lock and request it again where SWMR begins; a reader in between ended the run."""
+    monkeypatch.setattr("pitchpoint.io.container.hold", lambda *_: True)
+    container = Container(tmp_path / "r.h5", Header("time"))
+    assert not write_lock.is_held(container.path)
+    container.begin()
+    assert write_lock.is_held(container.path)
+    container.finish()
+
+
+def test_a_writer_waits_for_a_reader_that_comes_before_the_structure(tmp_path: Path) -> None:
+    path = tmp_path / "r.h5"
+    with path.open("x+b") as file, path.open("rb") as other:
+        write_lock.share(other.fileno())
+        threading.Timer(0.05, other.close).start()
+        assert write_lock.hold(file.fileno(), path)
+        path.unlink()
+        assert not write_lock.hold(file.fileno(), path)
 
 
 @pytest.mark.parametrize("old", [False, True])

@@ -91,7 +91,7 @@ class KernelFiles:
     def load(self, key: Any) -> Any:
         """What was kept under a key and the present stamp; None without a sound file."""
         try:
-            digest, body = self._file(key).read_bytes().split(b"\n", 1)
+            digest, body = machine_code.own_bytes(self._file(key)).split(b"\n", 1)
         except (OSError, ValueError):
             return None
         if digest != hashlib.sha256(body).hexdigest().encode():
@@ -107,6 +107,7 @@ class KernelFiles:
         with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
             try:
                 draft.write_bytes(hashlib.sha256(body).hexdigest().encode() + b"\n" + body)
+                draft.chmod(0o600)
                 draft.replace(file)
             finally:
                 draft.unlink(missing_ok=True)

@@ -11,6 +11,7 @@ used: then the entry is compiled again.
 from __future__ import annotations
 
 import contextlib
+import errno
 import hashlib
 import importlib.util
 import os
@@ -38,6 +39,8 @@ _NO_MATTER = ("CACHE", "THREAD", "DISABLE_JIT")
 #: What the names of drafts begin with, before the number of the process; after an hour it is abandoned.
 _DRAFT = "draft-"
 _DRAFT_AGE = 3600.0
+
+_OTHERS = stat.S_IWOTH | stat.S_IWGRP
 
 _begun = time.time()
 
@@ -148,21 +151,50 @@ def is_trusted(folder: Path) -> bool:
     """
     if os.name != "posix":
         return True
-    folder = folder.absolute()
-    for place in (folder, *folder.parents):
+    way, true = folder.absolute(), folder.resolve()
+    for place in dict.fromkeys([way, *way.parents, true, *true.parents]):
         try:
-            found = place.stat()
+            found, link = place.stat(), place.lstat()
         except OSError:  # it does not exist yet
             continue
-        shared = stat.S_IWOTH | stat.S_IWGRP if place == folder else stat.S_IWOTH
-        is_open = found.st_mode & shared and not (place != folder and found.st_mode & stat.S_ISVTX)
-        if is_open or found.st_uid not in (0, os.getuid()):
+        others = stat.S_IWOTH if _is_private(found.st_gid) and place != folder else _OTHERS
+        is_open = found.st_mode & others and not (place not in (way, true) and found.st_mode & stat.S_ISVTX)
+        if is_open or not {found.st_uid, link.st_uid} <= {0, os.getuid()}:
             notice(
                 f"{place}: other users can write to this folder of compiled kernels, so it is not used and "
                 "every start compiles; remove their permission (chmod go-w) or set NUMBA_CACHE_DIR"
             )
             return False
     return True
+
+
+def _is_private(group: int) -> bool:
+    """Whether a group is the user's own, which many systems make with each user: it has the same name."""
+    import grp
+    import pwd
+
+    try:
+        user, found = pwd.getpwuid(os.getuid()).pw_name, grp.getgrgid(group)
+    except KeyError:
+        return False
+    return found.gr_name == user and set(found.gr_mem) <= {user}
+
+
+def own_bytes(file: Path) -> bytes:
+    """Contents of a file of the cache that only the user can have written.
+
+    Others may have left it in the folder before their permission was removed.
+
+    Raises
+    ------
+    OSError
+        If there is no such file, or it is not the user's alone.
+    """
+    with file.open("rb") as stream:
+        found = os.fstat(stream.fileno())
+        if os.name == "posix" and (found.st_mode & _OTHERS or found.st_uid not in (0, os.getuid())):
+            raise PermissionError(errno.EPERM, os.strerror(errno.EPERM), str(file))
+        return stream.read()
 
 
 def can_save() -> bool:
@@ -205,6 +237,7 @@ def save(function: Any, code: bytes, needs: list[str]) -> None:
         with tempfile.TemporaryDirectory(prefix=f"{_DRAFT}{os.getpid()}-", dir=file.parent) as draft:
             whole = Path(draft, file.name)
             whole.write_bytes(data)
+            whole.chmod(0o600)
             whole.replace(file)  # at once, also for a process that reads it now
         stamp = file.name.rpartition("-")[2]
         for other in file.parent.glob(f"{_family(function)}-*.code"):
@@ -231,7 +264,7 @@ def _read(function: Any) -> tuple[list[str], bytes] | None:
     """What the code of an entry needs, and the code; None without a sound file."""
     file = code_file(function)
     try:
-        head, digest, body = file.read_bytes().split(b"\n", 2) if file else (b"", b"", b"")
+        head, digest, body = own_bytes(file).split(b"\n", 2) if file else (b"", b"", b"")
     except (OSError, ValueError):
         return None
     if head != _HEAD or hashlib.sha256(body).hexdigest().encode() != digest:

@@ -29,6 +29,9 @@ from pitchpoint.io.measured.record import (
     refused,
 )
 
+MOST_BYTES = 1_000_000_000
+"""Size of the unpacked arrays of one file, and of the chosen ones in double precision [bytes]: 18 MB of
+packed zeros may become a thousand times as much."""
 _MOST_COLUMNS = 4096
 _TEXT = 200
 
@@ -82,10 +85,10 @@ class Arrays:
     form
         Format in words.
     most
-        Maximum number of samples of all chosen channels, None for no limit.
+        Maximum number of samples of all chosen channels and time axes.
     """
 
-    def __init__(self, path: Path, form: str, most: int | None = None) -> None:
+    def __init__(self, path: Path, form: str, most: int) -> None:
         self._path, self._form, self._most = path, form, most
         self._found: list[Found] = []
         self._rate: float | None = None
@@ -130,8 +133,8 @@ class Arrays:
                 names = tuple(n for n, _ in _split(f, None))
                 wanted = Wanted((*wanted.channels, *names))
         chosen = [f for f in others if any(wanted.takes(name) for name, _ in _split(f, None))]
-        count = sum(math.prod(f.extent) for f in chosen)
-        if self._most is not None and count > self._most:
+        count = sum(math.prod(f.extent) for f in (*chosen, *times))
+        if count > self._most:
             remedy = "choose fewer channels with channels="
             limit = f"{self._most / 1e6:.0f} million"
             raise refused(

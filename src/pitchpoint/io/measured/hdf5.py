@@ -15,7 +15,7 @@ import numpy as np
 
 from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.io.container import FORMAT
-from pitchpoint.io.measured.arrays import Arrays, Found, stated_rate
+from pitchpoint.io.measured.arrays import MOST_BYTES, Arrays, Found, stated_rate
 from pitchpoint.io.measured.record import (
     RATE_NAMES,
     STEP_NAMES,
@@ -27,7 +27,7 @@ from pitchpoint.io.measured.record import (
     key_of,
     refused,
 )
-from pitchpoint.io.opening import dimensions_of, heaps_end, members
+from pitchpoint.io.opening import dimensions_of, heaps_end, is_elsewhere, members
 from pitchpoint.io.unmarked_file import DAMAGE
 
 if TYPE_CHECKING:
@@ -37,6 +37,9 @@ _MOST_OBJECTS = 20_000
 _PACKED = 1100
 """How many times smaller than its contents a packed array can be (deflate packs 1032 to 1 at most)."""
 _SMALL = 1 << 24
+_WIDEST = 8
+"""Bytes of a number in double precision: the numbers of a file that is not packed take that many times its
+size at most."""
 _HEAD = 1 << 16
 _SLOWEST = 1e7
 """Bytes per second that even a slow disk reads."""
@@ -91,7 +94,8 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
     try:
         with h5py.File(path, "r") as file:
             matlab = file.userblock_size > 0
-            found = Arrays(path, "MAT 7.3" if matlab else "HDF5")
+            most = max(MOST_BYTES, _WIDEST * path.stat().st_size) // _WIDEST
+            found = Arrays(path, "MAT 7.3" if matlab else "HDF5", most)
             for name, value in _attributes(file).items():
                 _take_attribute(found, name, value)
             for name, dataset in _datasets(path, file):
@@ -166,7 +170,7 @@ def _take(path: Path, found: Arrays, name: str, dataset: h5py.Dataset) -> None:
     """Take one array with its unit, its words and its own sample rate."""
     attributes = _attributes(dataset)
     kind = dataset.dtype.kind
-    if attributes.get("MATLAB_class") == "char" and dataset.size <= 1000:
+    if attributes.get("MATLAB_class") == "char" and dataset.size <= 1000 and not is_elsewhere(dataset):
         found.text(
             name, "".join(chr(c) for c in np.asarray(dataset[()], dtype=np.int64).ravel() if 0 < c < 0x110000)
         )
@@ -214,7 +218,10 @@ def _bare(dataset: h5py.Dataset) -> bool:
 
 
 def _numbers(path: Path, name: str, dataset: h5py.Dataset, scale: tuple[float, float] | None) -> np.ndarray:
-    """Numbers of an array that does not promise more than the file can hold."""
+    """Numbers of an array that lies in the file and does not promise more than that can hold."""
+    if is_elsewhere(dataset):
+        remedy = "store its numbers in this file, or choose other channels"
+        raise refused(path, name, "", "is stored in another file, which is not read", None, remedy)
     promised, stored = dataset.size * dataset.dtype.itemsize, int(dataset.id.get_storage_size())
     if promised > _SMALL and promised > _PACKED * min(stored, path.stat().st_size):
         raise refused(

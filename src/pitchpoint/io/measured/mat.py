@@ -18,16 +18,13 @@ from pathlib import Path
 
 import numpy as np
 
-from pitchpoint.io.measured.arrays import Arrays, Found
+from pitchpoint.io.measured.arrays import MOST_BYTES, Arrays, Found
 from pitchpoint.io.measured.record import MeasuredError, Record, Wanted, refused, truncated
 
 _MATRIX, _COMPRESSED = 14, 15
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
 _CELL, _STRUCT, _OBJECT, _CHAR, _SPARSE = 1, 2, 3, 4, 5
 _NUMERIC = range(6, 16)
-MOST_BYTES = 1_000_000_000
-"""Size of the unpacked arrays of one file, and of the chosen ones in double precision [bytes]: 18 MB of
-packed zeros may become a thousand times as much."""
 _MOST_PARTS = 10_000
 
 
