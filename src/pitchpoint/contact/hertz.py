@@ -42,10 +42,11 @@ def line_stiffness(compliance_1: float, compliance_2: float) -> float:
     compliance_1, compliance_2
         (1 - nu^2)/E of both bodies [1/Pa].
 
-    Notes ----- pi/(2 (compliance_1 + compliance_2)); for equal bodies pi E/(4 (1 - nu^2)). D. C. H. Yang and
-    Z. S. Sun, "A rotary model for spur gear dynamics", J. Mech. Transm. Autom. Des. 107 (1985). An
-    approximation: the true approach of a line contact increases slightly less than linearly with the load,
-    see `line_approach`.
+    Notes
+    -----
+    pi/(2 (compliance_1 + compliance_2)); for equal bodies pi E/(4 (1 - nu^2)). D. C. H. Yang and Z. S. Sun,
+    "A rotary model for spur gear dynamics", J. Mech. Transm. Autom. Des. 107 (1985). An approximation: the
+    true approach of a line contact increases slightly less than linearly with the load, see `line_approach`.
 
     Examples
     --------
@@ -98,8 +99,10 @@ def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
     beta_b
         Base helix angle [rad].
 
-    Notes ----- In the transverse section the radii are T1Y and T1T2 - T1Y. Contact lines are inclined by β_b
-    to the axes, so the normal radii are larger by 1/cos β_b.
+    Notes
+    -----
+    In the transverse section the radii are T1Y and T1T2 - T1Y. Contact lines are inclined by β_b to the
+    axes, so the normal radii are larger by 1/cos β_b.
 
     Examples
     --------

@@ -207,8 +207,10 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
     ModelError
         If a contact ratio is out of range.
 
-    Notes ----- The total is the moving average of the spur gear stiffness over eps_beta base pitches (L.
-    Mauer, SIMPACK User Meeting 2006: the parabola integrated along the face width).
+    Notes
+    -----
+    The total is the moving average of the spur gear stiffness over eps_beta base pitches (L. Mauer, SIMPACK
+    User Meeting 2006: the parabola integrated along the face width).
 
     Examples
     --------

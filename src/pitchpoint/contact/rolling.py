@@ -32,9 +32,11 @@ def curvature(
     angle
         Contact angle [rad].
 
-    Notes ----- With g = D cos(angle)/d_m: sum = (4 - 1/f + 2 g/(1 - g))/D, difference = (1/f + 2 g/(1 -
-    g))/(D sum). T. A. Harris, *Rolling Bearing Analysis*, 4th ed., ch. 2; his example, bearing 209, gives
-    0.202/mm and 0.9399 for the inner, 0.138/mm and 0.9120 for the outer raceway.
+    Notes
+    -----
+    With g = D cos(angle)/d_m: sum = (4 - 1/f + 2 g/(1 - g))/D, difference = (1/f + 2 g/(1 - g))/(D sum). T.
+    A. Harris, *Rolling Bearing Analysis*, 4th ed., ch. 2; his example, bearing 209, gives 0.202/mm and
+    0.9399 for the inner, 0.138/mm and 0.9120 for the outer raceway.
 
     Examples
     --------

@@ -35,8 +35,10 @@ def total_shape(shape: PairShape, eps_alpha: float, overlap: float, psi: ArrayLi
     psi
         Mesh phases [base pitches], any shape.
 
-    Notes ----- Sum over all pairs of the mean of c/c' along the contact line; for helical gears integrated
-    with 4000 steps of the path.
+    Notes
+    -----
+    Sum over all pairs of the mean of c/c' along the contact line; for helical gears integrated with 4000
+    steps of the path.
 
     Examples
     --------
@@ -91,11 +93,13 @@ def wear_pattern(
     ndarray, shape (n_z, n_roll)
         Pattern w b/F |v_g|/v [-]; beyond the path of contact the value at its end.
 
-    Notes ----- Archard: the wear depth at a point of a flank increases by k p |v_g| dt (J. F. Archard, J.
-    Appl. Phys. 24 (1953) 981). The contact passes the point at the rolling speed v = ω ρ, and the pressure
-    integrates to w/v with the line load w: h = k w |v_g|/v per revolution, with |v_g|/v = |1 − ρ_2 z_1/(ρ_1
-    z_2)| on gear 1, zero at the pitch point. w is F/b times the load share c/Σ c of the line; without flank
-    deviations this is the share of every line.
+    Notes
+    -----
+    Archard: the wear depth at a point of a flank increases by k p |v_g| dt (J. F. Archard, J. Appl. Phys. 24
+    (1953) 981). The contact passes the point at the rolling speed v = ω ρ, and the pressure integrates to
+    w/v with the line load w: h = k w |v_g|/v per revolution, with |v_g|/v = |1 − ρ_2 z_1/(ρ_1 z_2)| on gear
+    1, zero at the pitch point. w is F/b times the load share c/Σ c of the line; without flank deviations
+    this is the share of every line.
 
     Examples
     --------

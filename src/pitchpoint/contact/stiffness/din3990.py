@@ -200,9 +200,11 @@ def single_stiffness(
         c'_th, c' = c'_th C_M C_R C_B cos(beta) E/E_steel, c_gamma_alpha = c' (0.75 eps_alpha + 0.25),
         c_gamma_beta = 0.85 c_gamma_alpha [N/m^2], and the factors.
 
-    Notes ----- Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean value of both basic
-    racks, with the effective dedendum if a root diameter is given. For an internal gear 1/z_n2 = 0 and x2
-    has the sign of ISO 21771.
+    Notes
+    -----
+    Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean value of both basic racks, with
+    the effective dedendum if a root diameter is given. For an internal gear 1/z_n2 = 0 and x2 has the sign
+    of ISO 21771.
 
     Examples
     --------

@@ -75,8 +75,10 @@ def energy_compliance(
     ModelError
         If there are fewer than two points, the body model is unknown, or a modulus is not positive.
 
-    Notes ----- See `tooth_compliance` for the teeth. The contact lines of a helical pair are longer than the
-    face width by 1/cos(beta_b) and loaded by F_n = F_bt/cos(beta_b), so the contact compliance is divided by
+    Notes
+    -----
+    See `tooth_compliance` for the teeth. The contact lines of a helical pair are longer than the face width
+    by 1/cos(beta_b) and loaded by F_n = F_bt/cos(beta_b), so the contact compliance is divided by
     cos(beta_b). The body compliance applies to each pair separately: the coupling of neighbouring pairs
     through the common gear body is not modelled.
 

@@ -32,9 +32,11 @@ def equivalent_radius(pair: GearPair, diameter: str = "reference") -> float:
     ModelError
         If the diameter is neither "reference" nor "operating".
 
-    Notes ----- R = i d_1 cos(alpha_t) tan(alpha_wt)/(2 (1 + i) cos(beta_b)), i = z_2/z_1 with its sign. The
-    reference diameter is exact: with rho_1 = r_b1 tan(alpha_wt)/cos(beta_b) and rho_2 = i rho_1, 1/R =
-    1/rho_1 + 1/rho_2.
+    Notes
+    -----
+    R = i d_1 cos(alpha_t) tan(alpha_wt)/(2 (1 + i) cos(beta_b)), i = z_2/z_1 with its sign. The reference
+    diameter is exact: with rho_1 = r_b1 tan(alpha_wt)/cos(beta_b) and rho_2 = i rho_1, 1/R = 1/rho_1 +
+    1/rho_2.
 
     Examples
     --------
@@ -79,9 +81,11 @@ def hertz_constant(
     diameter
         See `equivalent_radius`.
 
-    Notes ----- K = (4/3) sqrt(R) E*, 1/E* = sum of (1 - nu^2)/E: two spheres with the curvature of the
-    flanks (H. Hertz, 1881), as used for whole tooth pairs in a study of a mining shovel's crawler gearbox,
-    eq. 3. K is independent of the face width.
+    Notes
+    -----
+    K = (4/3) sqrt(R) E*, 1/E* = sum of (1 - nu^2)/E: two spheres with the curvature of the flanks (H. Hertz,
+    1881), as used for whole tooth pairs in a study of a mining shovel's crawler gearbox, eq. 3. K is
+    independent of the face width.
 
     Examples
     --------
@@ -128,9 +132,11 @@ def hertz(
     T_R
         Tip-relief factor in [0, 1]: ramps at both ends of the path.
 
-    Notes ----- K applies to a contact line over the whole common face width and is distributed uniformly
-    along it: a pair in contact over half of its line has K/2. Along the base tangent F_bt = F_n cos(beta_b)
-    and delta = u_bt cos(beta_b), so the constant there is K cos(beta_b)^(1 + exponent).
+    Notes
+    -----
+    K applies to a contact line over the whole common face width and is distributed uniformly along it: a
+    pair in contact over half of its line has K/2. Along the base tangent F_bt = F_n cos(beta_b) and delta =
+    u_bt cos(beta_b), so the constant there is K cos(beta_b)^(1 + exponent).
 
     Examples
     --------

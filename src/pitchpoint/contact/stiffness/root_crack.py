@@ -87,10 +87,12 @@ def crack_compliance(
     GeometryError
         If a crack extends beyond the centre line or a depth is negative.
 
-    Notes ----- The crack tip is at the distance h_c = x_0 − depth sin(angle) from the centre line, with x_0
-    the half thickness at the root. Material farther out than h_c on the cracked side carries no load (limit
-    line parallel to the centre line): sections of half thickness x > h_c have the thickness x + h_c instead
-    of 2 x, hence I = (x + h_c)³/12 and A = x + h_c in the bending and shear terms of `tooth_compliance`.
+    Notes
+    -----
+    The crack tip is at the distance h_c = x_0 − depth sin(angle) from the centre line, with x_0 the half
+    thickness at the root. Material farther out than h_c on the cracked side carries no load (limit line
+    parallel to the centre line): sections of half thickness x > h_c have the thickness x + h_c instead of 2
+    x, hence I = (x + h_c)³/12 and A = x + h_c in the bending and shear terms of `tooth_compliance`.
     Compression, contact and gear body are unchanged. X. Tian, M. J. Zuo and K. R. Fyfe, "Analysis of the
     vibration response of a gearbox with gear tooth faults", ASME IMECE (2004); Z. Chen and Y. Shao, Eng.
     Fail. Anal. 18 (2011) 2149. Slices along the face width are not coupled.

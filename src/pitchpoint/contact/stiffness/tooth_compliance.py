@@ -231,8 +231,10 @@ def tooth_compliance(
         "load_line" or "contact_point": definition of u, see `_body_compliance`; "rigid": no body compliance.
         An internal gear is always rigid because the fit applies to discs.
 
-    Notes ----- Per unit face width, with F along the base tangent, a1 its angle to the perpendicular to the
-    tooth centre line, x the half thickness and eta the height above the root circle:
+    Notes
+    -----
+    Per unit face width, with F along the base tangent, a1 its angle to the perpendicular to the tooth centre
+    line, x the half thickness and eta the height above the root circle:
 
     * bending: int [cos a1 (eta_c - eta) - x_c sin a1]^2/(E I) d eta, I = 2 x^3/3
     * shear: 1.2 cos^2 a1 int 1/(G A) d eta, A = 2 x; axial: sin^2 a1 int 1/(E A) d eta
