@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Total stiffness of a bevel mesh over one mesh cycle.
 
-A slice of a tooth at the cone distance R turns the gear with the lever R, so it counts by R squared. Along a
-contact line of spiral teeth the path position goes with ln R; straight teeth touch along rays, and their
-cycle is that of spur gears.
+A tooth slice at cone distance R acts on the gear with lever arm R, so its stiffness is weighted with R².
+Along a contact line of spiral teeth the path position varies linearly with ln R. Straight teeth touch along
+rays through the apex; their cycle is that of spur gears.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from pitchpoint.contact.mesh_cycle import MeshCycle, pair_cycle
 from pitchpoint.contact.stiffness.description import Array, PairShape
 
 STRAIGHT = 1e-9
-"""Overlap ratio below which teeth count as straight."""
+"""Overlap ratio below which teeth are treated as straight."""
 EXTREMES = 4000
-"""Phases among which extremes of spiral teeth are looked for."""
+"""Number of phases sampled for the extremes of spiral teeth."""
 
 _X, _W = np.polynomial.legendre.leggauss(5)
 
@@ -35,18 +35,18 @@ def bevel_cycle(
     eps_alpha
         Transverse contact ratio [-].
     rate
-        Base pitches by which a contact line advances per ln R: tan β_b1 / σ_p on front flanks, its negative
-        on back flanks [-]; 0 for straight teeth.
+        Advance of a contact line in base pitches per ln R [-]: tan β_b1 / σ_p on front flanks, its negative
+        on back flanks; 0 for straight teeth.
     face
-        Inner and outer end of the common face, R_i/R_m and R_e/R_m [-].
+        Inner and outer end of the common face width, R_i/R_m and R_e/R_m [-].
     n
-        Number of phases to sample, both ends included.
+        Number of sampled phases, both ends included.
 
     Returns
     -------
     MeshCycle
-        The phase is zero when a pair starts contact at R_m. The mean is exact; extremes of spiral teeth are
-        those of 4000 phases.
+        The phase is zero when a pair starts contact at R_m. The mean is exact; the extremes of spiral teeth
+        are taken from 4000 phases.
 
     Notes
     -----
@@ -79,7 +79,7 @@ def bevel_cycle(
 def _spiral(
     shape: PairShape, eps_alpha: float, rate: float, ends: tuple[float, float], phase: Array
 ) -> Array:
-    """Sum over pairs at some phases; five Gauss points on every piece of a contact line between kinks."""
+    """Sum over all pairs at the given phases; five Gauss points between kinks of a contact line."""
     L = min(shape.ramp_length(eps_alpha), 0.5 * eps_alpha)
     inner = () if shape.table is None else np.linspace(0.0, eps_alpha, shape.table.size)
     kinks = np.unique([0.0, L, eps_alpha - L, eps_alpha, *inner])

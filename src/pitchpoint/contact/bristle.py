@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dry friction that sticks: Stribeck's curve, and bristles that bend, hold and slip.
+"""Dry friction with sticking: Stribeck curve and elastoplastic bristle model.
 
-All is per unit of normal load or torque capacity; the capacity is the friction of fast sliding. Speeds are
-those of sliding, of points [m/s] or of discs [rad/s].
+All values are per unit of capacity (friction force or torque at fast sliding). Sliding speeds are in m/s for
+points and in rad/s for discs.
 
 Source: Stribeck, Z. VDI 46 (1902); Dupont, Hayward, Armstrong, Altpeter, IEEE Trans. Autom. Control 47
 (2002).
@@ -17,11 +17,11 @@ from pitchpoint.core.kernel import kernel
 
 @kernel
 def stribeck(v, ratio, v_s):
-    """Friction at steady sliding over that of fast sliding, and its derivative by v.
+    """Friction at steady sliding relative to fast sliding, and its derivative with respect to v.
 
     1 + (ratio - 1) exp(-(v/v_s)^2), with the ratio of static to dynamic friction and the Stribeck speed v_s;
-    v_s = 0 means that friction is dynamic as soon as anything slides. R. Stribeck, Z. VDI 46 (1902); the
-    curve as by Bo and Pavelescu, Wear 82 (1982).
+    v_s = 0: dynamic friction at any sliding speed. R. Stribeck, Z. VDI 46 (1902); curve of Bo and Pavelescu,
+    Wear 82 (1982).
 
     >>> value, slope = stribeck(0.01, 1.5, 0.01)
     >>> round(float(value), 6), round(float(slope), 6)
@@ -36,11 +36,11 @@ def stribeck(v, ratio, v_s):
 
 @kernel
 def yielding(y, v, limit, onset):
-    """How plastic a bristle is at deflection y while sliding with v, and its derivatives by y and limit.
+    """Plastic fraction alpha of a bristle at deflection y and sliding speed v; derivatives by y and limit.
 
-    0 up to the deflection `onset` (< limit), 1 beyond `limit`, a half sine wave between; 0 if it is being
-    released. P. Dupont, V. Hayward, B. Armstrong, F. Altpeter, "Single state elastoplastic friction models",
-    IEEE Trans. Autom. Control 47 (2002).
+    0 up to the deflection `onset` (< limit), 1 beyond `limit`, half a sine wave in between; 0 while the
+    bristle unloads. P. Dupont, V. Hayward, B. Armstrong, F. Altpeter, "Single state elastoplastic friction
+    models", IEEE Trans. Autom. Control 47 (2002).
 
     >>> tuple(round(float(x), 6) for x in yielding(0.85, 1.0, 1.0, 0.7))
     (0.5, 5.235988, -2.617994)
@@ -60,11 +60,11 @@ def yielding(y, v, limit, onset):
 
 @kernel
 def bristle_rate(y, v, steady, slope, stiffness, onset):
-    """Rate of the deflection y of a bristle in units of the capacity, and its derivatives by y and v.
+    """Rate of the bristle deflection y in units of the capacity, and its derivatives by y and v.
 
     y' = stiffness v (1 - alpha |y| / g): stiffness is the slope of friction over sliding distance before
-    slip, g = `steady` friction at this speed with derivative `slope`, alpha as in `yielding`. Below `onset`
-    the bristle is a spring, so nothing creeps.
+    slip, g the `steady` friction at this speed with derivative `slope`, alpha from `yielding`. Below `onset`
+    the bristle is an elastic spring without creep.
 
     >>> tuple(abs(round(float(x), 6)) for x in bristle_rate(0.5, 1e-3, 1.0, 0.0, 1e4, 0.7))
     (10.0, 0.0, 10000.0)

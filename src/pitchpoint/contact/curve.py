@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Planar curves as data: rows of straight lines, arcs, cubic pieces and involutes, ready for the kernels.
+"""Planar curves as arrays for the kernels: segments are straight lines, arcs, cubics and involutes.
 
-A curve is walked in one direction with the material on its left: an outline that runs counter-clockwise is a
-body, one that runs clockwise a hole. The outward normal points to the right. Corners that stick out are arcs
-of radius zero, so that the nearest point and its normal always move on smoothly along them.
+A curve has a direction, with the material on its left: a counter-clockwise outline is a body, a clockwise
+one a hole. The outward normal points to the right. Convex corners are arcs of radius zero, so that the
+nearest point and its normal move continuously around them.
 
-A row has 16 numbers: form, centre and radius of a circle around the piece [m], eight numbers of the form,
-arc length at which the piece begins and its length [m], mean direction of the piece and how far it turns to
-either side of it [rad]. The parameter of a piece runs from 0 to 1; along the
-curve one counts by arc length, within a cubic piece in proportion to its parameter.
+A row has 16 numbers: type of the segment, centre and radius of its bounding circle [m], eight numbers of the
+type, arc length at its start and its length [m], mean direction and the largest deviation from it [rad]. The
+parameter of a segment runs from 0 to 1. The position along the curve is the arc length; within a cubic
+segment it is proportional to the parameter.
 
 Derivation: docs/theory/contacts.md, "Curves".
 """
@@ -40,7 +40,7 @@ from pitchpoint.contact.curve_point import (
 
 NUMBERS = 4
 SMOOTH = 1e-9
-"""Turn between two pieces below which there is no corner [rad]."""
+"""Change of direction between two segments below which no corner is inserted [rad]."""
 
 FloatArray = NDArray[np.float64]
 
@@ -52,9 +52,9 @@ class Curve:
     Parameters
     ----------
     rows
-        Pieces, shape (n, 16).
+        Segments, shape (n, 16).
     closed
-        Whether the last piece ends where the first begins.
+        Whether the last segment ends where the first begins.
     """
 
     rows: FloatArray
@@ -66,7 +66,7 @@ class Curve:
         return float(self.rows[-1, BEGIN] + self.rows[-1, LENGTH])
 
     def circle(self) -> tuple[float, float, float]:
-        """Centre and radius of a circle around the curve [m]."""
+        """Centre and radius of a bounding circle of the curve [m]."""
         low = (self.rows[:, 1:3] - self.rows[:, 3:4]).min(axis=0)
         high = (self.rows[:, 1:3] + self.rows[:, 3:4]).max(axis=0)
         center = 0.5 * (low + high)
@@ -75,7 +75,7 @@ class Curve:
 
 
 def _row(form: int, numbers: Sequence[float], points: FloatArray, length: float) -> FloatArray:
-    """Row of one piece; `points` lie on the piece and its circle is widened by what lies between them."""
+    """Row of one segment; its bounding circle encloses `points` on it plus half their spacing."""
     row = np.zeros(WIDTH)
     row[FORM], row[LENGTH] = form, length
     row[NUMBERS : NUMBERS + len(numbers)] = numbers
@@ -86,12 +86,12 @@ def _row(form: int, numbers: Sequence[float], points: FloatArray, length: float)
 
 
 def line_piece(start: ArrayLike, end: ArrayLike) -> FloatArray:
-    """A straight line, as a row for `chain`.
+    """Straight segment, as a row for `chain`.
 
     Parameters
     ----------
     start, end
-        Its ends [m], shape (2,).
+        End points [m], shape (2,).
 
     Examples
     --------
@@ -106,17 +106,17 @@ def line_piece(start: ArrayLike, end: ArrayLike) -> FloatArray:
 
 
 def arc_piece(center: ArrayLike, radius: float, start: float, sweep: float) -> FloatArray:
-    """An arc of a circle, as a row for `chain`, shape (n,).
+    """Circular arc, as a row for `chain`, shape (n,).
 
     Parameters
     ----------
     center, radius
-        [m]; a radius of zero is a corner.
+        Centre and radius [m]; a radius of zero is a corner.
     start
-        Angle at which it begins [rad].
+        Start angle [rad].
     sweep
-        Angle over which it runs [rad]: positive counter-clockwise around material, negative clockwise around
-        a hollow.
+        Sweep angle [rad]: positive (counter-clockwise) for a convex arc, negative (clockwise) for a concave
+        one.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def _pair(z: complex) -> tuple[float, float]:
 
 
 def _ends(row: FloatArray) -> tuple[complex, complex, complex, complex]:
-    """Start, end and unit directions there of one piece."""
+    """Start and end point of a segment, and the unit tangents there."""
     found = []
     for t in (0.0, 1.0):
         x, y, tx, ty, _, _ = point_of(np.ascontiguousarray(row)[None, :], 0, t)
@@ -143,31 +143,31 @@ def _ends(row: FloatArray) -> tuple[complex, complex, complex, complex]:
 
 
 def _course(row: FloatArray) -> tuple[float, float]:
-    """Mean direction of a piece and the largest turn away from it [rad]."""
+    """Mean direction of a segment and the largest deviation from it [rad]."""
     rows = np.ascontiguousarray(row)[None, :]
     directions = []
     for t in np.linspace(0.0, 1.0, 65):
         _, _, tx, ty, _, _ = point_of(rows, 0, t)
         directions.append(math.atan2(ty, tx))
     angle = np.unwrap(directions)
-    step = 0.0 if row[FORM] != CUBIC else float(np.abs(np.diff(angle)).max())  # others turn one way
+    step = 0.0 if row[FORM] != CUBIC else float(np.abs(np.diff(angle)).max())  # monotone in others
     return 0.5 * float(angle.min() + angle.max()), 0.5 * float(np.ptp(angle)) + step
 
 
 def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
-    """Join pieces to a curve: count its length, round corners that stick out with radius zero.
+    """Join segments to a curve: set arc lengths and directions, insert zero-radius arcs at convex corners.
 
     Parameters
     ----------
     rows
-        Pieces in their order, rows of equal shape; each begins where the previous one ends.
+        Segments in order, rows of equal shape; each begins where the previous one ends.
     closed
-        Whether the last ends where the first begins.
+        Whether the last segment ends where the first begins.
 
     Raises
     ------
     ValueError
-        If a piece does not end where the next one begins.
+        If a segment does not end where the next one begins.
 
     Examples
     --------
@@ -197,14 +197,14 @@ def chain(rows: Sequence[FloatArray], closed: bool) -> Curve:
 
 
 def circle(radius: float, center: tuple[float, float] = (0.0, 0.0), hole: bool = False) -> Curve:
-    """A circle.
+    """Circle as a closed curve.
 
     Parameters
     ----------
     radius, center
-        [m].
+        Radius and centre [m].
     hole
-        Material outside instead of inside.
+        Whether the material is outside the circle.
 
     Examples
     --------
@@ -215,12 +215,12 @@ def circle(radius: float, center: tuple[float, float] = (0.0, 0.0), hole: bool =
 
 
 def vertex(x: float = 0.0, y: float = 0.0) -> FloatArray:
-    """A point, as a row (shape as of `arc_piece`) for `chain`: a full circle of radius zero.
+    """Single point, as a row (shape as of `arc_piece`) for `chain`: a full circle of radius zero.
 
     Parameters
     ----------
     x, y
-        Its place [m].
+        Coordinates [m].
 
     Examples
     --------
@@ -231,14 +231,15 @@ def vertex(x: float = 0.0, y: float = 0.0) -> FloatArray:
 
 
 def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> Curve:
-    """A polygon whose corners are rounded by arcs.
+    """Polygon with corners rounded by arcs.
 
     Parameters
     ----------
     points
-        Corners [m], shape (n, 2), in the order they are walked.
+        Corners [m], shape (n, 2), in the direction of the curve.
     radii
-        Radius of the arc at each corner [m], one number or shape (n,); the ends of an open one have none.
+        Radius of the arc at each corner [m], one number or shape (n,); ignored at the ends of an open
+        polygon.
     closed
         Whether the last corner is joined to the first.
 
@@ -287,12 +288,13 @@ def polygon(points: ArrayLike, radii: ArrayLike = 0.0, closed: bool = True) -> C
 
 
 def spline(points: ArrayLike, closed: bool = True) -> Curve:
-    """A smooth curve through points: cubic spline over the chord length, continuous in curvature.
+    """Cubic spline through points, parametrised by chord length; continuous in curvature.
 
     Parameters
     ----------
     points
-        Points [m], shape (n, 2), in the order they are walked; a closed one names its first point once.
+        Points [m], shape (n, 2), in the direction of the curve; a closed spline lists its first point only
+        once.
     closed
         Whether the last point is joined to the first.
 
@@ -314,7 +316,7 @@ def spline(points: ArrayLike, closed: bool = True) -> Curve:
         p = np.concatenate([p, p[:1]])
     chord = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(p, axis=0).T))])
     if np.any(np.diff(chord) <= 0.0):
-        raise ValueError("two points of a spline in a row are the same")
+        raise ValueError("two consecutive points of a spline coincide")
     form: Any = CubicSpline(chord, p, bc_type="periodic" if closed else "not-a-knot")
     rows = []
     for k, h in enumerate(np.diff(chord)):
@@ -329,24 +331,23 @@ def spline(points: ArrayLike, closed: bool = True) -> Curve:
 
 
 def involute_piece(r_b: float, phase: float, u: tuple[float, float], hand: int = 1) -> FloatArray:
-    """Piece of the involute of a circle about the origin, as a row (shape as of `arc_piece`) for `chain`.
+    """Involute segment, base circle about the origin, as a row (shape as of `arc_piece`) for `chain`.
 
     Parameters
     ----------
     r_b
-        Radius of the base circle [m].
+        Base radius [m].
     phase
-        Angle at which the involute leaves the base circle [rad].
+        Angle at which the involute starts on the base circle [rad].
     u
-        Angles of roll at which the piece begins and ends [rad], both above zero; the radius is
-        r_b sqrt(1 + u^2).
+        Roll angles at start and end [rad], both > 0; the radius is r_b sqrt(1 + u^2).
     hand
-        1 if it unwinds counter-clockwise, -1 clockwise.
+        1 if it unwinds counter-clockwise, -1 if clockwise.
 
     Raises
     ------
     ValueError
-        If the base radius is not above 0, or the roll angles are equal or negative.
+        If the base radius is not > 0, a roll angle is not > 0, or both roll angles are equal.
 
     Examples
     --------
@@ -355,7 +356,7 @@ def involute_piece(r_b: float, phase: float, u: tuple[float, float], hand: int =
     0.00525
     """
     if not (min(u) > 0.0 and u[0] != u[1] and r_b > 0.0 and hand in (1, -1)):
-        raise ValueError("an involute needs a base radius and two different angles of roll above zero")
+        raise ValueError("an involute requires a positive base radius and two different positive roll angles")
     t = np.linspace(u[0], u[1], 17)
     z = r_b * (1.0 - 1j * t) * np.exp(1j * t)
     z = (z if hand > 0 else z.conj()) * np.exp(1j * phase)

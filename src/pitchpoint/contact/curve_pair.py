@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Common normals of two planar curves: where their outward normals are opposite along one line.
+"""Common normals of two planar curves: points whose outward normals are opposite and collinear.
 
-Curve A is carried into the plane of curve B by M, the upper left part of the turn from the axes of A to those
-of B, and d. Pieces are taken two by two. Where one of them is an arc, the nearest place to its centre is a
-closed form or one equation; else two equations in the parameters s of A and t of B are solved by Newton,
-starting from the best of 25 places: r1 = (x_A - x_B) . tau_B, r2 = tau_A . n_B. Everything starts afresh each
-time, so equal places give equal bits.
+Curve A is transformed into the plane of curve B by the translation d and the upper left part of M, the
+rotation from the axes of A to those of B. All pairs of segments are evaluated. If one of the two is an arc,
+the point nearest to its centre has a closed form or follows from one equation. Otherwise Newton's method
+solves two equations in the parameters s of A and t of B, r1 = (x_A - x_B) . tau_B and r2 = tau_A . n_B,
+starting from the best of 25 points. The search has no memory: equal positions give bit-identical results.
 
 Derivation: docs/theory/contacts.md, "Curves".
 """
@@ -27,14 +27,14 @@ from pitchpoint.contact.curve_point import (
 from pitchpoint.core.kernel import kernel
 
 MOST = 4
-"""Contacts of two curves at one time; of more the deepest count."""
+"""Maximum number of simultaneous contacts of two curves; the deepest are used."""
 HIT = 5
-"""Numbers of a contact: gap, parameter and piece of A, parameter and piece of B."""
+"""Numbers per contact: gap, parameter and segment of A, parameter and segment of B."""
 
 
 @kernel
 def carried(rows, k, t, M, d):
-    """`point_of` curve A, carried into the plane of curve B; a tilt of A shortens it.
+    """`point_of` curve A, transformed into the plane of curve B; a tilt of A foreshortens it.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle
@@ -56,7 +56,7 @@ def carried(rows, k, t, M, d):
 
 @kernel
 def merit(A, ka, s, B, kb, t, M, d):
-    """How far two places are from a common normal; large where the outward normals are not opposite.
+    """Residual norm of the common-normal equations at s and t; 1e300 if the normals point the same way.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle
@@ -76,7 +76,7 @@ def merit(A, ka, s, B, kb, t, M, d):
 
 @kernel
 def _newton(A, ka, s, B, kb, t, M, d):
-    """Solve r1 = r2 = 0 from s and t; returns whether it came to rest, s and t."""
+    """Solve r1 = r2 = 0 by Newton's method from s and t; returns converged (1 or 0), s and t."""
     for _ in range(40):
         ax, ay, aux, auy, asp, atn = carried(A, ka, s, M, d)
         bx, by, bux, buy, bsp, btn = point_of(B, kb, t)
@@ -111,7 +111,7 @@ def _newton(A, ka, s, B, kb, t, M, d):
 
 @kernel
 def _arc_against_piece(A, ka, B, kb, M, d):
-    """Start for a convex arc of A against a piece of B: the nearest place to its centre."""
+    """Parameters for a convex arc of A against a segment of B: the point of B nearest to the arc centre."""
     x = d[0] + M[0, 0] * A[ka, 4] + M[0, 1] * A[ka, 5]
     y = d[1] + M[1, 0] * A[ka, 4] + M[1, 1] * A[ka, 5]
     found, t, phi, nx, ny = nearest(B, kb, x, y)
@@ -124,7 +124,7 @@ def _arc_against_piece(A, ka, B, kb, M, d):
 
 @kernel
 def _piece_against_arc(A, ka, B, kb, M, d):
-    """Start for a piece of A against a convex arc of B: the same seen from A."""
+    """Parameters for a segment of A against a convex arc of B: the point of A nearest to the arc centre."""
     dx = B[kb, 4] - d[0]
     dy = B[kb, 5] - d[1]
     x = M[0, 0] * dx + M[1, 0] * dy
@@ -139,10 +139,10 @@ def _piece_against_arc(A, ka, B, kb, M, d):
 
 @kernel
 def common_normal(A, ka, B, kb, M, d):
-    """Common normal of piece ka of A and kb of B: found (1 or 0), parameters s and t, gap [m].
+    """Common normal of segment ka of A and kb of B: found (1 or 0), parameters s and t, gap [m].
 
-    The gap is negative where the materials overlap. A place beyond the end of a piece, or one where the
-    curves touch from the inside because one bends more than the other, is none.
+    The gap is negative if the bodies overlap. Points beyond the end of a segment are rejected, and so are
+    internal contacts whose gap is not a minimum because of the curvatures.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle
@@ -187,7 +187,7 @@ def common_normal(A, ka, B, kb, M, d):
 
 @kernel
 def _may_face(A, ka, B, kb, turn, slack):
-    """Whether some outward normals of two pieces may be opposite, A turned by `turn` [rad] against B."""
+    """Whether outward normals of two segments can be opposite, with A rotated by `turn` [rad] against B."""
     off = A[ka, COURSE] + turn - B[kb, COURSE] + 0.5 * TWO_PI
     off -= TWO_PI * math.floor(off / TWO_PI + 0.5)
     return abs(off) <= A[ka, SPREAD] + B[kb, SPREAD] + slack
@@ -195,7 +195,7 @@ def _may_face(A, ka, B, kb, turn, slack):
 
 @kernel
 def _same(hits, n, A, ka, s, B, kb, t):
-    """Whether a contact was found already, at the joint of two pieces."""
+    """Whether a contact at the joint of two segments has already been found."""
     ax, ay, aux, auy, asp, atn = point_of(A, ka, s)
     bx, by, bux, buy, bsp, btn = point_of(B, kb, t)
     near = 4.0 * EDGE * (A[ka, 3] + B[kb, 3])
@@ -211,7 +211,7 @@ def _same(hits, n, A, ka, s, B, kb, t):
 
 @kernel
 def nearest_normal(A, B, M, d, least, hits):
-    """Common normal of two curves that is nearest to contact, within `least` [m], into row 0 of `hits`.
+    """Store the common normal with the smallest |gap| below `least` [m] in row 0 of `hits`; False if none.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle
@@ -246,10 +246,10 @@ def nearest_normal(A, B, M, d, least, hits):
 
 @kernel
 def _deep_contact(A, B, M, d, reach, best, hits):
-    """Whether the nearest place of all is an overlap; it goes into row 0. `best` is the gap found so far.
+    """Whether the nearest points of the curves are a deep overlap; stored in row 0. `best`: gap found so far.
 
-    Of a point inside an outline the sides of the outline are nearer or farther; outside of it the near side
-    is nearer than the far one. So the closest points of the curves without offset show which case it is.
+    The sign of the gap at the closest points of the curves without offset shows whether one body is inside
+    the other.
     """
     offset = reach[0]
     near = False
@@ -271,12 +271,13 @@ def _deep_contact(A, B, M, d, reach, best, hits):
 
 @kernel
 def contacts(A, B, M, d, reach, hits):
-    """All contacts of two curves, deepest first, into `hits` (MOST rows); returns their number and the gap.
+    """Store all contacts of two curves in `hits` (MOST rows), deepest first; return their number and the gap.
 
-    reach = (offset of A [m], deepest overlap that counts [m], largest gap that is looked for [m], x, y and
-    radius of the circle around B, deepest overlap of all [m]). Row 0 holds the nearest place even without
-    contact; its last number is -1 if there is none within the largest gap, which is then returned. If none
-    is found, the closest points count up to the deepest overlap: one body is then far inside the other.
+    reach = (offset of A [m], maximum overlap of the regular search [m], maximum gap of the search [m], x, y
+    and radius of the bounding circle of B [m], maximum overlap of all [m]). Row 0 holds the nearest common
+    normal even without contact; its last number is -1 if none is within the maximum gap, which is then
+    returned. If no contact is found, the closest points are accepted up to the maximum overlap of all: one
+    body is then deep inside the other.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle
@@ -290,14 +291,14 @@ def contacts(A, B, M, d, reach, hits):
     best = reach[2]
     n = 0
     hits[0, 4] = -1.0
-    slack = 1e-6 + 2.0 * (1.0 - M[2, 2])  # a tilt changes directions within the curve
+    slack = 1e-6 + 2.0 * (1.0 - M[2, 2])  # a tilt changes the tangent directions
     turn = math.atan2(M[1, 0], M[0, 0])
     for ka in range(A.shape[0]):
         x = d[0] + M[0, 0] * A[ka, 1] + M[0, 1] * A[ka, 2]
         y = d[1] + M[1, 0] * A[ka, 1] + M[1, 1] * A[ka, 2]
         r = A[ka, 3] + offset
         whole = math.sqrt((x - reach[3]) ** 2 + (y - reach[4]) ** 2) - r - reach[5]
-        if whole > max(best, reach[1]):  # overlaps are no longer than the deepest that counts
+        if whole > max(best, reach[1]):  # overlaps are limited to reach[1]
             continue
         for kb in range(B.shape[0]):
             dx = x - B[kb, 1]

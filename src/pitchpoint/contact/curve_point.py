@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kernels on planar curves: place, direction and curvature at a parameter, nearest place to a point.
+"""Kernels for planar curves: position, tangent and curvature at a parameter; point nearest to a given point.
 
 Derivation: docs/theory/contacts.md, "Curves".
 """
@@ -15,14 +15,15 @@ WIDTH = 16
 FORM, BEGIN, LENGTH, COURSE, SPREAD = 0, 12, 13, 14, 15
 TWO_PI = 6.283185307179586
 EDGE = 1e-9
-"""How far beyond the ends of a piece its parameter may lie."""
+"""Tolerance of the parameter beyond the ends of a segment."""
 
 
 @kernel
 def point_of(rows, k, t):
-    """Place x, y [m], unit direction, speed [m] and turn of it [rad] per parameter, of piece k at t.
+    """Position x, y [m], unit tangent, speed [m] and turn [rad] of segment k at parameter t.
 
-    The curvature is turn/speed; arcs of radius zero have a turn without speed.
+    speed and turn are the derivatives of arc length and direction by t; the curvature is turn/speed. Arcs of
+    radius zero have speed 0.
 
     >>> from pitchpoint.contact.curve import circle
     >>> tuple(round(float(x), 9) + 0.0 for x in point_of(circle(0.5).rows, 0, 0.25))
@@ -52,7 +53,7 @@ def point_of(rows, k, t):
         square = dx * dx + dy * dy
         size = math.sqrt(square)
         return x, y, dx / size, dy / size, size, (dx * ey - dy * ex) / square
-    # involute: r_b (1 - i u) e^(iu), mirrored and turned
+    # involute: r_b (1 - i u) e^(iu), mirrored and rotated
     r = rows[k, 4]
     phase = rows[k, 5]
     hand = rows[k, 6]
@@ -72,7 +73,7 @@ def point_of(rows, k, t):
 
 @kernel
 def arc_length(rows, k, t):
-    """Arc length from the start of the curve to the parameter t of piece k [m].
+    """Arc length from the start of the curve to parameter t of segment k [m].
 
     >>> from pitchpoint.contact.curve import polygon
     >>> float(arc_length(polygon([(0, 0), (1, 0), (1, 1), (0, 1)]).rows, 2, 0.25))
@@ -87,7 +88,7 @@ def arc_length(rows, k, t):
 
 @kernel
 def sweep_place(start, sweep, angle):
-    """Parameter of an arc at an angle; outside 0 to 1 where the arc does not reach.
+    """Parameter of an arc at a polar angle; outside 0 to 1 if the arc does not reach the angle.
 
     >>> float(sweep_place(0.5, 2.0, 1.5)), bool(sweep_place(0.0, 1.0, -0.1) < 0.0)
     (0.5, True)
@@ -103,7 +104,7 @@ def sweep_place(start, sweep, angle):
 
 @kernel
 def _nearest_by_newton(rows, k, x, y):
-    """Parameter at which a smooth piece is nearest to a point, and 1, or 0 if it is not between its ends."""
+    """Parameter at which a smooth segment is nearest to a point, from -0.25 to 1.25."""
     best = 1e300
     t = 0.5
     for i in range(9):
@@ -129,10 +130,10 @@ def _nearest_by_newton(rows, k, x, y):
 
 @kernel
 def nearest(rows, k, x, y):
-    """Where piece k is nearest to a point: found (1 or 0), parameter, signed distance [m], outward normal.
+    """Point of segment k nearest to (x, y): found (1 or 0), parameter, signed distance [m], outward normal.
 
-    The distance is positive outside the material. Only places inside the piece count where the distance is a
-    true minimum, corners that stick out included.
+    The distance is positive outside the material. Only points inside the segment at which the distance is a
+    minimum are accepted, convex corners included.
 
     >>> from pitchpoint.contact.curve import circle
     >>> tuple(round(float(x), 9) for x in nearest(circle(0.5).rows, 0, 0.0, 0.75))

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact damping: how far it is switched on, and which rate acts.
+"""Contact damping: ramp of the damping coefficient over the penetration.
 
-A flank can only damp while it is in contact, and a damper that is fully on at zero penetration would pull or
-hit like a step. So the rate fades in over the penetration s_0 (full damping at s_0), and compression and
-decompression may have different rates.
+Flanks are damped only while they are in contact. Full damping at zero penetration would cause a force step
+or a pulling force, so the coefficient increases from 0 to its full value at the penetration s_0.
 
 Source: Mauer, SIMPACK User Meeting (2006).
 """
@@ -15,7 +14,7 @@ from pitchpoint.core.kernel import kernel
 
 @kernel
 def ramp(u, s_0):
-    """Share of the full damping at penetration u, and its derivative by u [1/m].
+    """Fraction of the full damping at penetration u, and its derivative by u [1/m].
 
     The cubic t^2 (3 - 2 t), t = u/s_0, between u = 0 and u = s_0 (both in m); 0 below, 1 above; s_0 = 0 gives
     a step that is on for u > 0. The same step function multiplies the damping of the impact force of
@@ -35,10 +34,9 @@ def ramp(u, s_0):
 
 @kernel
 def linear_ramp(u, s_0):
-    """Share of the full damping at penetration u, growing in proportion up to s_0, and its derivative [1/m].
+    """Fraction of the full damping at penetration u, linear up to s_0, and its derivative by u [1/m].
 
-    The simplest law with a penetration of full damping, L. Mauer, SIMPACK User Meeting 2006; its slope jumps
-    at both ends, which `ramp` avoids.
+    L. Mauer, SIMPACK User Meeting 2006. The slope is discontinuous at both ends; `ramp` avoids this.
 
     >>> value, slope = linear_ramp(5.0e-6, 2.0e-5)
     >>> round(float(value), 12), round(float(slope), 6)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic force over the deflection: power law, compliance in series, softer teeth at low load, energies.
+"""Elastic force over deflection: power law, series compliance, reduced stiffness at low load, energies.
 
 Source: ISO 6336-1 for low loads. Derivation: docs/theory/stiffness.md, "One pair of teeth".
 """
@@ -11,12 +11,12 @@ import math
 from pitchpoint.core.kernel import kernel
 
 _STEPS = 60
-"""Most steps of Newton's method; some five are taken."""
+"""Maximum number of Newton steps; about five are needed."""
 
 
 @kernel
 def power_force(x, k, power):
-    """Force k x^power and its derivative by x, for x > 0; power 1.5 is that of Hertz for rounded bodies.
+    """Force k x^power and its derivative by x, for x > 0; power 1.5: Hertzian point contact.
 
     >>> force, tangent = power_force(4.0, 2.0, 1.5)
     >>> float(force), float(tangent)
@@ -24,7 +24,7 @@ def power_force(x, k, power):
     """
     if power == 1.0:
         return k * x, k
-    if power == 1.5:  # several times quicker than a power
+    if power == 1.5:  # several times faster than a power
         slope = k * math.sqrt(x)
     else:
         slope = k * x ** (power - 1.0)
@@ -43,12 +43,11 @@ def power_energy(x, k, power):
 
 @kernel
 def low_load(load, limit):
-    """Factors on the force and on its tangent for a line load that c' alone would give.
+    """Low-load factors on the force and on its tangent, for the line load c' delta without softening.
 
-    ISO 6336-1 lets the stiffness fall as c' (w/w_0)^0.25 where the specific load w is below w_0. Solved for
-    the deflection, w = q^(4/3) w_0^(-1/3) with q = c' delta: the force is q times (q/w_0)^(1/3), its
-    derivative by the deflection c' times 4/3 of that. load = q and limit = w_0 in N/m; limit 0 or
-    q >= limit: (1, 1).
+    In ISO 6336-1 the stiffness decreases as c' (w/w_0)^0.25 for a specific load w below w_0. In terms of the
+    deflection, w = q^(4/3) w_0^(-1/3) with q = c' delta: the force is q times (q/w_0)^(1/3), its derivative
+    by the deflection c' times 4/3 of that. load = q and limit = w_0 in N/m; limit 0 or q >= limit: (1, 1).
 
     >>> force, tangent = low_load(0.125e5, 1.0e5)
     >>> round(float(force), 12), round(float(tangent), 12)
@@ -64,10 +63,10 @@ def low_load(load, limit):
 
 @kernel
 def stored_energy(x, k, power, limit):
-    """Energy of a spring k x^power [N] pressed by x [m], and its derivative by k at the same x.
+    """Energy of a spring k x^power [N] at the deflection x [m], and its derivative by k at constant x.
 
     Below the force `limit` [N] a linear spring softens as in `low_load` (force proportional to x^(4/3));
-    limit 0 is none.
+    limit 0: no softening.
 
     >>> energy, slope = stored_energy(2.0, 3.0, 1.0, 0.0)
     >>> float(energy), float(slope)
@@ -87,11 +86,11 @@ def stored_energy(x, k, power, limit):
 
 @kernel
 def series_overlap(x, k, power, soft):
-    """Overlap u of a contact k u^power behind a compliance `soft` [m/N], both pressed together by x > 0 [m].
+    """Overlap u of a contact k u^power in series with a compliance `soft` [m/N]; total deflection x > 0 [m].
 
-    The root of u + soft k u^power = x, for any power >= 1: with t = u/x it is that of t + A t^power = 1,
-    A = soft k x^(power - 1). The left side grows and is convex, so Newton's method falls from
-    min(1, A^(-1/power)) to the only root, in some five steps.
+    Root of u + soft k u^power = x for any power >= 1: with t = u/x, t + A t^power = 1 and A = soft k
+    x^(power - 1). The left side increases and is convex, so Newton's method decreases monotonically from
+    min(1, A^(-1/power)) to the only root, in about five steps.
 
     >>> u = series_overlap(5.0, 2.0, 1.5, 1.0 / 16.0)  # 16 N at the overlap 4, 1 m in the compliance
     >>> round(float(u), 12)
@@ -112,10 +111,10 @@ def series_overlap(x, k, power, soft):
 
 @kernel
 def series_energy(x, u, k, power, soft, limit):
-    """Energy of `series_overlap`, and its derivatives by k and by `soft` at the same x.
+    """Energy of a contact with series compliance, and its derivatives by k and by `soft` at constant x.
 
-    u is the overlap at x. A linear contact may soften at low load as in `stored_energy`, with what lies in
-    series.
+    u is the overlap at x. A linear contact and its series compliance may soften at low load as in
+    `stored_energy`.
 
     >>> energy, by_k, by_soft = series_energy(5.0, 4.0, 2.0, 1.5, 1.0 / 16.0, 0.0)
     >>> round(float(energy), 12), round(float(by_k), 12), float(by_soft)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The flank law: what two flanks do to each other at one place, from penetration to force and tangents.
+"""Flank contact law at one contact node: penetration to force and tangents.
 
-Scalars in, scalars out. The law knows neither gears nor sums: cylindrical and bevel meshes, and every other
-description of contacting flanks, call it for each of their places (nodes) and add up what it gives.
+Scalars in, scalars out. Cylindrical and bevel meshes, and every other element with contacting flanks, call
+the law for each contact node and add up the results.
 
-The elastic force k x^power, softer at low load and in series with an added compliance where there is one, is
-damped in proportion to the rate of the overlap: at a share that grows from first contact to the penetration
-s_0, or in proportion to the elastic force (impact damping with a coefficient of restitution). Flanks push and
-never pull. Friction acts against the local sliding, smoothed around zero.
+The elastic force is k x^power, with reduced stiffness at low load and an optional compliance in series.
+Damping is proportional to the rate of the overlap; its coefficient increases from first contact to the
+penetration s_0, or is proportional to the elastic force (impact damping with a coefficient of restitution).
+The force is never negative (no adhesion). Friction opposes the local sliding and is regularised around zero.
 
 Forces, penetrations and rates are along the base tangent.
 
@@ -24,16 +24,16 @@ from pitchpoint.contact.elastic import low_load, power_force, series_energy, ser
 from pitchpoint.contact.friction import static_dynamic
 from pitchpoint.core.kernel import kernel
 
-#: Numbers of the law of one mesh.
+#: Parameters of the law, one record per mesh.
 FLANK_LAW = np.dtype(
     [
         ("power", "f8"),  # exponent of the elastic force over the overlap; 1 is linear
-        ("k_ref", "f8"),  # mean mesh stiffness, to which the damping of places is in proportion [N/m^power]
+        ("k_ref", "f8"),  # mean mesh stiffness; damping of a node: d k/k_ref [N/m^power]
         ("d_in", "f8"),
-        ("d_out", "f8"),  # contact damping at k_ref of flanks that approach and separate [N s/m]
+        ("d_out", "f8"),  # contact damping at k_ref for approach and separation [N s/m]
         ("s_0", "f8"),  # penetration of full damping [m]
-        ("smooth", "i8"),  # 0: the damping grows in proportion up to s_0, 1: by a smooth cubic
-        ("chi", "f8"),  # instead: share of the elastic force per speed of approach [s/m], 0: none
+        ("smooth", "i8"),  # ramp of the damping up to s_0: 0 linear, 1 cubic
+        ("chi", "f8"),  # instead of d: damping force over elastic force and approach speed [s/m], 0: off
         ("mu", "f8"),
         (
             "v_eps",
@@ -49,7 +49,7 @@ FLANK_LAW = np.dtype(
 
 @kernel(inline=True)
 def flank_force(law, x, k, limit, w, soft):
-    """Force of flanks that overlap at one place, and its derivatives.
+    """Force of overlapping flanks at one contact node, and its derivatives.
 
     Parameters
     ----------
@@ -58,32 +58,32 @@ def flank_force(law, x, k, limit, w, soft):
     x
         Penetration, > 0 [m].
     k
-        Stiffness of the place, > 0 [N/m^power].
+        Stiffness of the node, > 0 [N/m^power].
     limit
-        Force below which a linear contact softens [N]; 0 for none.
+        Force below which a linear contact softens [N]; 0: no softening.
     w
         Rate of the penetration [m/s].
     soft
         Compliance in series with the contact [m/N], or None. Damping then acts on the overlap of the contact
-        alone, and on its rate.
+        and its rate only.
 
     Returns
     -------
     tuple
-        Force [N], not negative; its derivatives by x and by w, also where the force would be negative;
-        elastic force [N] and its derivative by x; overlap of the contact [m]; force over secant stiffness:
-        the distance from losing contact [m].
+        Force [N], >= 0; its derivatives by x and by w, not set to zero where the force is limited to 0;
+        elastic force [N] and its derivative by x; overlap of the contact [m]; force over secant stiffness,
+        the distance to contact loss [m].
 
     Examples
     --------
     >>> law = np.zeros(1, FLANK_LAW)[0]
     >>> law["power"], law["k_ref"], law["d_in"], law["s_0"] = 1.0, 4e8, 2e3, 1e-6
-    >>> found = flank_force(law, 5e-6, 4e8, 0.0, 0.1, None)  # 2000 N and 200 N of the damper
+    >>> found = flank_force(law, 5e-6, 4e8, 0.0, 0.1, None)  # 2000 N elastic, 200 N damping
     >>> [round(float(value), 9) for value in found]
     [2200.0, 400000000.0, 2000.0, 2000.0, 400000000.0, 5e-06, 5.5e-06]
     """
     u = x
-    own = 1.0  # du/dx, which changes at `bent` over x
+    own = 1.0  # du/dx; `bent` is its derivative by x
     bent = 0.0
     if soft is not None and soft > 0.0:
         u = series_overlap(x, k, law["power"], soft)
@@ -113,27 +113,27 @@ def flank_force(law, x, k, limit, w, soft):
     if soft is not None:
         by_x += d * w * bent
         d *= own
-    # flanks that would have to pull let go, and the work of their elastic force is lost
+    # no adhesion: flanks separate instead of pulling, and the remaining elastic energy is dissipated
     return max(f, 0.0), by_x, d, elastic, stiffness, u, f / secant
 
 
 @kernel
 def flank_energy(law, x, u, k, limit, soft):
-    """Energy stored at a place, and its derivatives by the stiffness and by the compliance in series.
+    """Energy stored at a contact node, and its derivatives by the stiffness and by the series compliance.
 
     Parameters
     ----------
     law, x
         As in `flank_force`.
     u
-        Overlap of the contact that it gave [m].
+        Overlap of the contact returned by `flank_force` [m].
     k, limit, soft
         As in `flank_force`.
 
     Returns
     -------
     tuple
-        Energy [J]; its derivatives at the same x by k and by `soft`, which is zero without one.
+        Energy [J]; its derivatives at constant x by k and by `soft` (0 if `soft` is None).
 
     Examples
     --------
@@ -150,7 +150,7 @@ def flank_energy(law, x, u, k, limit, soft):
 
 @kernel
 def flank_friction(law, f, v):
-    """Friction of a place with the base-tangent force f [N] that slides at v [m/s].
+    """Friction force at a contact node with base-tangent force f [N] and sliding velocity v [m/s].
 
     Parameters
     ----------
@@ -164,7 +164,7 @@ def flank_friction(law, f, v):
     Returns
     -------
     tuple
-        Force against the sliding [N], with the sign of v; its derivatives by f and by v.
+        Friction force [N], which opposes the sliding, with the sign of v; its derivatives by f and by v.
 
     Examples
     --------

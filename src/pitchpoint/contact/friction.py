@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Friction: the smooth sign function that Coulomb's law needs near zero sliding, and what is built on it.
+"""Regularised Coulomb friction, and static and dynamic friction based on it.
 
-At the pitch point of two flanks the sliding velocity changes its sign; a true sign function would make the
-force jump there and stop every implicit integrator. The regularisation velocity v_eps sets where full
-friction is reached.
+The sliding velocity of two flanks changes sign at the pitch point. An exact sign function would make the
+force discontinuous there, and implicit integrators would fail to converge. Full friction is reached at the
+regularisation velocity v_eps.
 
 Derivation: docs/theory/contacts.md, "Friction".
 """
@@ -16,11 +16,11 @@ from pitchpoint.core.kernel import kernel
 
 @kernel
 def coulomb(v, v_eps):
-    """Smooth sign of the sliding velocity v, and its derivative by v [s/m].
+    """Regularised sign of the sliding velocity v, and its derivative by v [s/m].
 
-    t (3 - t^2)/2 with t = v/v_eps inside |v| < v_eps (value and slope continuous), -1 or +1 outside; both
-    velocities in m/s. v_eps = 0 gives the true sign function, with 0 at v = 0. Friction force = mu F_n times
-    this, against the sliding.
+    t (3 - t^2)/2 with t = v/v_eps for |v| < v_eps (continuous slope), -1 or +1 otherwise; both velocities in
+    m/s. v_eps = 0 gives the exact sign function, with 0 at v = 0. The friction force is mu F_n times this
+    value, against the sliding.
 
     >>> s, slope = coulomb(0.5e-3, 1.0e-3)
     >>> round(float(s), 12), round(float(slope), 9)
@@ -38,11 +38,12 @@ def coulomb(v, v_eps):
 
 @kernel
 def static_dynamic(v, mu_s, mu_d, v_s, v_d):
-    """Coefficient of friction at the sliding velocity v with its sign, and its derivative by v [s/m].
+    """Coefficient of friction at the sliding velocity v, with the sign of v, and its derivative by v [s/m].
 
-    mu_s `coulomb` up to the static velocity v_s, then the cubic step from mu_s down to mu_d between v_s and
-    the velocity v_d of full slip, mu_d beyond; all velocities in m/s, v_d > v_s > 0. There is no true
-    sticking: a load below mu_s creeps at less than v_s. The law of the impact force of multibody codes.
+    mu_s times `coulomb` up to the static velocity v_s, a cubic step from mu_s to mu_d between v_s and the
+    dynamic velocity v_d, mu_d beyond; all velocities in m/s, v_d > v_s > 0. No true sticking: under a load
+    below the static limit the contact creeps at less than v_s. Friction law of the impact force in multibody
+    codes.
 
     >>> tuple(round(float(x), 9) for x in static_dynamic(5.5e-3, 0.1, 0.08, 1e-3, 10e-3))
     (0.09, -3.333333333)
@@ -55,9 +56,9 @@ def static_dynamic(v, mu_s, mu_d, v_s, v_d):
 
 @kernel
 def friction_per_speed(v, mu_s, mu_d, v_s, v_d):
-    """`static_dynamic` over v >= 0 as a factor c = mu/v [s/m] of a velocity vector, and c'/v [s^3/m^3].
+    """Factor c = mu/v [s/m] of a velocity vector with the `static_dynamic` mu at |v|, and c'/v [s^3/m^3].
 
-    Finite at v = 0, so that friction in a plane needs no case for rest: T = -N c v.
+    Finite at v = 0, so that friction in a plane, T = -N c v, needs no special case at rest.
 
     >>> tuple(round(float(x), 6) for x in friction_per_speed(0.0, 0.1, 0.08, 1e-3, 10e-3))
     (150.0, -100000000.0)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Hertzian line contact of two flanks: half width, pressure, and how far the flanks approach each other.
+"""Hertzian line contact of two flanks: half width, pressure and approach.
 
-All per unit length of the contact line, in SI. Arrays broadcast.
+All values per unit length of the contact line, in SI units. Arrays broadcast.
 
 Source: Johnson, Contact Mechanics (1985), 4.2; approach Weber and Banaschek (1953).
 """
@@ -17,7 +17,7 @@ FloatArray = NDArray[np.float64]
 
 
 def plane_strain_compliance(youngs_modulus: float, poisson_ratio: float) -> float:
-    """Compliance of a thick body, (1 - nu^2)/E [1/Pa].
+    """Plane-strain compliance of a body, (1 - nu^2)/E [1/Pa].
 
     Parameters
     ----------
@@ -35,7 +35,7 @@ def plane_strain_compliance(youngs_modulus: float, poisson_ratio: float) -> floa
 
 
 def line_stiffness(compliance_1: float, compliance_2: float) -> float:
-    """Stiffness of a Hertzian line contact per unit length, independent of the load [N/m^2].
+    """Load-independent stiffness of a Hertzian line contact per unit length [N/m^2].
 
     Parameters
     ----------
@@ -45,8 +45,8 @@ def line_stiffness(compliance_1: float, compliance_2: float) -> float:
     Notes
     -----
     pi/(2 (compliance_1 + compliance_2)); for equal bodies pi E/(4 (1 - nu^2)). D. C. H. Yang and Z. S. Sun,
-    "A rotary model for spur gear dynamics", J. Mech. Transm. Autom. Des. 107 (1985). A rough figure: the true
-    approach of a line contact grows a little less than linearly with the load, see `line_approach`.
+    "A rotary model for spur gear dynamics", J. Mech. Transm. Autom. Des. 107 (1985). An approximation: the
+    true approach of a line contact increases slightly less than linearly with the load, see `line_approach`.
 
     Examples
     --------
@@ -58,7 +58,7 @@ def line_stiffness(compliance_1: float, compliance_2: float) -> float:
 
 
 def half_width(load: ArrayLike, radius: ArrayLike, compliance_1: float, compliance_2: float) -> FloatArray:
-    """Half width of the contact, b_H = sqrt(4 q R (compliance_1 + compliance_2)/pi) [m], shape of q R.
+    """Contact half width, b_H = sqrt(4 q R (compliance_1 + compliance_2)/pi) [m], shape of q R.
 
     Parameters
     ----------
@@ -92,17 +92,17 @@ def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
     Parameters
     ----------
     T1Y
-        Place on the path of contact, from the point where it leaves the base circle of gear 1 [m].
+        Position on the path of contact, from the tangent point T1 on the base circle of gear 1 [m].
     T1T2
-        Signed length of the common base tangent [m]; negative with an internal gear. Of bevel gears the sum
+        Signed length of the common base tangent [m]; negative for an internal gear. For bevel gears the sum
         of both geodesic radii.
     beta_b
         Base helix angle [rad].
 
     Notes
     -----
-    In the transverse section the radii are T1Y and T1T2 - T1Y; a contact line is tilted by β_b against the
-    axes and divides them by cos β_b.
+    In the transverse section the radii are T1Y and T1T2 - T1Y. Contact lines are inclined by β_b to the
+    axes, so the normal radii are larger by 1/cos β_b.
 
     Examples
     --------
@@ -115,7 +115,7 @@ def flank_radius(T1Y: ArrayLike, T1T2: ArrayLike, beta_b: float) -> FloatArray:
 
 
 def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:
-    """Maximum pressure of the contact, p_0 = 2 q/(pi b_H) [Pa], shape of q b_H.
+    """Maximum Hertzian pressure, p_0 = 2 q/(pi b_H) [Pa], shape of q b_H.
 
     Parameters
     ----------
@@ -135,8 +135,7 @@ def peak_pressure(load: ArrayLike, width: ArrayLike) -> FloatArray:
 def line_approach(
     load: ArrayLike, depth: ArrayLike, width: ArrayLike, compliance: float, nu: float
 ) -> FloatArray:
-    """Approach of a point at a depth below the contact to the contact point in one body [m], shape of q h
-    b_H.
+    """Approach of a point at depth h to the contact point in one body [m], shape of q h b_H.
 
     Parameters
     ----------

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Normal force of a contact over penetration and its rate: impact function, Hunt-Crossley, hysteresis.
+"""Normal contact force over penetration and penetration rate: impact function, Hunt-Crossley, hysteresis.
 
-All laws push and never pull, and begin with the elastic force K delta^e.
+All laws start from the elastic force K delta^n; the force is never negative (no adhesion).
 
-* IMPACT: K delta^e + C step(delta; 0, 0, d, 1) delta', the impact function of multibody codes.
-* HUNT_CROSSLEY: K delta^e (1 + x delta'/v). With the factor x(e) of `restitution_factor` a body that hits
-  with the speed v leaves with the share e of it, whatever K, the exponent and the mass are; faster impacts
-  lose more, slower ones less, as measured ones do.
-* HYSTERESIS: K delta^e on the way in, e^2 times that on the way out: the share e at every speed that is large
-  against the transition speed v, within which one goes over into the other.
+* IMPACT: K delta^n + C step(delta; 0, 0, d, 1) delta', the impact function of multibody codes.
+* HUNT_CROSSLEY: K delta^n (1 + x delta'/v). With the factor x(e) of `restitution_factor` the coefficient of
+  restitution is e at the impact speed v, independent of K, the exponent and the mass. It decreases with the
+  impact speed, as in experiments.
+* HYSTERESIS: K delta^n during compression, e^2 K delta^n during restitution, with a smooth transition between
+  both at speeds up to v. The coefficient of restitution is e at all impact speeds well above v.
 
-The laws of Lankarani and Nikravesh (1990) and Flores et al. (2011) need the speed at first touch as a memory,
-and their factors 3 (1 - e^2)/4 and 8 (1 - e)/(5 e) are approximations of x(e): at e = 0.5 they give back
-0.725 and 0.470 of the speed.
+The laws of Lankarani and Nikravesh (1990) and Flores et al. (2011) need the speed at first contact as a
+memory state. Their factors 3 (1 - e^2)/4 and 8 (1 - e)/(5 e) approximate x(e): for e = 0.5 the restitution
+is 0.725 and 0.470.
 """
 
 from __future__ import annotations
@@ -28,24 +28,24 @@ from pitchpoint.core.kernel import kernel
 
 IMPACT, HUNT_CROSSLEY, HYSTERESIS = 0, 1, 2
 
-#: Fields of a record whose contact obeys one of the laws and the friction of `friction.static_dynamic`.
+#: Record fields of a contact with one of these laws and the friction of `friction.static_dynamic`.
 CONTACT_LAW: list[tuple[Any, ...]] = [
     ("law", "i8"),  # IMPACT, HUNT_CROSSLEY or HYSTERESIS
-    ("k", "f8"),  # K [N/m^e]; of triangle surfaces per area [N/m^(e+2)]
-    ("power", "f8"),  # e of the elastic force, >= 1
-    ("c", "f8"),  # IMPACT: C [N s/m], likewise per area
+    ("k", "f8"),  # K [N/m^n]; of triangle surfaces per area [N/m^(n+2)]
+    ("power", "f8"),  # exponent n of the elastic force, >= 1
+    ("c", "f8"),  # IMPACT: C [N s/m], of triangle surfaces per area
     ("ramp", "f8"),  # IMPACT: penetration of full damping [m]
-    ("x", "f8"),  # HUNT_CROSSLEY: x/v [s/m]; HYSTERESIS: share e^2 of the force on the way out
+    ("x", "f8"),  # HUNT_CROSSLEY: x/v [s/m]; HYSTERESIS: force ratio e^2 during restitution
     ("v", "f8"),  # HYSTERESIS: transition speed [m/s]
     ("mu_s", "f8"),  # static coefficient of friction
-    ("mu_d", "f8"),  # dynamic coefficient
+    ("mu_d", "f8"),  # dynamic coefficient of friction
     ("v_s", "f8"),  # velocity of the static coefficient [m/s]
-    ("v_d", "f8"),  # velocity from which on the dynamic one holds [m/s]
+    ("v_d", "f8"),  # velocity above which the dynamic coefficient applies [m/s]
 ]
 
 
 def _balance(x: float, e: float) -> float:
-    """Zero where a contact of factor x gives back the share e of the speed."""
+    """Residual of the equation for x(e); zero if a contact of factor x has the restitution e."""
     return math.log1p(x) - math.log1p(-e * x) - x * (1.0 + e)
 
 
@@ -76,8 +76,8 @@ def restitution_factor(e: float) -> float:
     1.432751
     """
     if not 0.0 < e <= 1.0:
-        raise ValueError("a coefficient of restitution lies in (0, 1]")
-    if 1.0 - e < 1e-4:  # series, right to (1 - e)^2; the logarithms cancel there
+        raise ValueError("the coefficient of restitution must be in (0, 1]")
+    if 1.0 - e < 1e-4:  # series, accurate to (1 - e)^2; the logarithms cancel there
         return 1.5 * (1.0 - e * e) / (1.0 + e**3)
     low, high = 0.5 * (1.0 - e), 1.0 / e
     for _ in range(200):
@@ -92,7 +92,7 @@ def restitution_factor(e: float) -> float:
 
 
 def set_impact(record: np.void, k: float, power: float = 1.5, c: float = 0.0, ramp: float = 0.0) -> None:
-    """Give a contact the impact function.
+    """Set the impact function as the law of a contact.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def set_impact(record: np.void, k: float, power: float = 1.5, c: float = 0.0, ra
     k, power
         K [N/m^power] and exponent >= 1 of the elastic force.
     c, ramp
-        Damping C [N s/m] and the penetration d at which it is fully on [m].
+        Damping C [N s/m] and the penetration d at which it reaches its full value [m].
 
     Examples
     --------
@@ -117,7 +117,7 @@ def set_impact(record: np.void, k: float, power: float = 1.5, c: float = 0.0, ra
 def set_restitution(
     record: np.void, k: float, e: float, speed: float, power: float = 1.5, every_speed: bool = False
 ) -> None:
-    """Give a contact a coefficient of restitution.
+    """Set a law with a given coefficient of restitution.
 
     Parameters
     ----------
@@ -128,8 +128,8 @@ def set_restitution(
     e
         Coefficient of restitution, in (0, 1].
     speed
-        Speed of the impact at which e holds [m/s]; with `every_speed` the speed around rest at which the
-        force goes over from the way in to the way out.
+        Impact speed at which e applies [m/s]; with `every_speed` the speed range around zero within which
+        the force changes from compression to restitution.
     power
         Exponent >= 1 of the elastic force.
     every_speed
@@ -138,7 +138,7 @@ def set_restitution(
     Raises
     ------
     ValueError
-        If the speed is not above 0.
+        If e is not in (0, 1] or the speed is not above 0.
 
     Examples
     --------
@@ -148,17 +148,17 @@ def set_restitution(
     1.432751
     """
     if not speed > 0.0:
-        raise ValueError("the speed of a restitution must be positive")
+        raise ValueError("the reference speed of the coefficient of restitution must be positive")
     record["k"], record["power"], record["v"] = k, power, speed
     if every_speed:
-        restitution_factor(e)  # refuses what is none
+        restitution_factor(e)  # checks the range
         record["law"], record["x"] = HYSTERESIS, e * e
     else:
         record["law"], record["x"] = HUNT_CROSSLEY, restitution_factor(e) / speed
 
 
 def set_friction(record: np.void, mu_s: float, mu_d: float, v_s: float, v_d: float) -> None:
-    """Give a contact static and dynamic friction.
+    """Set static and dynamic friction of a contact.
 
     Parameters
     ----------
@@ -182,13 +182,13 @@ def set_friction(record: np.void, mu_s: float, mu_d: float, v_s: float, v_d: flo
     0.1
     """
     if min(mu_s, mu_d) < 0.0 or (max(mu_s, mu_d) > 0.0 and not 0.0 < v_s < v_d):
-        raise ValueError("friction needs coefficients >= 0 and velocities 0 < v_s < v_d")
+        raise ValueError("friction requires coefficients >= 0 and velocities 0 < v_s < v_d")
     record["mu_s"], record["mu_d"], record["v_s"], record["v_d"] = mu_s, mu_d, v_s, v_d
 
 
 @kernel
 def elastic_force(b, delta):
-    """K delta^e and its derivative by delta, for delta > 0.
+    """Elastic force K delta^n and its derivative by delta, for delta > 0.
 
     >>> record = np.zeros((), np.dtype(CONTACT_LAW))
     >>> set_impact(record, 1e9, 1.5)
@@ -200,7 +200,7 @@ def elastic_force(b, delta):
 
 @kernel
 def elastic_energy(b, delta):
-    """Energy of the elastic force at a penetration > 0, K delta^(e + 1)/(e + 1) [J].
+    """Elastic energy at a penetration > 0, K delta^(n + 1)/(n + 1) [J].
 
     >>> record = np.zeros((), np.dtype(CONTACT_LAW))
     >>> set_impact(record, 1e9, 1.5)
@@ -212,9 +212,9 @@ def elastic_energy(b, delta):
 
 @kernel
 def normal_force(b, delta, rate):
-    """Normal force at a penetration [m] and its rate [m/s]: force [N], slopes by both, power lost [W].
+    """Normal force [N] at a penetration [m] and its rate [m/s], derivatives by both, dissipated power [W].
 
-    The power lost is what goes into the contact and is not stored in its elastic force.
+    The dissipated power is the power into the contact that is not stored as elastic energy.
 
     >>> record = np.zeros((), np.dtype(CONTACT_LAW))
     >>> set_impact(record, 1e9, 1.5, 1e6, 1e-4)

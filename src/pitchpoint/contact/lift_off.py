@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where flanks lift off along a contact line: the zero of a function whose sign changes between two places.
+"""Boundary of the contact along a contact line: root of a function within a bracket.
 
-Regula falsi with the Illinois rule: M. Dowell and P. Jarratt, A modified regula falsi method for computing
-the root of an equation, BIT 11 (1971) 168-174.
+Regula falsi with the Illinois modification: M. Dowell and P. Jarratt, A modified regula falsi method for
+computing the root of an equation, BIT 11 (1971) 168-174.
 """
 
 from __future__ import annotations
@@ -10,12 +10,12 @@ from __future__ import annotations
 from pitchpoint.core.kernel import kernel
 
 MOST_STEPS = 60
-"""Maximum number of steps of a search; some six are taken."""
+"""Maximum number of steps of a search; about six are needed."""
 
 
 @kernel
 def secant(bracket):
-    """Zero of the straight line through both ends of a bracket (a, c, f_a, f_c, side).
+    """Root of the straight line through both ends of a bracket (a, c, f_a, f_c, side).
 
     Examples
     --------
@@ -28,10 +28,10 @@ def secant(bracket):
 
 @kernel
 def narrowed(bracket, z, f):
-    """The bracket with the end replaced by (z, f) whose value has the same sign.
+    """Bracket in which (z, f) replaces the end whose value has the same sign.
 
-    `side` is the end replaced last, 1 for c and -1 for a. Where the same end is replaced twice, the value of
-    the other one is halved, so that both ends converge.
+    `side` is the end replaced last, 1 for c and -1 for a. If the same end is replaced twice in a row, the
+    value at the other end is halved, so that both ends converge.
 
     Examples
     --------

@@ -2,7 +2,7 @@
 """Total stiffness of a mesh over one mesh cycle, with exact mean and extremes.
 
 The sum over all pairs, averaged over the contact lines of a helical gear, is a piecewise polynomial of the
-mesh phase of at most degree four. Each piece is found exactly from five points; extremes follow from the
+mesh phase, of degree four at most. Five points determine each piece exactly; the extremes follow from the
 roots of its derivative and from the one-sided limits at its ends. Plain NumPy, independent of the kernels.
 
 Derivation: docs/theory/stiffness.md, "The mesh".
@@ -20,14 +20,14 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.contact.stiffness.description import Array, PairShape, PhaseStiffness, refuse
 
-#: Overlap ratios below this count as none.
+#: Overlap ratios below this are treated as zero.
 SMALLEST_OVERLAP = 1e-14
 
-#: Pieces shorter than this (in base pitches) are skipped when they are only round-off.
+#: Pieces up to this length (in base pitches) are round-off and skipped.
 SHORTEST_PIECE = 1e-15
 
 ROUND_OFF = 1e-12
-"""Share of the greatest stiffness up to which the least is the round-off of zero: no pair in contact."""
+"""Fraction of the maximum stiffness below which a value is the round-off of zero: no pair in contact."""
 
 _GAUSS_X, _GAUSS_W = leggauss(3)
 _NODES = 0.5 - 0.5 * np.cos(np.pi * (np.arange(5) + 0.5) / 5.0)
@@ -36,14 +36,14 @@ _TO_POLYNOMIAL = np.linalg.inv(np.vander(2.0 * _NODES - 1.0, increasing=True))
 
 @dataclass(frozen=True)
 class Piece:
-    """One piece of the cycle: start and end phase, polynomial of 2 (psi - start)/(end - start) - 1."""
+    """One piece of the cycle: start and end phase, polynomial in 2 (psi - start)/(end - start) - 1."""
 
     start: float
     end: float
     polynomial: Polynomial
 
     def at(self, psi: ArrayLike) -> Array:
-        """Stiffness at phases inside the piece, shape of psi; its ends give the one-sided limits.
+        """Stiffness at phases inside the piece, shape of psi; one-sided limits at its ends.
 
         >>> Piece(0.0, 0.5, Polynomial([1.0, 1.0])).at([0.0, 0.5]).tolist()
         [0.0, 2.0]
@@ -68,16 +68,16 @@ class Piece:
 
 @dataclass(frozen=True)
 class MeshCycle:
-    """Stiffness over one mesh cycle; stiffness in units of c' b (of the mean, for a prescribed wave).
+    """Stiffness over one mesh cycle, in units of c' b (prescribed stiffness: in units of its mean).
 
     Parameters
     ----------
     phase, stiffness_ratio
-        Equal steps of the phase from 0 to 1 and the stiffness there; at a jump the value after it.
+        Phase in equal steps from 0 to 1, and the stiffness there; at a jump the value after it.
     mean, minimum, maximum, peak_to_peak
         Exact values over the cycle, one-sided limits at jumps included; not taken from the samples.
     breakpoints
-        Phases in [0, 1] between which the stiffness is one polynomial.
+        Phases in [0, 1] between which the stiffness is a single polynomial.
     jumps
         Phases at which the stiffness is discontinuous.
     """
@@ -94,14 +94,14 @@ class MeshCycle:
 
 @dataclass(frozen=True)
 class _Line:
-    """Kinks of one pair along the path (ascending, from A to E) and its law between them."""
+    """Stiffness of one pair along the path, with its kinks in ascending order from A to E."""
 
     kinks: Array
     shape: PairShape
     eps_alpha: float
 
     def law(self, p: Array) -> Array:
-        """Stiffness of a pair over its maximum, at places p on the path in base pitches, shape (n,) [-]."""
+        """Stiffness of a pair over c' at path positions p in base pitches, shape of p [-]."""
         return self.shape.along(p, self.eps_alpha)
 
     def integral(self) -> float:
@@ -122,7 +122,7 @@ def _line(shape: PairShape, eps_alpha: float) -> _Line:
 
 
 def _spur(line: _Line, start: float, tau: Array) -> Array:
-    """Sum over pairs at the phases start + tau, all inside one piece of a spur mesh."""
+    """Sum over all pairs at the phases start + tau, inside one piece of a spur mesh."""
     middle = start + 0.5 * (tau[0] + tau[-1])
     total = np.zeros(tau.size)
     for j in range(math.ceil(-middle), math.floor(line.eps_alpha - middle) + 1):
@@ -131,10 +131,10 @@ def _spur(line: _Line, start: float, tau: Array) -> Array:
 
 
 def _helical(line: _Line, eps_beta: float, anchor: tuple[float, float, int], tau: Array) -> Array:
-    """Sum over pairs of the mean along the contact line, tau after the phase of the anchor.
+    """Sum over all pairs of the mean along the contact line, at the phase of the anchor plus tau.
 
-    The anchor (kink, side, n) is the phase kink + side eps_beta/2 + n. Distances of kinks from the
-    line's middle are formed from differences of kinks first, so that a tiny overlap loses no digits.
+    The anchor (kink, side, n) is the phase kink + side eps_beta/2 + n. The distances of kinks from the
+    middle of the line are computed from differences of kinks, so that a tiny overlap ratio loses no digits.
     """
     kink, side, n = anchor
     half = 0.5 * eps_beta
@@ -154,7 +154,7 @@ def _helical(line: _Line, eps_beta: float, anchor: tuple[float, float, int], tau
 
 
 def _pieces(line: _Line, eps_beta: float) -> list[Piece]:
-    """All pieces of one cycle, in order; the last one may end beyond psi = 1 (it then wraps around)."""
+    """All pieces of one cycle in order; the last one wraps around if it ends beyond psi = 1."""
     sides = (0.0,) if eps_beta < SMALLEST_OVERLAP else (-1.0, 1.0)
     half = 0.5 * eps_beta
     anchors = [(k, s, -math.floor(k + s * half)) for k in line.kinks.tolist() for s in sides]
@@ -195,12 +195,12 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
     eps_alpha, eps_beta
         Transverse contact ratio (> 0) and overlap ratio (>= 0) [-].
     n
-        Number of phases to sample, both ends included.
+        Number of sampled phases, both ends included.
 
     Returns
     -------
     MeshCycle
-        See there. The phase is zero when a pair starts contact at mid-face.
+        The phase is zero when a pair starts contact at mid-face.
 
     Raises
     ------
@@ -209,7 +209,7 @@ def pair_cycle(shape: PairShape, eps_alpha: float, eps_beta: float = 0.0, n: int
 
     Notes
     -----
-    The total is the moving average, over eps_beta base pitches, of the spur gear's wave (L. Mauer, SIMPACK
+    The total is the moving average of the spur gear stiffness over eps_beta base pitches (L. Mauer, SIMPACK
     User Meeting 2006: the parabola integrated along the face width).
 
     Examples
@@ -253,7 +253,7 @@ def mesh_cycle(
     S_R, T_R
         Stiffness ratio and tip-relief factor, both in [0, 1].
     n
-        Number of phases to sample, both ends included.
+        Number of sampled phases, both ends included.
 
     Returns
     -------
@@ -262,7 +262,7 @@ def mesh_cycle(
 
     Notes
     -----
-    Source: L. Mauer, SIMPACK User Meeting 2006. Without ramp the mean is eps_alpha (1 - (1 - S_R)/3).
+    Source: L. Mauer, SIMPACK User Meeting 2006. Without ramps the mean is eps_alpha (1 - (1 - S_R)/3).
 
     Examples
     --------
@@ -276,14 +276,14 @@ def mesh_cycle(
 def phase_cycle(law: PhaseStiffness, n: int = 401) -> MeshCycle:
     """Mesh cycle of a prescribed stiffness, relative to its mean.
 
-    Its extremes are those of `PhaseStiffness.extremes`, not of the samples.
+    The extremes are those of `PhaseStiffness.extremes`, not of the samples.
 
     Parameters
     ----------
     law
         Prescribed stiffness.
     n
-        Number of phases at which the cycle is sampled for drawing.
+        Number of sampled phases, both ends included.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Stiffness of one tooth pair along its path of contact, and prescribed stiffness over the mesh phase.
 
-Scalar kernels that the mesh element calls in its inner loop. Positions along the path are counted in base
-pitches from point A (start of contact), so that a pair carries for 0 <= p <= eps_alpha and the neighbours sit
-at p - 1 and p + 1. Results are ratios: to c' for a pair, to the mean for a prescribed wave.
+Scalar kernels of the inner loop of the mesh element. Positions along the path are in base pitches from point
+A (start of contact): a pair is in contact for 0 <= p <= eps_alpha, and its neighbours are at p - 1 and p +
+1. Results are relative to c' for a pair and to the mean for a prescribed stiffness.
 
 Source: Mauer, SIMPACK User Meeting (2006).
 """
@@ -27,7 +27,7 @@ def pair_shape(p, eps_alpha, S_R, L):
     c/c' = (1 - (1 - S_R) zeta^2) * min(1, p/L, (eps_alpha - p)/L) with zeta = 2 p/eps_alpha - 1 in [-1, 1];
     zero outside the path, both ends inclusive (source: L. Mauer, SIMPACK User Meeting 2006, single-pair
     parabola with stiffness ratio; ramp of the tip-relief factor). p, eps_alpha and L in base pitches,
-    L = T_R frac(eps_alpha); L = 0 switches the ramp off and leaves a jump of S_R at A and E.
+    L = T_R frac(eps_alpha); L = 0: no ramps, and a jump of S_R at A and E.
 
     >>> round(float(pair_shape(0.65, 1.3, 0.8, 0.0)), 12), round(float(pair_shape(0.0, 1.3, 0.8, 0.0)), 12)
     (1.0, 0.8)
@@ -44,10 +44,10 @@ def pair_shape(p, eps_alpha, S_R, L):
 
 @kernel
 def pair_shape_rate(p, p_rate, eps_alpha, eps_rate, S_R, L, L_rate):
-    """Rate of `pair_shape` where its place p, the length of the path and the ramp change at given rates.
+    """Time derivative of `pair_shape` for given rates of the position p, the path length and the ramp length.
 
-    At a kink (end of a ramp) that of the plateau side is returned; jumps at A and E (L = 0) are not part of
-    it. Zero outside the path.
+    At a kink (end of a ramp) the value of the plateau side is returned; jumps at A and E (L = 0) are not
+    included. Zero outside the path.
 
     >>> round(float(pair_shape_rate(0.325, 2.0, 1.3, 0.0, 0.8, 0.0, 0.0)), 12)
     0.615384615385
@@ -62,7 +62,7 @@ def pair_shape_rate(p, p_rate, eps_alpha, eps_rate, S_R, L, L_rate):
 
 @kernel
 def _with_ramp(p, p_rate, eps_alpha, eps_rate, L, L_rate, c, rate):
-    """Rate of c times the ramp, c changing at `rate`."""
+    """Time derivative of c times the ramp; `rate` is that of c."""
     first = p < eps_alpha - p
     reach = p if first else eps_alpha - p
     if reach < L:
@@ -75,7 +75,7 @@ def _with_ramp(p, p_rate, eps_alpha, eps_rate, L, L_rate, c, rate):
 def pair_table(p, eps_alpha, n, table, L):
     """Stiffness of one pair relative to c' from n values at equal steps from A to E, times the ramp.
 
-    Linear between the values; zero outside [0, eps_alpha]; n >= 2. The ramp is that of `pair_shape`.
+    Linear interpolation; zero outside [0, eps_alpha]; n >= 2. The ramp is that of `pair_shape`.
 
     >>> import numpy as np
     >>> round(float(pair_table(0.3, 1.2, 3, np.array([0.6, 1.0, 0.8]), 0.0)), 12)
@@ -94,7 +94,7 @@ def pair_table(p, eps_alpha, n, table, L):
 
 @kernel
 def pair_table_rate(p, p_rate, eps_alpha, eps_rate, n, table, L, L_rate):
-    """Rate of `pair_table` where its place p, the length of the path and the ramp change at given rates.
+    """Time derivative of `pair_table` for given rates of the position p, the path length and the ramp length.
 
     >>> import numpy as np
     >>> round(float(pair_table_rate(0.3, 2.0, 1.2, 0.0, 3, np.array([0.6, 1.0, 0.8]), 0.0, 0.0)), 12)
@@ -113,13 +113,13 @@ def pair_table_rate(p, p_rate, eps_alpha, eps_rate, n, table, L, L_rate):
 def phase_stiffness(psi, form, n, cosine, sine):
     """Prescribed stiffness k(psi)/mean and its derivative by psi; period 1 in psi.
 
-    What the arrays hold depends on `form`:
+    The contents of the arrays depend on `form`:
 
     * FOURIER (0): 1 + sum_h cosine[h-1] cos(2 pi h psi) + sine[h-1] sin(2 pi h psi), h = 1..n. One sine and
-      one cosine are computed; harmonics follow by rotation, error about n round-offs.
-    * TABLE (1): cosine[0..n-1] are values at psi = i/n, linear between them and periodic; sine is not read.
-    * RECTANGULAR (2): cosine = (first value, second value, share of the period with the first value); the
-      first value holds for 0 <= frac(psi) < share; sine and n are not read.
+      one cosine are evaluated; the harmonics follow by rotation, with an error of about n round-offs.
+    * TABLE (1): cosine[0..n-1] are values at psi = i/n, periodic with linear interpolation; sine is not used.
+    * RECTANGULAR (2): cosine = (first value, second value, duty); the first value applies for
+      0 <= frac(psi) < duty; sine and n are not used.
 
     >>> import numpy as np
     >>> k, slope = phase_stiffness(0.25, 0, 1, np.array([-0.2]), np.array([0.1]))

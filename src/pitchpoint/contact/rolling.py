@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Load and deflection of balls and rollers between two raceways: Q = K delta^n.
+"""Load-deflection law of balls and rollers between two raceways, Q = K delta^n.
 
-n is 3/2 for balls and 10/9 for rollers; delta is the approach of the two raceways.
+n is 3/2 for balls and 10/9 for rollers; delta is the approach of the raceways.
 
 Source: Harris, Rolling Bearing Analysis, 4th ed. (2001), ch. 6; rollers Palmgren (1959).
 """
@@ -13,7 +13,7 @@ import math
 POINT = 1.5
 """Exponent of a point contact."""
 LINE = 10.0 / 9.0
-"""Exponent of a line contact, Palmgren."""
+"""Exponent of a line contact (Palmgren)."""
 
 
 def curvature(
@@ -24,19 +24,19 @@ def curvature(
     Parameters
     ----------
     ball_diameter
-        D [m].
+        Ball diameter D [m].
     pitch_diameter
-        d_m; positive for the inner raceway, negative for the outer one [m].
+        Pitch diameter d_m [m]; positive for the inner raceway, negative for the outer one.
     groove
-        Radius of the groove over the diameter of the ball, f, above 0.5.
+        Groove radius over ball diameter, f > 0.5.
     angle
         Contact angle [rad].
 
     Notes
     -----
     With g = D cos(angle)/d_m: sum = (4 - 1/f + 2 g/(1 - g))/D, difference = (1/f + 2 g/(1 - g))/(D sum). T.
-    A. Harris, *Rolling Bearing Analysis*, 4th ed., ch. 2; his example of bearing 209 has 0.202/mm and 0.9399
-    for the inner, 0.138/mm and 0.9120 for the outer raceway.
+    A. Harris, *Rolling Bearing Analysis*, 4th ed., ch. 2; his example, bearing 209, gives 0.202/mm and
+    0.9399 for the inner, 0.138/mm and 0.9120 for the outer raceway.
 
     Examples
     --------
@@ -56,24 +56,19 @@ def ellipse(difference: float) -> tuple[float, float, float]:
     Parameters
     ----------
     difference
-        Curvature difference F(rho), from 0 (circle) to below 1 (line). It is negative where the ellipse is
-        long in the rolling direction, as on a raceway without a groove; only the size of F matters here.
+        Curvature difference F(rho), |F| from 0 (circle) to below 1 (line). F is negative if the major axis
+        is in the rolling direction, as on a raceway without groove; only |F| matters here.
 
     Raises
     ------
     ValueError
-        If the size of F is 1 or more.
-
-    Raises
-    ------
-    ValueError
-        If the curvature difference is not in [0, 1).
+        If |F| is 1 or more.
 
     Notes
     -----
     The ratio k = a/b solves F = ((k^2 + 1) E - 2 K)/((k^2 - 1) E) with the complete elliptic integrals K and
     E of modulus sqrt(1 - 1/k^2); a* = (2 k^2 E/pi)^(1/3), b* = (2 E/(pi k))^(1/3), delta* = (2 K/pi)
-    (pi/(2 k^2 E))^(1/3). Harris, ch. 6, whose table has 3.233, 0.4499, 0.6636 at 0.90999.
+    (pi/(2 k^2 E))^(1/3). Harris, ch. 6; his table gives 3.233, 0.4499, 0.6636 at 0.90999.
 
     Examples
     --------
@@ -85,18 +80,18 @@ def ellipse(difference: float) -> tuple[float, float, float]:
     """
     size = abs(difference)
     if not size < 1.0:
-        raise ValueError(f"the curvature difference must lie between -1 and 1, not {difference!r}")
+        raise ValueError(f"the curvature difference must be between -1 and 1, not {difference!r}")
     if size < 1e-9:
         return 1.0, 1.0, 1.0
     from scipy.optimize import brentq
     from scipy.special import ellipe, ellipkm1
 
     def integrals(log_k: float) -> tuple[float, float]:
-        """Complete elliptic integrals of both kinds for the axis ratio e^log_k, exact near the circle."""
+        """Complete elliptic integrals K and E for the axis ratio e^log_k, accurate near the circle."""
         return float(ellipkm1(math.exp(-2.0 * log_k))), float(ellipe(-math.expm1(-2.0 * log_k)))
 
     def mismatch(log_k: float) -> float:
-        """Curvature difference of an ellipse with the axis ratio e^log_k, less the one wanted [-]."""
+        """Curvature difference for the axis ratio e^log_k minus the given one [-]."""
         first, second = integrals(log_k)
         squared = math.exp(2.0 * log_k)
         return ((squared + 1.0) * second - 2.0 * first) / ((squared - 1.0) * second) - size
@@ -115,7 +110,7 @@ def point_stiffness(curvature_sum: float, difference: float, compliance: float) 
     Parameters
     ----------
     curvature_sum, difference
-        Of the two bodies [1/m], [-].
+        Curvature sum [1/m] and difference [-] of the two bodies.
     compliance
         Sum of (1 - nu^2)/E of both bodies [1/Pa].
 
@@ -152,7 +147,7 @@ def roller_stiffness(length: float, compliance: float) -> float:
     Notes
     -----
     A. Palmgren, *Ball and Roller Bearing Engineering*, 1959: delta = 3.81 (Q compliance/pi)^0.9/length^0.8,
-    in N and mm 3.84e-5 Q^0.9/length^0.8 for steel. Its two sides have the same dimension.
+    in N and mm 3.84e-5 Q^0.9/length^0.8 for steel. The equation is dimensionally consistent.
 
     Examples
     --------
@@ -164,14 +159,14 @@ def roller_stiffness(length: float, compliance: float) -> float:
 
 
 def in_series(inner: float, outer: float, exponent: float) -> float:
-    """Constant of a rolling element between two raceways whose contacts have the constants given.
+    """Constant K of a rolling element between two raceways: both contacts in series.
 
     Parameters
     ----------
     inner, outer
-        Constants of the two contacts [N/m^n].
+        Constants of the contacts with the inner and the outer raceway [N/m^n].
     exponent
-        n.
+        Exponent n.
 
     Examples
     --------
@@ -188,14 +183,14 @@ def ball_bearing_stiffness(
     angle: float,
     compliance: float,
 ) -> float:
-    """Constant of one ball between both raceways, Q = K delta^(3/2) [N/m^1.5].
+    """Constant K of one ball between both raceways, Q = K delta^(3/2) [N/m^1.5].
 
     Parameters
     ----------
     ball_diameter, pitch_diameter
-        D, d_m [m].
+        Ball diameter D and pitch diameter d_m [m].
     grooves
-        Groove radii of inner and outer raceway over D.
+        Groove radii of the inner and outer raceway over D.
     angle
         Contact angle [rad].
     compliance

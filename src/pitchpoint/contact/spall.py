@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How deep a rolling element drops into a spall, and over which distance.
+"""Drop of a rolling element into a spall, and its entry length.
 
 Derivation: docs/theory/contacts.md, "Rolling elements".
 """
@@ -10,36 +10,36 @@ import math
 
 
 def spall_drop(length: float, depth: float, element_radius: float, race_radius: float) -> tuple[float, float]:
-    """Drop of a rolling element into a spall, and the distance over which it goes down at either edge.
+    """Drop of a rolling element into a spall, and the length of its entry and exit ramps.
 
     Parameters
     ----------
     length
-        Extent of the spall along the rolling direction [m], below twice the smaller radius.
+        Length of the spall in the rolling direction [m], less than twice the smaller radius.
     depth
-        Depth of its floor [m].
+        Depth of the spall [m].
     element_radius
         Radius R of the rolling element [m].
     race_radius
-        Radius r of the race along the rolling direction [m]: > 0 for an inner race, < 0 for an outer one.
+        Raceway radius r in the rolling direction [m]: > 0 for an inner race, < 0 for an outer race.
 
     Returns
     -------
     drop : float
-        How much nearer both races come at the middle of the spall without a change of force [m].
+        Approach of the races at the centre of the spall at constant load [m].
     ramp : float
-        Distance from either edge at which that drop is reached [m], at most half of the length.
+        Distance from either edge at which the drop is reached [m], at most half the length.
 
     Notes
     -----
-    An element whose surface spans the spall rests on both edges; it has then dropped by
-    R - sqrt(R^2 - l^2/4) + r - sqrt(r^2 - l^2/4) (r < 0: less the same of an outer race), near
-    (1/R + 1/r) l^2/8. It reaches a floor that is less deep over the distance sqrt(2 drop/(1/R + 1/r)) from
-    the edge on which it rolls off. Rigid edges; the loads carry on as on a whole race.
+    An element that bridges a deep spall touches both edges; its drop is then
+    R - sqrt(R^2 - l^2/4) + r - sqrt(r^2 - l^2/4) (for r < 0 the last two terms are subtracted with |r|),
+    approximately (1/R + 1/r) l^2/8. In a shallower spall the element reaches the floor at the distance
+    sqrt(2 drop/(1/R + 1/r)) from the edge. Rigid edges; the load is that on an undamaged race.
 
     Examples
     --------
-    A ball of 10 mm spans a pit of 1 mm in a plane race and drops by 25 um, however deep the pit is:
+    A 10 mm ball bridges a 1 mm pit in a flat race and drops by 25 um, independent of a larger depth:
 
     >>> drop, ramp = spall_drop(1e-3, 0.5e-3, 5e-3, 1e9)
     >>> round(drop * 1e6, 3), round(ramp * 1e3, 4)
@@ -54,6 +54,6 @@ def spall_drop(length: float, depth: float, element_radius: float, race_radius: 
 
 
 def _sagitta(half: float, radius: float) -> float:
-    """Height of an arc over its chord, with the sign of the radius; free of cancellation."""
+    """Sagitta of an arc over a chord, with the sign of the radius; free of cancellation."""
     root = math.sqrt(max(radius * radius - half * half, 0.0))
     return math.copysign(half * half / (abs(radius) + root), radius)

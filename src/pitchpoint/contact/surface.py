@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Signed distance of a point from surfaces of simple shape, with normal and curvature.
+"""Signed distance of a point from simple surfaces, with normal and curvature.
 
-Axes are those of the marker: the plane is z = 0 with the material below, sphere, cylinder, cone and torus lie
-about the z axis, the cone opens downwards from its tip at the origin. `sense` 1 has the material inside, -1
-outside (a bore, a ball cup, a groove). The Hessian of the distance, W, is the curvature of the surface
-through the point: the normal n = grad phi changes by W dy with the point.
+Coordinates are those of the marker. The plane is z = 0 with the material below. Sphere, cylinder, cone and
+torus are centred on the z axis; the cone opens downwards from its tip at the origin. `sense` 1: material
+inside, -1: material outside (bore, ball cup, groove). W, the Hessian of the distance, is the curvature of
+the offset surface through the point: the normal n = grad phi changes by W dy.
 
 Derivation: docs/theory/contacts.md, "Surfaces".
 """
@@ -17,16 +17,16 @@ from pitchpoint.core.kernel import kernel
 
 PLANE, SPHERE, CYLINDER, CONE, TORUS, TRIANGLES = 0, 1, 2, 3, 4, 5
 RIM = 6
-"""A circle in the plane z = 0 of its marker, with a rounding: edge of a disc, tyre, ring."""
+"""Circle in the plane z = 0 of its marker with a rounding radius: edge of a disc, tyre, ring."""
 LEAST = 1e-12
-"""Distance from an axis or centre below which there is no direction away from it [m]."""
+"""Distance from an axis or centre below which the direction away from it is undefined [m]."""
 
 NAMES = {"plane": PLANE, "sphere": SPHERE, "cylinder": CYLINDER, "cone": CONE, "torus": TORUS}
 
 
 @kernel
 def radial(W, n, s, distance):
-    """Curvature s (1 - n n^T)/distance of a sphere through the point, into W.
+    """Store the curvature s (1 - n n^T)/distance of a sphere through the point in W.
 
     >>> import numpy as np
     >>> W = np.zeros((3, 3))
@@ -41,10 +41,10 @@ def radial(W, n, s, distance):
 
 @kernel
 def distance(form, size, sense, y, W):
-    """Distance [m] of the point y from a surface, its outward normal, and W [1/m] as a result.
+    """Signed distance [m] of the point y from a surface and its outward normal; W [1/m] is overwritten.
 
-    size = radius [m] of sphere and cylinder; half angle [rad] of the cone; radius of the ring and of the tube
-    [m] of the torus. On an axis or at a centre, where no direction is nearest, the first one is taken.
+    size = radius [m] of sphere and cylinder; half angle [rad] of the cone; ring radius and tube radius [m]
+    of the torus. On an axis or at a centre, where the direction is undefined, x is used.
 
     >>> import numpy as np
     >>> W = np.zeros((3, 3))
@@ -70,7 +70,7 @@ def distance(form, size, sense, y, W):
         if sense < 0.0 or y[2] * c - rho * s < 0.0:
             _around(W, sense * c / around, ux, uy)
             return sense * (rho * c + y[2] * s), sense * c * ux, sense * c * uy, sense * s
-        rho_c = 0.0  # nearest to the tip: that of a point
+        rho_c = 0.0  # nearest to the tip: distance from a point
         z = y[2]
         tube = 0.0
     elif form == TORUS:
@@ -85,14 +85,14 @@ def distance(form, size, sense, y, W):
     d = max(math.sqrt(a * a + z * z), LEAST)
     n = (sense * a / d * ux, sense * a / d * uy, sense * z / d)
     radial(W, n, sense, d)
-    if form == TORUS:  # along the ring it is the distance from the axis that counts
+    if form == TORUS:  # circumferential curvature follows from the distance to the axis
         _around(W, sense * (a / around - 1.0) / d, ux, uy)
     return sense * (d - tube), n[0], n[1], n[2]
 
 
 @kernel
 def gap_of_length(size, sense, y):
-    """Distance [m] of the point y from a cylinder with flat ends, the first result of `of_length`.
+    """Signed distance [m] of the point y from a cylinder with flat ends, the first result of `of_length`.
 
     >>> import numpy as np
     >>> round(float(gap_of_length(np.array([0.1, 0.5]), 1.0, np.array([0.13, 0.0, 0.29]))), 9)
@@ -107,10 +107,10 @@ def gap_of_length(size, sense, y):
 
 @kernel
 def of_length(size, sense, y, W):
-    """Distance [m] of the point y from a cylinder with flat ends, its outward normal, and W [1/m].
+    """Signed distance [m] of the point y from a cylinder with flat ends, its outward normal, and W [1/m].
 
-    size = radius and length [m], the middle at the origin; with `sense` -1 a bore of that length through
-    material without end. Inside the material the nearer of jacket and end counts.
+    size = radius and length [m], centred at the origin; `sense` -1: bore of that length through an infinite
+    body. Inside the material the nearer of lateral surface and end face applies.
 
     >>> import numpy as np
     >>> W = np.zeros((3, 3))
@@ -143,7 +143,7 @@ def of_length(size, sense, y, W):
 
 @kernel
 def _around(W, k, ux, uy):
-    """Add the curvature k in the direction around the axis."""
+    """Add the curvature k in the circumferential direction to W."""
     W[0, 0] += k * uy * uy
     W[0, 1] -= k * ux * uy
     W[1, 0] -= k * ux * uy

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kernels on triangle surfaces: nearest place to a point, its sign, and all places where a sphere touches.
+"""Kernels for triangle surfaces: nearest point, signed distance, and all contacts of a sphere.
 
-The normal decides on inside and outside: of the face, the sum of both at an edge, the sum weighted by angles
-at a corner: J. A. Baerentzen and H. Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243-253.
+The pseudonormal distinguishes inside and outside: face normal, sum of both normals at an edge,
+angle-weighted sum at a corner. J. A. Baerentzen and H. Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005)
+243-253.
 """
 
 from __future__ import annotations
@@ -18,23 +19,24 @@ F8 = np.dtype("f8")
 HEADER = 8
 BOX = 9
 FACE = 33
-"""Corners (9), normal (3), nodes (3), owns node (3), sums of normals at edges (9), owns edge (3), node across
-(3)."""
+"""Corners (9), normal (3), nodes (3), owns node (3), sums of normals at edges (9), owns edge (3), far node of
+the face across each edge (3)."""
 POINT = 4
-"""Middle of a face (3) and its area."""
+"""Centroid of a face (3) and its area."""
 NODE = 8
-"""Place (3), normal (3), first neighbour, number of neighbours."""
+"""Position (3), normal (3), first neighbour, number of neighbours."""
 CORNER, EDGE, INSIDE = 0, 3, 6
 SAME_SIDE = 0.8660254037844386
-"""Cosine of the angle between normals (30 deg) below which two places of a sphere count as one."""
+"""Cosine of the angle between normals (30 deg) below which two contacts of a sphere are merged."""
 MOST_PLACES = 4
+"""Maximum number of contacts of a sphere."""
 PLACE = 6
-"""Numbers of a place: distance, face, feature, point."""
+"""Numbers of a contact: distance, face, feature, point (3)."""
 
 
 @kernel
 def tree_of(where):
-    """Tree of the faces of a packed surface at an address.
+    """Face tree of a packed surface at an address.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
@@ -59,7 +61,7 @@ def faces_of(where):
 
 @kernel
 def point_tree_of(where):
-    """Tree of the points of a packed surface at an address.
+    """Point tree of a packed surface at an address.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
@@ -73,7 +75,7 @@ def point_tree_of(where):
 
 @kernel
 def points_of(where):
-    """Points of a packed surface at an address, in the order of their tree.
+    """Centroids and areas of the faces of a packed surface at an address, in the order of the point tree.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
@@ -115,7 +117,7 @@ def neighbours_of(where):
 
 @kernel
 def box_distance(tree, k, y):
-    """Square of the distance of a point from box k, 0 inside [m^2].
+    """Squared distance of a point from box k, 0 inside [m^2].
 
     >>> tree = np.array([[0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.0, 1.0]])
     >>> float(box_distance(tree, 0, np.array([0.5, 3.0, 2.0])))
@@ -131,7 +133,7 @@ def box_distance(tree, k, y):
 
 @kernel
 def _edge_place(faces, k, c, t):
-    """Point at t on the edge of face k that begins at its corner c."""
+    """Point at parameter t on the edge of face k that begins at corner c, and its feature number."""
     a = 3 * c
     b = 3 * ((c + 1) % 3)
     return (
@@ -144,7 +146,7 @@ def _edge_place(faces, k, c, t):
 
 @kernel
 def on_triangle(faces, k, y):
-    """Point of face k nearest to y and the feature it lies on: corner 0 to 2, edge 3 to 5, inside 6.
+    """Point of face k nearest to y and its feature: corner 0 to 2, edge 3 to 5, interior 6.
 
     C. Ericson, *Real-Time Collision Detection* (2005), section 5.1.5.
 
@@ -192,9 +194,9 @@ def on_triangle(faces, k, y):
 
 @kernel
 def nearest_place(where, y, reach, place):
-    """Place of a surface nearest to y within `reach` [m], into `place`; whether there is one.
+    """Store the surface point nearest to y within `reach` [m] in `place`; returns whether there is one.
 
-    The distance in `place` is without sign. Equal distances: the first face in the order of the tree.
+    The distance in `place` is unsigned. For equal distances the first face in tree order is used.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
@@ -230,7 +232,7 @@ def nearest_place(where, y, reach, place):
 
 @kernel
 def signed_place(where, y, place, W):
-    """Signed distance of y from a place found for it, its outward normal, and the curvature W there.
+    """Signed distance of y from its nearest point `place` and the outward normal; W is overwritten.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
@@ -276,7 +278,7 @@ def signed_place(where, y, place, W):
 
 @kernel
 def _straight(W, faces, k, c, curvature):
-    """Take the curvature along an edge away again."""
+    """Remove the curvature in the direction of an edge from W."""
     a = 3 * c
     b = 3 * ((c + 1) % 3)
     ex = faces[k, b] - faces[k, a]
@@ -291,7 +293,7 @@ def _straight(W, faces, k, c, curvature):
 
 @kernel
 def is_nearest_around(where, y, face, feature, qx, qy, qz):
-    """Whether a point of a face is the nearest one in its neighbourhood and belongs to this face.
+    """Whether a point of a face is a local minimum of the distance from y and is owned by this face.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
@@ -326,7 +328,7 @@ def is_nearest_around(where, y, face, feature, qx, qy, qz):
 
 @kernel
 def _alike(places, h, d, y, qx, qy, qz):
-    """Whether the direction to a place kept is within 30 deg of that to another one at distance d."""
+    """Whether contact h and a point at distance d lie within 30 deg of each other as seen from y."""
     s = (y[0] - places[h, 3]) * (y[0] - qx)
     s += (y[1] - places[h, 4]) * (y[1] - qy)
     s += (y[2] - places[h, 5]) * (y[2] - qz)
@@ -335,10 +337,10 @@ def _alike(places, h, d, y, qx, qy, qz):
 
 @kernel
 def sphere_places(where, y, radius, places):
-    """Places where a sphere about y outside a surface touches it, into `places`; returns their number.
+    """Store the contacts of a sphere about y, outside a surface, in `places`; returns their number.
 
-    Of places whose normals differ by less than 30 deg only the deepest counts, so that finer triangles give
-    no more force; at most MOST_PLACES.
+    Contacts whose normals differ by less than 30 deg are merged to the deepest one, so that a finer
+    triangulation does not increase the force; at most MOST_PLACES.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
@@ -362,7 +364,7 @@ def sphere_places(where, y, radius, places):
                 continue
             shadowed = False
             kept = 0
-            for h in range(n):  # deeper ones alike shadow it; it shadows shallower ones
+            for h in range(n):  # a deeper similar contact shadows this one; this one shadows shallower ones
                 if _alike(places, h, d, y, qx, qy, qz):
                     if places[h, 0] <= d:
                         shadowed = True

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangle surfaces as data: faces with neighbours, points with areas, trees of boxes around both.
+"""Triangle surfaces as data: faces with neighbours, centroids with areas, bounding-box trees of both.
 
-A surface becomes one float array: a header of 8, the tree of the faces, the faces, the tree of their middle
-points, these points with the areas of the faces, the nodes, and the neighbours of each node. A point
-represents its face alone, so that the area of one side of a sharp edge never presses on the other. Trees are
-walked without a stack: their boxes are stored depth first, each with the index of the box that follows if it
-is skipped.
+A surface is packed into one float array: header (8 numbers), face tree, faces, centroid tree, centroids with
+face areas, nodes, and neighbours of each node. A centroid represents its face only, so that the area on one
+side of a sharp edge never acts on the other side. Trees are traversed without a stack: boxes are stored
+depth first, each with the index of the next box if it is skipped.
 """
 
 from __future__ import annotations
@@ -19,27 +18,27 @@ from pitchpoint.contact.triangle_search import FACE, HEADER, NODE
 from pitchpoint.geometry.triangle_file import join_corners
 
 LEAF = 4
-"""Most things in one leaf of a tree."""
+"""Maximum number of items in a leaf of a tree."""
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 
 def bounding_tree(low: FloatArray, high: FloatArray) -> tuple[FloatArray, IntArray]:
-    """Tree of boxes around things, cut in half along the longest side.
+    """Bounding-box tree of items, split at the median along the longest side.
 
     Parameters
     ----------
     low, high
-        Boxes around the things [m], shape (n, 3).
+        Bounding boxes of the items [m], shape (n, 3).
 
     Returns
     -------
     ndarray, shape (m, 9)
-        Low and high corner of each box, the box that follows its branch, first thing and number of things
-        (0 in boxes that hold boxes).
+        Low and high corner of each box, next box if its branch is skipped, first item and number of items
+        (0 in inner nodes).
     ndarray, shape (n,)
-        Order of the things in the leaves.
+        Order of the items in the leaves.
 
     Examples
     --------
@@ -52,7 +51,7 @@ def bounding_tree(low: FloatArray, high: FloatArray) -> tuple[FloatArray, IntArr
     order: list[int] = []
 
     def grow(members: IntArray) -> None:
-        """Add the box of some triangles and, unless it is a leaf, those of its two halves."""
+        """Add the box of the given items and, unless it is a leaf, those of its two halves."""
         at = len(boxes)
         lo, hi = low[members].min(axis=0), high[members].max(axis=0)
         boxes.append([*lo, *hi, 0.0, float(len(order)), 0.0])
@@ -73,14 +72,14 @@ def bounding_tree(low: FloatArray, high: FloatArray) -> tuple[FloatArray, IntArr
 
 @dataclass(frozen=True)
 class TriangleSurface:
-    """A surface of triangles.
+    """Triangle mesh of a surface.
 
     Parameters
     ----------
     vertices
-        Places [m], shape (n, 3).
+        Positions [m], shape (n, 3).
     faces
-        Corners of each triangle as numbers of vertices, counter-clockwise seen from outside, shape (m, 3).
+        Vertex indices of each triangle, counter-clockwise seen from outside, shape (m, 3).
     """
 
     vertices: FloatArray
@@ -88,22 +87,22 @@ class TriangleSurface:
 
     @classmethod
     def from_triangles(cls, triangles: ArrayLike, tolerance: float = 1e-9) -> TriangleSurface:
-        """Join triangles that share corners.
+        """Build a surface from separate triangles by merging coincident corners.
 
         Parameters
         ----------
         triangles
-            Corners [m], shape (m, 3, 3), as `geometry.solid.gear_solid` gives them.
+            Corners [m], shape (m, 3, 3), as returned by `geometry.solid.gear_solid`.
         tolerance
-            Distance below which corners are the same, as a part of the size of the surface.
+            Distance below which corners are merged, relative to the size of the surface.
         """
         corners = np.asarray(triangles, float).reshape(-1, 3)
         first, faces = join_corners(corners, tolerance)
-        kept = (faces != np.roll(faces, 1, axis=1)).all(axis=1)  # slivers without area fall out
+        kept = (faces != np.roll(faces, 1, axis=1)).all(axis=1)  # drop degenerate triangles
         return cls(corners[first], faces[kept])
 
     def normals(self) -> tuple[FloatArray, FloatArray]:
-        """Unit normals of the faces, shape (m, 3), and their areas [m^2].
+        """Unit normals, shape (m, 3), and areas [m^2], shape (m,), of the faces.
 
         Raises
         ------
@@ -118,7 +117,7 @@ class TriangleSurface:
         return across / size[:, None], 0.5 * size
 
     def size(self) -> float:
-        """Longest side of the box around the surface [m]."""
+        """Longest side of the bounding box [m]."""
         return float(np.ptp(self.vertices, axis=0).max())
 
     def is_closed(self) -> bool:
@@ -133,7 +132,8 @@ class TriangleSurface:
         Raises
         ------
         ValueError
-            If an edge belongs to more than two triangles, or two of them are walked differently around it.
+            If a triangle has no area, an edge has more than two triangles, or two adjacent triangles have
+            opposite orientations.
         """
         normals, areas = self.normals()
         other = self._across()
@@ -164,7 +164,7 @@ class TriangleSurface:
         return np.concatenate([np.asarray(part, float).ravel() for part in parts])
 
     def _across(self) -> NDArray[np.int64]:
-        """Face on the other side of edge (k, k + 1) of every face and its far corner; -1 at a border."""
+        """Face across edge (k, k + 1) of each face and its far corner, shape (m, 3, 2); -1 at a border."""
         found = np.full((*self.faces.shape, 2), -1)
         edges: dict[tuple[int, int], tuple[int, int]] = {}
         for face, corners in enumerate(self.faces.tolist()):
@@ -180,7 +180,7 @@ class TriangleSurface:
         return found
 
     def _nodes(self, normals: FloatArray, areas: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Nodes with normals weighted by the angles of their faces, and the list of their neighbours."""
+        """Nodes with angle-weighted normals, and the list of their neighbours."""
         nodes = np.zeros((len(self.vertices), NODE))
         nodes[:, :3] = self.vertices
         corner = self.vertices[self.faces]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the flanks of a pair wear: load of the contact line times sliding, after Archard.
+"""Wear distribution over the flanks of a pair: line load times sliding, after Archard.
 
 Source: Archard, J. Appl. Phys. 24 (1953) 981.
 """
@@ -15,14 +15,14 @@ from pitchpoint.contact.stiffness.description import Array, PairShape
 from pitchpoint.geometry.gear_pair import GearPair
 
 SMALLEST_RADIUS = 0.05
-"""Least radius of curvature in base pitches that counts: nearer to the base circle sliding over rolling grows
-without bound, while a real band of contact has a width."""
+"""Lower limit of the radius of curvature in base pitches: the slide-to-roll ratio is unbounded at the base
+circle, while a real contact has a finite width."""
 
 _STEPS = 4000
 
 
 def total_shape(shape: PairShape, eps_alpha: float, overlap: float, psi: ArrayLike) -> Array:
-    """Stiffness of all pairs over c' b at phases of the middle of the face.
+    """Total mesh stiffness over c' b at mesh phases at mid-face.
 
     Parameters
     ----------
@@ -31,13 +31,14 @@ def total_shape(shape: PairShape, eps_alpha: float, overlap: float, psi: ArrayLi
     eps_alpha
         Transverse contact ratio.
     overlap
-        Base pitches by which a contact line runs from face to face, >= 0.
+        Overlap ratio, advance of a contact line over the face width in base pitches, >= 0.
     psi
         Mesh phases [base pitches], any shape.
 
     Notes
     -----
-    Sum over pairs of the mean of c/c' along the contact line; for helical gears to 1/4000 of the path.
+    Sum over all pairs of the mean of c/c' along the contact line; for helical gears integrated with 4000
+    steps of the path.
 
     Examples
     --------
@@ -70,22 +71,22 @@ def total_shape(shape: PairShape, eps_alpha: float, overlap: float, psi: ArrayLi
 def wear_pattern(
     pair: GearPair, shape: PairShape, *, gear: int, z: ArrayLike, roll: ArrayLike, helix: float = 0.0
 ) -> Array:
-    """Depth of wear per turn, over wear coefficient times load per face width.
+    """Wear depth per revolution, normalised by wear coefficient times load per unit face width.
 
     Parameters
     ----------
     pair
-        The pair.
+        The gear pair.
     shape
-        Stiffness of one pair, by which the pairs share the load.
+        Stiffness of one pair, which determines the load sharing.
     gear
-        1 or 2: whose flank.
+        Gear whose flank is evaluated, 1 or 2.
     z
-        Places along the face width, from the middle of the common width [m], shape (n_z,).
+        Positions along the face width from the middle of the common width [m], shape (n_z,).
     roll
         Roll lengths of that gear [m], positive, shape (n_roll,).
     helix
-        Slope of the contact lines, base pitches per metre of width; 0 for spur gears.
+        Slope of the contact lines in base pitches per metre of face width; 0 for spur gears.
 
     Returns
     -------
@@ -94,10 +95,11 @@ def wear_pattern(
 
     Notes
     -----
-    Archard: a point of a flank loses k p |v_g| dt (J. F. Archard, J. Appl. Phys. 24 (1953) 981). While the
-    band of contact passes at its speed v = ω ρ, the pressure adds up to the load w of the contact line over
-    v: h = k w |v_g|/v per turn, |v_g|/v = |1 − ρ_2 z_1/(ρ_1 z_2)| on gear 1, nothing at the pitch point. w is
-    F/b times the share c/Σ c that the stiffness gives the line, which without deviations all lines follow.
+    Archard: the wear depth at a point of a flank increases by k p |v_g| dt (J. F. Archard, J. Appl. Phys. 24
+    (1953) 981). The contact passes the point at the rolling speed v = ω ρ, and the pressure integrates to
+    w/v with the line load w: h = k w |v_g|/v per revolution, with |v_g|/v = |1 − ρ_2 z_1/(ρ_1 z_2)| on gear
+    1, zero at the pitch point. w is F/b times the load share c/Σ c of the line; without flank deviations
+    this is the share of every line.
 
     Examples
     --------

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bodies, joints, tree kinematics, inertia and constraints: numbers only."""
+"""Numerical kernels of multibody dynamics: bodies, joints, tree kinematics, inertia and constraints."""

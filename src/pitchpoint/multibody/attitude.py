@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Attitude of a tumbling body as a quaternion, whatever chart its turns count from."""
+"""Attitude of a tumbling body as a quaternion, independent of its chart."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from pitchpoint.core.kernel import kernel
 
 @kernel
 def attitude(C, alpha, beta, spin, out, at):
-    """Write the quaternion (x, y, z, w), w >= 0, of C Rx(alpha) Ry(beta) Rz(spin) into four places of `out`.
+    """Write the quaternion (x, y, z, w), w >= 0, of C Rx(alpha) Ry(beta) Rz(spin) to out[at : at + 4].
 
-    C is the chart, a rotation matrix; the turns follow each other about the axes that the one before leaves.
+    C is the chart, a rotation matrix; the three rotations are intrinsic (about the rotated axes).
     """
-    # of the four squares the largest one loses no digits
+    # the largest of the four components avoids cancellation
     trace = C[0, 0] + C[1, 1] + C[2, 2]
     if trace > 0.0:
         s = 2.0 * math.sqrt(1.0 + trace)
@@ -49,7 +49,7 @@ def attitude(C, alpha, beta, spin, out, at):
     c = math.cos(0.5 * spin)
     s = math.sin(0.5 * spin)
     x, y, z, w = x * c + y * s, y * c - x * s, z * c + w * s, w * c - z * s
-    # of the two that are the same attitude
+    # q and -q are the same attitude
     sign = -1.0 if w < 0.0 else 1.0
     out[at] = sign * x
     out[at + 1] = sign * y

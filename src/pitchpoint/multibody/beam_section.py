@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Timoshenko beam elements as matrices: stiffness, consistent mass, gyration, stiffness by axial force.
+"""Matrices of Timoshenko beam elements: stiffness, consistent mass, gyroscopic and geometric stiffness.
 
-The axis of the beam is its third axis, as the spin axis of a body. Order of the twelve displacements: three
-translations and three rotations of the first end, then those of the second. Shape functions are the exact
-static ones of a shear-flexible beam, with phi = 12 E I / (kappa A G L^2) in each plane.
+The beam axis is the third axis, like the spin axis of a body. Order of the twelve displacements: three
+translations and three rotations of the first end, then those of the second end. The shape functions are the
+exact static ones of a shear-flexible beam, with phi = 12 E I / (kappa A G L^2) in each plane.
 
 Sources: Friswell, Penny, Garvey, Lees, Dynamics of Rotating Machines (2010), section 5.4 and 5.5;
 Przemieniecki, Theory of Matrix Structural Analysis (1968), chapters 5, 11 and 15; shear factors: Cowper, J.
@@ -30,12 +30,12 @@ class Section:
     A
         Area [m^2].
     I_1, I_2
-        Second moments of area that resist bending towards axis 1 and towards axis 2: the integrals of x_1^2
-        and of x_2^2 over the area [m^4].
+        Second moments of area for bending in direction 1 and in direction 2: integrals of x_1^2 and of x_2^2
+        over the area [m^4].
     J
         Torsion constant [m^4]; the polar second moment for round sections only.
     kappa_1, kappa_2
-        Shear factors for shear along axis 1 and 2; 0 for a beam without shear deflection.
+        Shear correction factors in direction 1 and 2; 0 for a beam without shear deformation.
     """
 
     A: float
@@ -47,12 +47,12 @@ class Section:
 
     @property
     def round(self) -> bool:
-        """Whether no direction across the axis differs from another."""
+        """Whether bending stiffness and shear stiffness are the same in both directions."""
         return self.I_1 == self.I_2 and self.kappa_1 == self.kappa_2
 
 
 def tube(diameter: float, bore: float = 0.0, nu: float = 0.3) -> Section:
-    """Section of a round shaft.
+    """Section of a solid or hollow round shaft.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def rectangle(width: float, height: float, nu: float = 0.3) -> Section:
     nu
         Poisson's ratio [-], for the shear factor 10 (1 + nu) / (12 + 11 nu) (Cowper 1966).
 
-    The torsion constant is Saint-Venant's series, a b^3 (1/3 - 64/pi^5 (b/a) sum tanh(n pi a / 2 b) / n^5)
+    The torsion constant is the Saint-Venant series a b^3 (1/3 - 64/pi^5 (b/a) sum tanh(n pi a / 2 b) / n^5)
     over odd n, with a >= b.
 
     Examples
@@ -111,18 +111,18 @@ def rectangle(width: float, height: float, nu: float = 0.3) -> Section:
 
 @dataclass(frozen=True, kw_only=True)
 class Beam:
-    """One element: a straight piece of constant section.
+    """One beam element: straight, with constant section.
 
     Parameters
     ----------
     section
-        Its section.
+        Cross-section.
     length
         Length [m].
     E, G
-        Elastic and shear modulus [Pa].
+        Young's modulus and shear modulus [Pa].
     rho
-        Density [kg/m^3]; 0 for a beam without mass.
+        Density [kg/m^3]; 0 for a massless beam.
     """
 
     section: Section
@@ -137,7 +137,7 @@ class Beam:
         return self.rho * self.section.A * self.length
 
     def phi(self, plane: int) -> float:
-        """Shear number 12 E I / (kappa A G L^2) of bending towards axis 1 or 2 [-]."""
+        """Shear parameter 12 E I / (kappa A G L^2) for bending in direction 1 or 2 [-]."""
         s = self.section
         second, kappa = (s.I_1, s.kappa_1) if plane == 1 else (s.I_2, s.kappa_2)
         if kappa == 0.0:
@@ -158,7 +158,7 @@ class Beam:
         return K
 
     def consistent_mass(self) -> Matrix:
-        """Mass matrix (12, 12) of translation and rotary inertia [kg, kg m, kg m^2]."""
+        """Consistent mass matrix (12, 12) with rotary inertia [kg, kg m, kg m^2]."""
         s, h = self.section, self.length
         M = np.zeros((12, 12))
         for plane, second in ((1, s.I_1), (2, s.I_2)):
@@ -175,9 +175,9 @@ class Beam:
         return M
 
     def gyroscopic(self) -> Matrix:
-        """Matrix D (12, 12) per spin speed, of the gyroscopic force -omega D x' [kg m^2].
+        """Gyroscopic matrix D (12, 12) per spin speed; the force is -omega D x' [kg m^2].
 
-        For round sections. Rotation about axis 1 and rotation about axis 2 feed each other.
+        For round sections only. It couples bending in the two directions.
         """
         p = self.phi(1)
         polar = self.rho * (self.section.I_1 + self.section.I_2) * self._rotary(p)
@@ -191,7 +191,7 @@ class Beam:
         return D
 
     def geometric(self) -> Matrix:
-        """Stiffness per tension (12, 12), of a beam without shear deflection [1/m, 1, m]."""
+        """Geometric stiffness per tensile force (12, 12) of a beam without shear deformation [1/m, 1, m]."""
         h = self.length
         K = np.zeros((12, 12))
         rows = [[36.0, 3 * h, -36, 3 * h], [0, 4 * h**2, -3 * h, -(h**2)]]
@@ -201,7 +201,7 @@ class Beam:
         return K
 
     def _rotary(self, p: float) -> Matrix:
-        """Integral of the products of the section rotations, per rho I (4, 4)."""
+        """Rotary inertia of one plane per rho I (4, 4): integrals of products of the section rotations."""
         h = self.length
         a, b = 36.0, (3 - 15 * p) * h
         c, d = (4 + 5 * p + 10 * p**2) * h**2, (-1 - 5 * p + 5 * p**2) * h**2
@@ -215,7 +215,7 @@ def _full(rows: list[list[float]]) -> Matrix:
 
 
 def _places(plane: int) -> tuple[tuple[int, float], ...]:
-    """Displacement and slope of both ends in a plane: index and sign. Slope is ry, or -rx."""
+    """Index and sign of deflection and slope of both ends in a plane; the slope is ry or -rx."""
     first, turn, sign = (0, 4, 1.0) if plane == 1 else (1, 3, -1.0)
     return ((first, 1.0), (turn, sign), (6 + first, 1.0), (6 + turn, sign))
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""LU over 6 x 6 blocks along a programme that is written once, when the structure is known.
+"""Sparse LU factorisation over 6 x 6 blocks; the symbolic factorisation is done once.
 
-Nodes are groups of at most six coordinates. `plan` orders them by minimum degree, adds the fill blocks and
+Nodes are groups of at most six coordinates. `plan` orders them by minimum degree, adds fill-in blocks and
 writes two programmes: *factor* (invert a diagonal block, form L = A D^-1, subtract L U) and *solve* (forward
-rows, backward rows). After factoring, diagonal blocks hold inverses.
+and backward substitution). After factorisation the diagonal blocks contain their inverses.
 """
 
 from __future__ import annotations
@@ -28,19 +28,19 @@ SOLVE = np.dtype([(n, "i8") for n in ("op", "blk", "to", "by", "nt", "nb")], ali
 def plan(
     sizes: list[int], edges: Iterable[tuple[int, int]], offsets: list[int]
 ) -> tuple[dict[tuple[int, int], int], NDArray[np.void], NDArray[np.void]]:
-    """Order the nodes, place the blocks, write the programmes.
+    """Symbolic factorisation: order the nodes, number the blocks, write both programmes.
 
     Parameters
     ----------
     sizes, offsets
         Number of coordinates of each node and index of its first one.
     edges
-        Pairs of nodes that share a block.
+        Pairs of coupled nodes.
 
     Returns
     -------
     blocks
-        Block index of every ordered pair of nodes, fill included; block 0 is the dump.
+        Block index of each ordered pair of nodes, fill-in included; block 0 is the sink.
     factor, solve
         Programmes (FACTOR, SOLVE).
     """
@@ -57,7 +57,7 @@ def plan(
     factor: list[tuple[int, ...]] = []
     forward: list[tuple[int, ...]] = []
     backward: list[list[tuple[int, ...]]] = []
-    queue = [(len(near[i]), i) for i in range(n)]  # a heap; duplicates count with their present value
+    queue = [(len(near[i]), i) for i in range(n)]  # heap; entries with an outdated degree are skipped
     heapify(queue)
     left = set(range(n))
     while queue:
@@ -89,8 +89,7 @@ def plan(
 
 @kernel
 def invert(B, n, order):
-    """Invert an n x n block in place by Gauss-Jordan steps with row exchange; order is scratch of n
-    integers."""
+    """Invert an n x n block in place by Gauss-Jordan elimination with pivoting; order is scratch (n)."""
     if n == 1:
         if B[0, 0] == 0.0:
             return SINGULAR
@@ -133,7 +132,7 @@ def invert(B, n, order):
 
 @kernel
 def scale(L, D, n, m, T):
-    """L <- L D for an n x m block L and the inverse D; T is scratch."""
+    """L <- L D for an n x m block L and an inverted diagonal block D; T is scratch."""
     if n == 6 and m == 6:
         for i in range(6):
             for c in range(6):
@@ -196,9 +195,9 @@ def factorise(programme, A, T, order):
 
 @kernel(inline=True)
 def substitute(programme, A, x, y):
-    """Solve in place: x holds the right-hand side and becomes the solution; y is scratch of six.
+    """Solve in place: x is the right-hand side on entry and the solution on exit; y is scratch (6).
 
-    Blocks with three or six columns, those of planar and of free bodies, have loops of their own.
+    Blocks with three or six columns (planar and free bodies) have unrolled loops.
     """
     for row in range(programme.size):
         w = programme[row]

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Inverse of the mass matrix of one body with six coordinates, by blocks of 3 x 3, no row exchanged.
+"""Inverse of the 6 x 6 mass matrix of one body by 3 x 3 blocks, without pivoting.
 
-With P for translations, B the coupling, D for rotations and S = D - B^T P^-1 B,
+With P for the translations, D for the rotations, the coupling B and S = D - B^T P^-1 B,
 
     [P  B]^-1   [P^-1 + P^-1 B S^-1 B^T P^-1   -P^-1 B S^-1]
     [B^T D]   = [     -S^-1 B^T P^-1                 S^-1  ]
 
-A mass matrix is positive definite, so neither determinant vanishes unless the body has no inertia.
+A mass matrix is positive definite, so both determinants are positive unless the body lacks mass or inertia.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pitchpoint.core.status import OK, SINGULAR
 
 @kernel
 def _inverse(a, b, c, d, e, f):
-    """Inverse of the symmetric matrix [[a, b, c], [b, d, e], [c, e, f]] likewise, and its determinant."""
+    """Inverse of the symmetric matrix [[a, b, c], [b, d, e], [c, e, f]], same order, and its determinant."""
     x = d * f - e * e
     y = c * e - b * f
     z = b * e - c * d
@@ -28,7 +28,7 @@ def _inverse(a, b, c, d, e, f):
 
 @kernel
 def _times(p, x, y, z):
-    """Symmetric matrix times a column."""
+    """Symmetric matrix p times the vector (x, y, z)."""
     return p[0] * x + p[1] * y + p[2] * z, p[1] * x + p[3] * y + p[4] * z, p[2] * x + p[4] * y + p[5] * z
 
 
@@ -39,7 +39,7 @@ def _dot(a, b):
 
 @kernel
 def invert_mass(M):
-    """Invert a symmetric positive definite 6 x 6 matrix in place."""
+    """Invert a symmetric positive definite 6 x 6 matrix in place; returns a status."""
     p = _inverse(M[0, 0], M[0, 1], M[0, 2], M[1, 1], M[1, 2], M[2, 2])
     if not p[6] > 0.0:
         return SINGULAR

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The body record: where a body hangs, how it may move, what it weighs.
+"""Body record: parent, joint, mass and inertia.
 
-Every body hangs on its parent, another body or ground, by one joint at its origin; parents come before their
-children. A body has a *frame* R whose third axis is its spin axis and which does not spin; the spin is an
-angle next to it, and S is R turned by that angle, the frame that is fixed to the body. Bodies on ground whose
-mass is round about the spin axis ("round" bodies: gears, shafts) never need S: their inertia is constant in
-R and no sine of the spin is taken.
+Each body is connected to its parent, another body or ground, by one joint at its origin; parents come before
+children. The *frame* R of a body does not rotate with its spin; its third axis is the spin axis. The spin
+angle is stored separately. S is R rotated by the spin angle, the body-fixed frame. Bodies on ground that are
+axisymmetric about the spin axis ("round" bodies: gears, shafts) do not need S: their inertia is constant in
+R, and no trigonometric function of the spin is evaluated.
 """
 
 from __future__ import annotations
@@ -32,29 +32,29 @@ from pitchpoint.multibody.joints import (
 __all__ = ["BODY", "FIXED", "FREE", "GENERAL", "PATH", "PLANAR", "TORSION", "Body", "body_records"]
 
 GENERAL = 7
-"""Code of every joint that is not that of a round body."""
+"""Joint code of all bodies that are not round."""
 
 BODY = np.dtype(
     [
         ("joint", "i8"),  # FIXED, TORSION, PLANAR, FREE of a round body, else GENERAL
         ("n", "i8"),  # number of coordinates
-        ("parent", "i8"),  # body it hangs on, 0 = ground
+        ("parent", "i8"),  # parent body, 0 = ground
         ("dof", "i8"),  # index of its first coordinate
         ("spin", "i8"),  # index of its spin coordinate, -1 if it has none
         ("path", "i8"),  # its own entry in the list of paths, -1 without coordinates
         ("first", "i8"),  # first entry of its path from ground
         ("count", "i8"),  # entries of its path
-        ("ii", "i8"),  # its diagonal pair block, 0 = dump
+        ("ii", "i8"),  # its diagonal pair block, 0 = sink
         ("axis", "i8", 6),  # displacements that are its coordinates
-        ("chart", "i8"),  # attitude from which its turns count, -1 for none
-        ("guide", "i8"),  # displacements given by functions, -1 for none
-        ("shares", "i8"),  # body whose coordinates are its own too, 0 for none
-        ("spinner", "i8"),  # body whose spin counts as its own, 0 for none
-        ("upright", "f8", (3, 3)),  # frame from which that counts, columns in axes S of the spinner's parent
-        ("fixed_axes", "i8"),  # 1: S is requested
-        ("state", "i8"),  # 1: no body, its spin rate is the state of an element
-        ("lead", "f8"),  # screw: way along the axis per radian [m/rad]
-        ("sense", "f8"),  # spin axis against that of the parent: 1 parallel, -1 opposite, 0 neither
+        ("chart", "i8"),  # index of the reference attitude of its rotations, -1 for none
+        ("guide", "i8"),  # index of displacements given by functions, -1 for none
+        ("shares", "i8"),  # body whose coordinates it shares, 0 for none
+        ("spinner", "i8"),  # body whose spin it takes over, 0 for none
+        ("upright", "f8", (3, 3)),  # reference frame of that spin, columns in axes S of the spinner's parent
+        ("fixed_axes", "i8"),  # 1: S is computed
+        ("state", "i8"),  # 1: not a body; its spin rate is a state of an element
+        ("lead", "f8"),  # screw: travel along the axis per radian [m/rad]
+        ("sense", "f8"),  # spin axis relative to that of the parent: 1 parallel, -1 opposite, 0 neither
         ("pos", "f8", 3),  # reference position of the origin, axes S of the parent [m]
         ("axes", "f8", (3, 3)),  # reference frame, columns in axes S of the parent; third = spin axis
         ("mass", "f8"),  # [kg]
@@ -67,14 +67,14 @@ BODY = np.dtype(
     align=True,
 )
 
-# One row per joint on the way from ground to a body, bodies in order, each from the root to its own joint.
+# One row per joint on the path from ground to each body; bodies in order, joints from the root outwards.
 PATH = np.dtype(
     [
         ("body", "i8"),
-        ("joint", "i8"),  # TORSION, FREE of a round body (shortcuts) or GENERAL
+        ("joint", "i8"),  # TORSION or FREE of a round body (fast paths), else GENERAL
         ("dof", "i8"),
         ("n", "i8"),
-        ("owner", "i8"),  # body whose joint it is
+        ("owner", "i8"),  # body moved by the joint
     ],
     align=True,
 )
@@ -82,42 +82,46 @@ PATH = np.dtype(
 
 @dataclass(frozen=True, kw_only=True)
 class Body:
-    """One rigid body, as numbers.
+    """Numerical data of one rigid body.
 
     Parameters
     ----------
     motion
         Code of the joint to the parent (see joints.py).
     parent
-        Number of the body it hangs on, counted from 1 in the order of the list; 0 = ground.
+        Number of the parent body, counted from 1 in the order of the list; 0 = ground.
     position
-        Position of the origin (the place of the joint) in world axes with all coordinates zero [m].
+        Position of the origin (location of the joint) in world axes with all coordinates zero [m].
     axes
-        Frame of the joint then (3, 3), columns in world axes, right-handed; the third is the spin axis.
+        Joint frame with all coordinates zero (3, 3), columns in world axes, right-handed; the third is the
+        spin axis.
     mass, polar_inertia, transverse_inertia
-        [kg], [kg m^2] about the spin axis, [kg m^2] about a transverse axis through the centre of mass.
+        Mass [kg]; moments of inertia [kg m^2] about the spin axis and about a transverse axis through the
+        centre of mass.
     center
         Centre of mass along the spin axis from the origin [m].
     com, inertia
         For bodies that are not round: centre of mass (3,) from the origin [m] and inertia (3, 3) about the
-        centre of mass [kg m^2], both in the axes of the body; they replace the four numbers but the mass.
+        centre of mass [kg m^2], both in body axes; they replace polar_inertia, transverse_inertia and
+        center.
     lead
-        Way of a screw along its axis per radian of its spin [m/rad].
+        Travel of a screw joint along its axis per radian of its spin [m/rad].
     guided_by
-        Coordinates (name, unit) of a guided body, at most six; it may have none and follow time alone.
+        Coordinates (name, unit) of a guided body, at most six; without any it is a function of time only.
     spinner
-        Number of an earlier body on which a fixed one hangs without moving much against it, z axis along z
-        axis: that spin counts as its own, and its frame R does not turn with it. 0 = none.
+        Number of an earlier body to which a fixed body is attached, with parallel z axes and small relative
+        motion: the body takes over that spin, and its frame R does not rotate with it. 0 = none.
     shares
-        Number of an earlier body whose coordinates guide this body too, in place of own ones; 0 = none.
+        Number of an earlier body whose coordinates also guide this body, which then has none itself; 0 =
+        none.
     state
-        whether it is not a body at all: its spin rate is the state of an element, with c' = f_c for the
-        torque.
+        Whether this is not a body but a dynamic state c of an element: the spin rate is c, and c' = f_c
+        replaces the torque balance.
     angle
-        Initial spin [rad]; any number of turns.
+        Initial spin angle [rad], may exceed one revolution.
     start, rate
-        Initial values of all coordinates of its joint and of their rates, in their order [m, rad],
-        [m/s, rad/s]; empty for zeros. Turns of bodies that tumble must leave beta below a right angle.
+        Initial values of all joint coordinates [m, rad] and of their rates [m/s, rad/s], in order; empty for
+        zeros. For tumbling bodies |beta| must be below a right angle.
     """
 
     motion: int = TORSION
@@ -142,16 +146,16 @@ class Body:
 
     @property
     def is_round(self) -> bool:
-        """Whether the body hangs on ground and is round about its spin axis."""
+        """Whether the body is on ground and axisymmetric about its spin axis."""
         return self.parent == 0 and self.motion in ROUND and self.inertia is None
 
     @property
     def coordinates(self) -> tuple[tuple[str, str], ...]:
-        """Names and units of the coordinates of its joint."""
+        """Names and units of the joint coordinates."""
         return self.guided_by if self.motion == GUIDED else JOINTS[self.motion]
 
     def tensor(self) -> NDArray[np.float64]:
-        """Inertia about the origin in the axes of the body, shape (3, 3) [kg m^2]."""
+        """Inertia about the origin in body axes, shape (3, 3) [kg m^2]."""
         com = self.center_of_mass()
         about = self.inertia
         if about is None:
@@ -159,15 +163,15 @@ class Body:
         return np.asarray(about, float) + self.mass * (com @ com * np.eye(3) - np.outer(com, com))
 
     def center_of_mass(self) -> NDArray[np.float64]:
-        """Centre of mass from the origin in the axes of the body, shape (3,) [m]."""
+        """Centre of mass from the origin in body axes, shape (3,) [m]."""
         if self.inertia is None:
             return np.array([0.0, 0.0, self.center])
         return np.asarray(self.com, float)
 
     def faults(self) -> list[str]:
-        """List the reasons why the body cannot be computed; empty if there are none."""
+        """List of problems of the data; empty if the body is valid."""
         if self.motion not in JOINTS:
-            return [f"motion {self.motion} is none of {sorted(JOINTS)}"]
+            return [f"motion {self.motion} is not a joint code (limit {sorted(JOINTS)})"]
         found = []
         axes = np.asarray(self.axes, float)
         if axes.shape != (3, 3) or np.abs(axes.T @ axes - np.eye(3)).max() > 1e-9 or np.linalg.det(axes) < 0:
@@ -175,16 +179,16 @@ class Body:
         numbers = (self.mass, self.polar_inertia, self.transverse_inertia, self.center, self.angle, self.lead)
         places = np.concatenate([np.asarray(self.position, float), np.asarray(self.com, float)])
         if not np.all(np.isfinite(numbers)) or not np.all(np.isfinite(places)):
-            found.append("every number must be finite")
+            found.append("all numbers must be finite")
         if self.motion == SCREW and self.lead == 0.0:
-            found.append("a screw needs a lead")
+            found.append("a screw joint requires a lead other than 0")
         for given in (self.start, self.rate):
             if len(given) not in (0, len(self.coordinates)) or not np.all(np.isfinite(given)):
-                found.append(f"start values are {len(self.coordinates)} finite numbers")
+                found.append(f"start values must be {len(self.coordinates)} finite numbers")
         if self.shares and (self.motion != GUIDED or self.guided_by):
-            found.append("only a guided body without coordinates of its own can share those of another")
+            found.append("only a guided body without own coordinates can share those of another body")
         if self.spinner and (self.motion != FIXED or self.parent == 0):
-            found.append("only a body that is fixed to another one can turn with a spin that is not its own")
+            found.append("only a body fixed to another body can take over a spin")
         return found + (self._round_faults() if self.is_round else self._tensor_faults())
 
     def _round_faults(self) -> list[str]:
@@ -198,7 +202,7 @@ class Body:
         return found
 
     def _tensor_faults(self) -> list[str]:
-        """A body in a tree may be without mass, if what hangs on it has some."""
+        """Problems of mass and inertia in a tree; zero is permitted, since further bodies may add mass."""
         if min(self.mass, self.polar_inertia, self.transverse_inertia) < 0.0:
             return ["mass and inertia must not be negative"]
         if self.inertia is None:
@@ -211,17 +215,17 @@ class Body:
             return ["inertia must be symmetric"]
         least, middle, most = np.linalg.eigvalsh(about)
         if least < -1e-9 * scale or least + middle < most * (1.0 - 1e-6):
-            return ["inertia that no mass has: principal moments are >= 0, none above the sum of the others"]
+            return ["inertia must be physical: principal moments >= 0, none above the sum of the other two"]
         return []
 
 
 def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
-    """Fill the body records, ground first; coordinate and path indices are left to the layout.
+    """Body records with ground first; coordinate and path indices are set by the layout.
 
     Parameters
     ----------
     bodies
-        The bodies without ground; body k of this list gets index k + 1, parents come first.
+        Bodies without ground, parents first; body k of this list has index k + 1.
 
     Returns
     -------
@@ -261,17 +265,17 @@ def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
 
 
 def base_of(records: NDArray[np.void], b: int) -> int:
-    """Body against which the spin of body b counts: its parent, or that of the body whose spin it has."""
+    """Reference body of the spin of body b: its parent, or the parent of its spinner."""
     return int(records[int(records[b]["spinner"]) or b]["parent"])
 
 
 def spin_of(records: NDArray[np.void], b: int) -> int:
-    """Coordinate that is the spin of body b, its own or that of the body whose spin it has; -1 for none."""
+    """Spin coordinate of body b, or of its spinner; -1 for none."""
     return int(records[int(records[b]["spinner"]) or b]["spin"])
 
 
 def _hang(record: np.void, body: Body, bodies: Sequence[Body]) -> None:
-    """Place of the joint in the axes of the parent."""
+    """Set position and axes of the joint in the axes of the parent."""
     position, axes = np.asarray(body.position, float), np.asarray(body.axes, float)
     if body.parent == 0:
         record["pos"], record["axes"] = position, axes

@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What an element kind sees: the control record, the frames of the bodies, and how an entry unpacks them.
+"""Interface of element kinds: control record, body frames, and the functions that unpack them.
 
-Four channels. *Frame* kinds read frames and add wrenches and world tangents; *coordinate* kinds read and
-write generalised coordinates; *constraint* kinds write rows of g and G; *motion* kinds give the displacements
-of guided joints before frames are made. An entry is four lines::
+There are four channels. *Frame* kinds read frames and add wrenches and world tangents; *coordinate* kinds act
+directly on generalised coordinates; *constraint* kinds write rows of g and G; *motion* kinds compute the
+displacements of guided joints before the frames. An entry has four lines::
 
     @kernel
     def entry(ctl, rec, n):
         c, fr, kk = frame_args(ctl)
         return bearing(view(rec, n, RECORD), c, fr, kk)
 
-Frame kinds with jac > 0 add ``-(ck dF_i/dx_j + cd dF_i/dxdot_j)`` to ``kk[pair]``, x being the small world
-displacement twist (translation of the origin, rotation) of body j. Kinds with mass subtract the inertia of
-their own from the wrenches and add ``-cm dF_i/dxddot_j`` wherever ``ctl["cm"]`` is not zero, whatever jac
-is. Kinds write results only when
-``ctl["out"]`` is not zero, and values of event functions only when ``ctl["ev"]`` is not zero.
+With jac > 0 frame kinds add ``-(ck dF_i/dx_j + cd dF_i/dxdot_j)`` to ``kk[pair]``, where x is the small
+world displacement twist (translation of the origin, rotation) of body j. Kinds with mass subtract their
+inertia forces from the wrenches and add ``-cm dF_i/dxddot_j`` if ``ctl["cm"]`` is not zero, for any jac.
+Results are written only if ``ctl["out"]`` is not zero, and event functions only if ``ctl["ev"]`` is not
+zero.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ CTL = np.dtype(
         ("cd", "f8"),  # factor of the velocity tangent [1/s]
         ("cm", "f8"),  # factor of the mass matrix [1/s^2]
         ("jac", "i8"),  # 0 forces only, 1 Newton matrix (may be approximate), 2 exact tangents
-        ("nb", "i8"),  # bodies, ground included
-        ("nd", "i8"),  # coordinates
-        ("np", "i8"),  # body-pair blocks in kk
-        ("na", "i8"),  # 6x6 blocks in A
-        ("nc", "i8"),  # constraint rows
-        ("no", "i8"),  # observations
-        ("ne", "i8"),  # event functions
+        ("nb", "i8"),  # number of bodies, ground included
+        ("nd", "i8"),  # number of coordinates
+        ("np", "i8"),  # number of body-pair blocks in kk
+        ("na", "i8"),  # number of 6x6 blocks in A
+        ("nc", "i8"),  # number of constraint rows
+        ("no", "i8"),  # number of observations
+        ("ne", "i8"),  # number of event functions
         ("fr", "i8"),  # address of FRAME[nb]
         ("q", "i8"),  # address of q[nd] [m, rad]; spin as remainder
         ("v", "i8"),  # address of v[nd] [m/s, rad/s]
@@ -53,11 +53,11 @@ CTL = np.dtype(
         ("gt", "i8"),  # address of gt[nc], partial time derivative of g
         ("gtt", "i8"),  # address of gtt[nc], the part of d2g/dt2 that is not G a
         ("lam", "i8"),  # address of the multipliers [nc]
-        ("out", "i8"),  # address of the observations [no]; 0 = do not observe
+        ("out", "i8"),  # address of the observations [no]; 0 = not requested
         ("ev", "i8"),  # address of the event functions [ne]; 0 = not requested
         ("at", "i8"),  # address of this record
-        ("bad", "i8"),  # record index at which a kind gave up; set by the kind that returns a status
-        ("badkind", "i8"),  # row of the kind that gave up; set by the driver
+        ("bad", "i8"),  # index of the record that failed; set by the kind that returns a status
+        ("badkind", "i8"),  # row of the kind that failed; set by the driver
         ("guides", "i8"),  # address of GUIDE[ng], displacements that are functions
         ("ng", "i8"),  # guided bodies
         ("mach", "i8"),  # address of the private arrays of the driver
@@ -72,27 +72,27 @@ FRAME = np.dtype(
         ("tw", "f8", 6),  # world twist: velocity of the origin [m/s], angular velocity with spin [rad/s]
         ("ac", "f8", 6),  # time derivative of tw [m/s^2, rad/s^2]
         ("F", "f8", 6),  # accumulator: force [N] and moment about the origin [N m], world axes; [0] is a sink
-        ("S", "f8", (3, 3)),  # frame fixed to the body: R turned by phi; only where `fixed_axes` requires it
+        ("S", "f8", (3, 3)),  # body-fixed frame: R rotated by phi; only if `fixed_axes` is set
         ("phi", "f8"),  # spin about the third axis, remainder in (-pi, pi] [rad]
         ("spin", "f8"),  # time derivative of phi [rad/s]
         ("turns", "i8"),  # whole turns: the spin is phi + 2 pi turns
-        ("base", "f8"),  # turn of R about the third axis by the spins of the bodies it hangs on [rad]
-        ("base_turns", "i8"),  # and the whole turns of them
-        ("axle", "f8", 3),  # with jac 2 only: a small turn w of the body [rad] changes phi by axle . w
+        ("base", "f8"),  # rotation of R about the third axis due to the spins of the parents [rad]
+        ("base_turns", "i8"),  # whole turns of these spins
+        ("axle", "f8", 3),  # with jac 2 only: a small rotation w of the body [rad] changes phi by axle . w
     ],
     align=True,
 )
 
 
-#: Result of a kind of the motion channel for a joint made of functions: d(q, t) = sum f_mk(q_k) + f_m(t).
+#: Result of a motion kind for a guided joint: displacements d_m(q, t) = sum f_mk(q_k) + f_m(t).
 GUIDE = np.dtype(
     [
         ("d", "f8", 6),  # displacements [m, rad]
-        ("rate", "f8", 6),  # their derivative by time
-        ("second", "f8", 6),  # and by time twice
-        ("by", "f8", (6, 6)),  # row m, column k: derivative of displacement m by coordinate k
-        ("by2", "f8", (6, 6)),  # and by the coordinate twice
-        ("by3", "f8", (6, 6)),  # three times; with jac 2 only
+        ("rate", "f8", 6),  # first partial derivative by time
+        ("second", "f8", 6),  # second partial derivative by time
+        ("by", "f8", (6, 6)),  # row m, column k: first derivative of displacement m by coordinate k
+        ("by2", "f8", (6, 6)),  # second derivative
+        ("by3", "f8", (6, 6)),  # third derivative; with jac 2 only
     ],
     align=True,
 )
@@ -100,7 +100,7 @@ GUIDE = np.dtype(
 
 @kernel
 def frame_args(where):
-    """Unpack for the frame channel: control (one-element array), frames [nb], pair tangents [np,6,6]."""
+    """Arrays of the frame channel: control (one-element array), frames [nb], pair tangents [np,6,6]."""
     ctl = view(where, 1, CTL)
     c = ctl[0]
     return ctl, view(c["fr"], c["nb"], FRAME), view(c["kk"], (c["np"], 6, 6), F8)
@@ -108,7 +108,7 @@ def frame_args(where):
 
 @kernel
 def coordinate_args(where):
-    """Unpack for the coordinate channel: control, q, v, residual R (R -= force), blocks A[na,6,6]."""
+    """Arrays of the coordinate channel: control, q, v, residual R (R -= force), blocks A[na,6,6]."""
     ctl = view(where, 1, CTL)
     c = ctl[0]
     nd = c["nd"]
@@ -123,7 +123,7 @@ def coordinate_args(where):
 
 @kernel
 def constraint_args(where):
-    """Unpack for the constraint channel: control, frames, q, g[nc], G[nc,nd]."""
+    """Arrays of the constraint channel: control, frames, q, g[nc], G[nc,nd]."""
     ctl = view(where, 1, CTL)
     c = ctl[0]
     nc = c["nc"]
@@ -139,7 +139,7 @@ def constraint_args(where):
 
 @kernel
 def motion_args(where):
-    """Unpack for the motion channel: control, q, guides [ng]."""
+    """Arrays of the motion channel: control, q, guides [ng]."""
     ctl = view(where, 1, CTL)
     c = ctl[0]
     return ctl, view(c["q"], c["nd"], F8), view(c["guides"], c["ng"], GUIDE)
@@ -167,18 +167,17 @@ def tangents(ctl):
 
 @kernel
 def observations(ctl):
-    """The row of observations [no]; ask only when ``ctl[0]["out"] != 0``."""
+    """Observations [no]; valid only if ``ctl[0]["out"] != 0``."""
     return view(ctl[0]["out"], ctl[0]["no"], F8)
 
 
 @kernel
 def events(ctl):
-    """The row of event functions [ne]; ask only when ``ctl[0]["ev"] != 0``."""
+    """Event functions [ne]; valid only if ``ctl[0]["ev"] != 0``."""
     return view(ctl[0]["ev"], ctl[0]["ne"], F8)
 
 
 @kernel
 def bounded(x):
-    """Event function between -1/4 and 1/4 with the sign of x: a change by more than 1/2 is taken for a phase
-    that wraps round."""
+    """Event function with the sign of x, limited to ±1/4; a change above 1/2 would mean a phase wrap."""
     return 0.25 * x / (1.0 + abs(x))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Constraint rows and their Schur complement: A x + G^T y = -R, G x = -g.
 
-With Y = A^-1 G^T and S = G Y the multipliers follow from S y = g - G A^-1 R. S is factored with exchange of
-whole rows and columns; a pivot below 1e-10 of what that row started with means that the row repeats others:
-it is flagged in `used`, keeps multiplier 0 and does no harm.
+With Y = A^-1 G^T and S = G Y the multipliers follow from S y = g - G A^-1 R. S is factored with symmetric
+pivoting. A pivot below 1e-10 of the initial diagonal entry of its row marks a redundant row: `used` is 0 and
+its multiplier is 0.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ REDUNDANT = 1e-10
 
 @kernel
 def frame_rows(rows, body, path, fr, J, Gf, G, lam):
-    """Add rows given on frames to G through the joint columns, and their multipliers to the wrenches."""
+    """Project constraint rows on frames to G by the joint columns; add their multipliers to the wrenches."""
     for r in range(rows.shape[0]):
         for side in range(2):
             b = rows[r, side]
@@ -35,7 +35,7 @@ def frame_rows(rows, body, path, fr, J, Gf, G, lam):
 
 @kernel
 def add_multipliers(G, lam, R):
-    """R += G^T lam for the rows given on coordinates."""
+    """R += G^T lam for constraint rows on coordinates."""
     for r in range(G.shape[0]):
         if lam[r] != 0.0:
             for c in range(G.shape[1]):
@@ -67,7 +67,7 @@ def schur_factor(G, A, programme, Y, S, diag, order, used, y6):
         for i in range(k, n):
             h = order[i]
             x = abs(S[h, h]) / diag[h] if diag[h] > 0.0 else 0.0
-            if x > size * 1.000001:  # ties keep the first row, so that the later one counts as the repetition
+            if x > size * 1.000001:  # ties: the first row is kept, the later one is redundant
                 size = x
                 best = i
         h = order[best]
@@ -92,8 +92,7 @@ def schur_factor(G, A, programme, Y, S, diag, order, used, y6):
 
 @kernel
 def schur_solve(G, g, Y, S, order, used, x, y, z):
-    """Complete a solution: x = -A^-1 R on entry, corrected for the rows on exit; y receives the
-    multipliers."""
+    """Correct the unconstrained solution x = -A^-1 R for the constraint rows; y receives the multipliers."""
     n = G.shape[0]
     nd = G.shape[1]
     rank = 0

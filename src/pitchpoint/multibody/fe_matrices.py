@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Matrices of finite-element programs: Nastran DMIG punch files and NumPy archives.
+"""Import of finite-element matrices: Nastran DMIG punch files and NumPy archives.
 
-All of them end as a `Structure` for the reduction to modes. Files are data from elsewhere: every size is
-checked before memory is taken, nothing in them is executed, and what cannot be read is reported with its
-line.
+The result is a `Structure` for modal reduction. Files are untrusted: sizes are checked before memory is
+allocated, nothing is executed, and errors are reported with the line number.
 
 Matrix Market files are read by `matrix_market`. DMIG: MSC Nastran Quick Reference Guide, bulk data entries
-DMIG and GRID; fixed fields of 8 characters, or of 16 where the name of the entry ends in a star.
+DMIG and GRID; fixed fields of 8 characters, or of 16 characters if the entry name ends with an asterisk.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
     from scipy.sparse import coo_array
 
 MOST_BYTES = 2_000_000_000
-"""Largest file, and largest array of an archive, that is read [byte]."""
+"""Maximum size of a file, and of an array in an archive [byte]."""
 MOST_ENTRIES = 200_000_000
 MOST_UNKNOWNS = 2_000_000
 
@@ -46,12 +45,12 @@ class DmigFile:
     Parameters
     ----------
     matrices
-        Triplets of every matrix by its name: rows and columns as (grid, component 1-6; 0 for scalar
-        points), and values.
+        Entries of each matrix by name: {(row, column): value} with rows and columns as (grid, component 1-6;
+        0 for scalar points).
     symmetric
-        Names of the matrices of which one triangle is listed.
+        Names of the matrices stored as one triangle.
     grids
-        Places of the grid points that the file lists, in the basic system [unit of the file].
+        Positions of the grid points listed in the file, in the basic system [unit of the file].
     """
 
     matrices: dict[str, dict[tuple[tuple[int, int], tuple[int, int]], float]] = field(default_factory=dict)
@@ -59,11 +58,11 @@ class DmigFile:
     grids: dict[int, tuple[float, float, float]] = field(default_factory=dict)
 
     def displacements(self) -> list[tuple[int, int]]:
-        """All (grid, component) that any matrix names, sorted."""
+        """Sorted list of all (grid, component) of the matrices."""
         return sorted({d for m in self.matrices.values() for pair in m for d in pair})
 
     def matrix(self, name: str, order: Sequence[tuple[int, int]]) -> coo_array:
-        """One matrix in an order of displacements, both triangles."""
+        """One matrix with both triangles, rows and columns in the given order of displacements."""
         from scipy.sparse import coo_array
 
         at = {d: k for k, d in enumerate(order)}
@@ -80,15 +79,15 @@ class DmigFile:
 
 
 def refuse(path: Path, message: str, line: int | None = None, remedy: str | None = None) -> ModelError:
-    """Error about a file, and a line of it."""
+    """Error for a file and, if known, a line."""
     return ModelError([Message("", message, line=line, remedy=remedy)], str(path))
 
 
 def checked(path: str | os.PathLike[str]) -> Path:
-    """File that exists and is not too large."""
+    """Path of an existing file that is not too large."""
     file = Path(path)
     if not file.is_file():
-        raise refuse(file, "there is no such file")
+        raise refuse(file, "file not found")
     if file.stat().st_size > MOST_BYTES:
         raise refuse(
             file, f"{file.stat().st_size} bytes (limit {MOST_BYTES})", remedy="reduce the model first"
@@ -97,22 +96,22 @@ def checked(path: str | os.PathLike[str]) -> Path:
 
 
 def _lines(file: Path) -> Iterator[tuple[int, str]]:
-    """Lines with their numbers, comments and empty ones omitted."""
+    """Lines with their numbers, without comments and empty lines."""
     with file.open(encoding="ascii", errors="replace") as text:
         number = 0
         while True:
-            line = text.readline(4096)  # a line is 80 characters; a file without ends is none of text
+            line = text.readline(4096)  # bounds the memory for files without line breaks
             if not line:
                 return
             number += 1
             if len(line) >= 4096:
-                raise refuse(file, "is not text of lines of 80 characters", number)
+                raise refuse(file, "is not a text file with lines of 80 characters", number)
             if line.strip() and not line.startswith("$"):
                 yield number, line.rstrip("\r\n")
 
 
 def _fields(line: str) -> list[str]:
-    """Fields of a fixed-format entry after the first: ten of 8 characters, or 8 and four of 16."""
+    """Fields of a fixed-format entry after its name: eight of 8 characters or four of 16."""
     if "*" in line[:8]:
         return [line[k : k + 16].strip() for k in (8, 24, 40, 56)]
     return [line[k : k + 8].strip() for k in range(8, 72, 8)]
@@ -125,7 +124,7 @@ def _whole(file: Path, number: int, text: str, what: str) -> int:
 
 
 def real(file: Path, number: int, text: str, what: str, remedy: str = FIELDS) -> float:
-    """A number as Nastran writes it: 1.0+5 and 1.0D+05 are 1e5."""
+    """Number in Nastran format: 1.0+5 and 1.0D+05 are 1e5."""
     if not _NUMBER.match(text):
         raise refuse(file, f"{what}: {text!r} is not a number", number, remedy)
     plain = text.upper().replace("D", "E")
@@ -143,12 +142,12 @@ def read_dmig(path: str | os.PathLike[str]) -> DmigFile:
     Parameters
     ----------
     path
-        File with DMIG entries, and GRID entries if places are wanted.
+        File with DMIG entries and, optionally, GRID entries for the positions.
 
     Raises
     ------
     ModelError
-        If an entry cannot be read; with its line.
+        If the file is missing or an entry cannot be read; with its line.
     """
     file = checked(path)
     found = DmigFile()
@@ -172,18 +171,18 @@ def read_dmig(path: str | os.PathLike[str]) -> DmigFile:
             found.grids[grid[0]] = (first, second, third)
             grid = None
         else:
-            column = grid = None  # entries that are not ours
+            column = grid = None  # other entries are ignored
     if not found.matrices:
         raise refuse(file, "has no DMIG matrix", remedy="punch K and M with PARAM,EXTOUT,DMIGPCH")
     return found
 
 
 def _dmig(file: Path, number: int, line: str, found: DmigFile) -> tuple[str, tuple[int, int]] | None:
-    """Header of a matrix, or head of one of its columns; returns the column."""
+    """Read the header of a matrix, or the start of a column, which is returned."""
     fields = _fields(line)
     name = fields[0].upper()
     if not re.fullmatch(r"[A-Z][A-Z0-9]{0,7}", name):
-        raise refuse(file, f"DMIG: {fields[0]!r} is not a name of a matrix", number)
+        raise refuse(file, f"DMIG: {fields[0]!r} is not a matrix name", number)
     large = "*" in line[:8]
     if not large and fields[1] == "0":
         form, kind = _whole(file, number, fields[2], "form"), _whole(file, number, fields[3], "type")
@@ -196,7 +195,7 @@ def _dmig(file: Path, number: int, line: str, found: DmigFile) -> tuple[str, tup
             found.symmetric.add(name)
         return None
     if name not in found.matrices:
-        raise refuse(file, f"{name}: a column comes before the header of the matrix", number)
+        raise refuse(file, f"{name}: a column precedes the header of the matrix", number)
     column = (_whole(file, number, fields[1], "grid"), _component(file, number, fields[2]))
     if not large and fields[4]:
         _put(file, number, found, (name, column), fields[4:7])
@@ -217,12 +216,12 @@ def _put(
     row = (_whole(file, number, fields[0], "grid"), _component(file, number, fields[1]))
     entries = found.matrices[name]
     if (row, at) in entries or (name in found.symmetric and (at, row) in entries):
-        raise refuse(file, f"{name}: the entry of {row} and {at} comes twice", number)
+        raise refuse(file, f"{name}: the entry of {row} and {at} is listed twice", number)
     entries[row, at] = real(file, number, fields[2], "value")
 
 
 def _term(file: Path, number: int, line: str, found: DmigFile, column: tuple[str, tuple[int, int]]) -> None:
-    """One continuation: grid, component, value."""
+    """Read a continuation line: grid, component, value."""
     fields = _fields(line)
     if "*" in line[:8]:
         _put(file, number, found, column, fields[:3])
@@ -233,12 +232,15 @@ def _term(file: Path, number: int, line: str, found: DmigFile, column: tuple[str
 
 
 def _grid(file: Path, number: int, line: str, found: DmigFile) -> tuple[int, list[str]] | None:
-    """Grid point; returns what a second line must complete."""
+    """Read a grid point; returns grid and first coordinates if a second line follows."""
     fields = _fields(line)
     grid = _whole(file, number, fields[0], "grid")
     if fields[1] not in ("", "0"):
         raise refuse(
-            file, f"GRID {grid}: lies in the system {fields[1]}", number, "write places in the basic system"
+            file,
+            f"GRID {grid}: uses the coordinate system {fields[1]}",
+            number,
+            "give positions in the basic system",
         )
     if "*" in line[:8]:
         return grid, fields[2:4]
@@ -253,37 +255,37 @@ def structure_from_dmig(
     mass: str = "MAAX",
     places: dict[int, Sequence[float]] | None = None,
 ) -> tuple[Structure, list[int]]:
-    """Structure of two matrices of a punch file, and the grid numbers of its nodes.
+    """Structure from two matrices of a punch file, and the grid numbers of its nodes.
 
     Parameters
     ----------
     file
-        What `read_dmig` returned.
+        Result of `read_dmig`.
     stiffness, mass
         Names of the matrices.
     places
-        Places of grid points that the file does not list, by number [m].
+        Positions of grid points that are not in the file, by number [m].
 
     Raises
     ------
     ModelError
-        If a matrix or a place is missing, or an unknown is a scalar point.
+        If a matrix or a position is missing, or a displacement is a scalar point.
     """
     for name in (stiffness, mass):
         if name not in file.matrices:
             listed = ", ".join(sorted(file.matrices))
-            raise ModelError([Message(name, "there is no such matrix", remedy=f"there are: {listed}")])
+            raise ModelError([Message(name, "matrix not found", remedy=f"the file contains: {listed}")])
     order = file.displacements()
     scalar = [g for g, c in order if c == 0]
     if scalar:
-        what = "is a scalar point: it has no place"
-        raise ModelError([Message(f"point {scalar[0]}", what, remedy="reduce to grid points alone")])
+        what = "is a scalar point without position"
+        raise ModelError([Message(f"point {scalar[0]}", what, remedy="reduce to grid points only")])
     nodes = sorted({g for g, _ in order})
     known: dict[int, Any] = {**file.grids, **(places or {})}
     missing = [g for g in nodes if g not in known]
     if missing:
         remedy = "add GRID entries to the file or give `places`"
-        raise ModelError([Message(f"grid {missing[0]}", "has no place", remedy=remedy)])
+        raise ModelError([Message(f"grid {missing[0]}", "has no position", remedy=remedy)])
     number = {g: k for k, g in enumerate(nodes)}
     structure = make_structure(
         file.matrix(stiffness, order),
@@ -296,22 +298,22 @@ def structure_from_dmig(
 
 
 _DAMAGE = (ValueError, OSError, EOFError, LookupError, MemoryError, RuntimeError, TypeError, SyntaxError)
-"""What NumPy raises for damaged archives; it reads the head of an array as a Python literal."""
+"""Exceptions that NumPy raises for damaged archives; it parses array headers as Python literals."""
 
 
 def read_npz(path: str | os.PathLike[str]) -> Structure:
-    """Read a NumPy archive with K, M, places and, if nodes differ in their directions, node and direction.
+    """Read a NumPy archive with K, M, places and, if nodes have different directions, node and direction.
 
     Parameters
     ----------
     path
-        File of `numpy.savez` with dense K and M, or with the parts K_data, K_indices, K_indptr of compressed
-        columns and likewise for M; and K_spin, if there is one (see `Structure`).
+        File written by `numpy.savez` with dense K and M, or with K_data, K_indices, K_indptr in compressed
+        sparse column format (M likewise); optionally K_spin (see `Structure`).
 
     Raises
     ------
     ModelError
-        If an array is missing, has objects in it, or is too large.
+        If an array is missing, contains objects, or is too large.
     """
     file = checked(path)
     try:
@@ -330,13 +332,13 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
         found["K_spin"] = _matrix(file, data, "K_spin")
     for name, array in data.items():
         if array.dtype.kind not in "fiu":
-            raise refuse(file, f"{name}: holds no real numbers")
+            raise refuse(file, f"{name}: does not contain real numbers")
     node, direction = data.get("node"), data.get("direction")
     return make_structure(found["K"], found["M"], data["places"], node, direction, found.get("K_spin"))
 
 
 def _matrix(file: Path, data: dict[str, Any], name: str) -> Any:
-    """One matrix of an archive, dense or of its parts."""
+    """One matrix of an archive, dense or in compressed sparse column format."""
     from scipy.sparse import csc_array
 
     parts = [f"{name}_{p}" for p in ("data", "indices", "indptr")]
@@ -350,5 +352,5 @@ def _matrix(file: Path, data: dict[str, Any], name: str) -> Any:
         matrix = csc_array(arrays_of, shape=(n, n))
         matrix.check_format()
     except (ValueError, TypeError) as error:
-        raise refuse(file, f"{name}: parts do not fit ({error})") from None
+        raise refuse(file, f"{name}: inconsistent arrays ({error})") from None
     return matrix

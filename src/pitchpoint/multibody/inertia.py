@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Inertia as one more contribution to the wrenches: Newton and Euler about the body origin, world axes.
+"""Inertia forces of round bodies as wrenches: Newton-Euler equations about the body origin, world axes.
 
-With c = c_z n and I about the origin (symmetric about n):
-F = -m (a + omega' x c + omega x (omega x c)), M = -(I omega' + omega x I omega + m c x a). Its tangents are
-the 6 x 6 mass matrix (factor cm), the gyroscopic matrix (cd) and, for exact linearisation, the change with
-the direction of n (ck).
+With c = c_z n and I about the origin (axisymmetric about n): F = -m (a + omega' x c + omega x (omega x c)),
+M = -(I omega' + omega x I omega + m c x a). The tangents are the 6 x 6 mass matrix (factor cm), the
+gyroscopic matrix (cd) and, for exact linearisation, the derivative by the direction of n (ck).
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ from pitchpoint.multibody.joints import FREE
 
 @kernel
 def euler(o, f):
-    """Start the wrench of a free body with its inertia forces."""
+    """Set the wrench of a free body to its inertia forces."""
     R = f["R"]
     n0 = R[0, 2]
     n1 = R[1, 2]
@@ -33,7 +32,7 @@ def euler(o, f):
     w2 = w[5]
     dw = d * (n0 * w0 + n1 * w1 + n2 * w2)
     de = d * (n0 * e[3] + n1 * e[4] + n2 * e[5])
-    # omega x I omega = dw (omega x n): the isotropic part drops out
+    # omega x I omega = dw (omega x n): the isotropic part cancels
     k0 = w1 * n2 - w2 * n1
     k1 = w2 * n0 - w0 * n2
     k2 = w0 * n1 - w1 * n0
@@ -79,7 +78,7 @@ def mass_tangent(o, f, k, cm):
 
 @kernel
 def gyro_tangent(o, f, k, cd):
-    """Add cd times the derivative of the velocity forces by omega (fixed n), column by column."""
+    """Add cd times the derivative of the velocity-dependent forces by omega (constant n)."""
     m = o["mass"]
     s = m * o["c_z"]
     it = o["i_t"] + s * o["c_z"]
@@ -114,7 +113,7 @@ def gyro_tangent(o, f, k, cd):
 
 @kernel
 def attitude_tangent(o, f, k, ck):
-    """Add ck times the derivative of the inertia forces by the direction of n (fixed twist, acceleration)."""
+    """Add ck times the derivative of the inertia forces by the direction of n (constant tw, ac)."""
     m = o["mass"]
     s = m * o["c_z"]
     it = o["i_t"] + s * o["c_z"]
@@ -136,7 +135,7 @@ def attitude_tangent(o, f, k, ck):
         x = 1.0 if c == 0 else 0.0
         y = 1.0 if c == 1 else 0.0
         z = 1.0 if c == 2 else 0.0
-        h0 = y * n2 - z * n1  # change of n with a turn about axis c
+        h0 = y * n2 - z * n1  # change of n due to a rotation about axis c
         h1 = z * n0 - x * n2
         h2 = x * n1 - y * n0
         hw = d * (h0 * w0 + h1 * w1 + h2 * w2)
@@ -158,7 +157,7 @@ def attitude_tangent(o, f, k, ck):
 
 @kernel(inline=True)
 def inertia(body, fr, kk, jac, cm, cd):
-    """Set every wrench to the inertia forces; with jac > 0 add their tangents by a and v."""
+    """Set the wrenches of round bodies to the inertia forces; with jac > 0 add the tangents by a and v."""
     for b in range(body.size):
         o = body[b]
         f = fr[b]
@@ -170,7 +169,7 @@ def inertia(body, fr, kk, jac, cm, cd):
                 if cd != 0.0:
                     gyro_tangent(o, f, k, cd)
         elif o["joint"] != GENERAL:
-            # a body that only spins about a fixed axis feels no gyroscopic moment it could follow
+            # the spin axis is fixed: gyroscopic moments do not affect the coordinates
             for i in range(3):
                 f["F"][i] = -o["mass"] * f["ac"][i]
                 f["F"][3 + i] = -o["i_p"] * f["ac"][3 + i]

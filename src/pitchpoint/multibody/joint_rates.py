@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How twists and accelerations change with moving joint axes; only exact linearisation asks.
+"""Derivatives of twists and accelerations by joint displacements and rates, for exact linearisation.
 
-Take one displacement c of a joint, its axis w through the origin r_k of the body it moves, and a body b
-further out. With o and e the angular velocity of the frame after c and its derivative, rho = r_b - r_k and
+Consider one displacement c of a joint, its axis w through the origin r_k of the body it moves, and an
+outboard body b. With o and e the angular velocity of the frame after c and its derivative, rho = r_b - r_k
+and
 
     v_b = v_k + o x rho + v_r,   a_b = a_k + e x rho + o x (o x rho) + 2 o x v_r + a_r,
     omega_b = o + o_r,           e_b = e + e_r + o x o_r,
 
-a turn about w turns rho, v_r, a_r, o_r and e_r like vectors of one rigid thing, and a rate about w adds w to
-o and o x w to e. A translation along w moves what is further out by w in the frame of the parent.
+a rotation about w rotates rho, v_r, a_r, o_r and e_r like vectors of one rigid body, and a rate about w adds
+w to o and o x w to e. A translation along w moves all outboard bodies by w in the frame of the parent.
 """
 
 from __future__ import annotations
@@ -21,11 +22,11 @@ from pitchpoint.multibody.vectors import add, cross, dot, less, times, triple
 
 @kernel
 def joint_motions(body, fr, motions, guides, charts, q, v, a):
-    """Displacements and columns of all joints, round bodies too, at the frames in the workspace.
+    """Displacements and columns of all joints, including round bodies, at the frames in the workspace.
 
-    Also written is the vector of every body whose product with a small turn is the change of its spin. It is
-    the spin axis, unless beta tilts the body: w1 then has a share along the spin axis, and
-    w1 x w2 / cos(beta) is the vector perpendicular to both tilt axes.
+    Also writes `axle` of every body: its scalar product with a small rotation is the change of the spin. It
+    is the spin axis unless beta tilts the body: w1 then has a component along the spin axis, and axle is w1
+    x w2 / cos(beta), perpendicular to both tilt axes.
     """
     for b in range(body.size):
         body_axes(fr[b])
@@ -47,14 +48,14 @@ def joint_motions(body, fr, motions, guides, charts, q, v, a):
 
 @kernel
 def _axis(W, m):
-    """Direction of displacement m: rows 0..2 of a translation, 3..5 of a turn."""
+    """Direction of displacement m: rows 0..2 for a translation, 3..5 for a rotation."""
     first = 0 if m < 3 else 3
     return W[first, m], W[first + 1, m], W[first + 2, m]
 
 
 @kernel
 def _after(p, mo, m):
-    """Angular velocity and its derivative of the frame after the turns up to m."""
+    """Angular velocity of the frame after the rotations up to m, and its time derivative."""
     o = triple(p["tw"], 3)
     e = triple(p["ac"], 3)
     for k in range(3, m + 1):
@@ -74,7 +75,7 @@ def _put(out, t, c, factor, linear, angular):
 
 @kernel
 def _by_rate(p, k, f, mo, m, t, c, factor, out):
-    """Add factor times the change of the acceleration of body f with the rate of displacement m."""
+    """Add factor times the derivative of the acceleration of body f by the rate of displacement m."""
     w = _axis(mo["W"], m)
     nothing = (0.0, 0.0, 0.0)
     if m < 3:
@@ -91,7 +92,7 @@ def _by_rate(p, k, f, mo, m, t, c, factor, out):
 
 @kernel
 def _displacement(p, k, f, mo, m, t, c, factor, rates):
-    """Add factor times the rates by displacement m of the joint of k, as felt by body f, to column c."""
+    """Add factor times the derivatives of body f by displacement m of the joint of k to column c."""
     Tq, Av, Aq = rates
     _by_rate(p, k, f, mo, m, t, c, factor, Av)
     w = _axis(mo["W"], m)
@@ -121,7 +122,7 @@ def _displacement(p, k, f, mo, m, t, c, factor, rates):
 
 @kernel
 def _seen_column(k, f, W, m):
-    """Column of displacement m of the body with frame k, moved along to the body with frame f."""
+    """Column of displacement m of the body with frame k, transferred to the origin of frame f."""
     w = _axis(W, m)
     nothing = (0.0, 0.0, 0.0)
     if m < 3:
@@ -131,9 +132,9 @@ def _seen_column(k, f, W, m):
 
 @kernel
 def _guided(p, k, f, mo, g, t, c, v, a, rates):
-    """Rates by coordinate c of a joint made of functions, by the chain rule over its displacements.
+    """Add the derivatives by coordinate c of a guided joint: chain rule over its displacements.
 
-    A displacement d(q) has the rates d' = d_q q' and d'' = d_q q'' + d_qq q'^2.
+    A displacement d(q) has the derivatives d' = d_q q' and d'' = d_q q'' + d_qq q'^2.
     """
     Tq, Av, Aq = rates
     for m in range(6):
@@ -151,10 +152,10 @@ def _guided(p, k, f, mo, g, t, c, v, a, rates):
 
 @kernel
 def guided_geometry(proj, path, body, fr, motions, guides, A, ck):
-    """Correct the change of the columns under the summed wrench where both belong to one guided joint.
+    """Correct `project_geometry` for pairs of coordinates of the same guided joint.
 
-    `project_geometry` takes the coordinates of a joint for single displacements in their order; those of a
-    guided joint are mixtures of all six: dQ_a/dq_c = sum over m, n of d_m,a d_n,c (dW_m/dd_n) . F
+    `project_geometry` assumes that each joint coordinate is a single displacement, in order. The coordinates
+    of a guided joint act on all six displacements: dQ_a/dq_c = sum over m, n of d_m,a d_n,c (dW_m/dd_n) . F
     + sum over m of d_m,aa W_m . F.
     """
     for row in range(proj.size):
@@ -189,10 +190,10 @@ def guided_geometry(proj, path, body, fr, motions, guides, A, ck):
 
 @kernel
 def joint_rates(body, path, fr, motions, guides, rates, v, a):
-    """Derivatives of twists and accelerations that only an exact linearisation needs, after `joint_motions`.
+    """Derivatives of twists and accelerations for exact linearisation; call after `joint_motions`.
 
-    `rates` are Tq = d(twist)/dq, Av = d(acceleration)/dv, Aq = d(acceleration)/dq, one column per coordinate
-    of every entry of a path, the columns of the joint itself apart.
+    `rates` are Tq = d(twist)/dq, Av = d(acceleration)/dv, Aq = d(acceleration)/dq with one column per
+    coordinate for every path entry; the joint columns J themselves are not included.
     """
     Tq, Av, Aq = rates
     for t in range(path.size):

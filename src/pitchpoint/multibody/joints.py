@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The joints: which of six displacements are the coordinates of each, in which order.
+"""Joint types: selection and order of the six displacements that are joint coordinates.
 
-Every joint moves its body by three translations along the axes of its frame on the parent and then by three
-turns: alpha about the first axis, beta about the second axis of the turned frame, spin about the third axis
-of the result. A joint is the choice of some of these six; the spin is always the last one. A screw moves
-along its axis in proportion to its spin. Free and spherical bodies start their turns afresh when beta grows,
-so that no attitude is singular; a shaft never does, because its spin is counted.
+A joint moves its body by three translations along the axes of the joint frame on the parent, followed by
+three rotations: alpha about the first axis, beta about the second axis of the rotated frame, spin about the
+third axis of the result. Each joint type selects some of these six; the spin is always the last one. A screw
+moves along its axis in proportion to its spin. Floating and spherical bodies reset the reference attitude of
+their rotations when beta becomes large, which avoids the singularity. Shafts do not, because the total spin
+angle is counted.
 """
 
 from __future__ import annotations
 
-#: The six displacements, in the order they are made: (name, unit).
+#: The six displacements in the order of application: (name, unit).
 DISPLACEMENTS: tuple[tuple[str, str], ...] = (
     ("x", "m"),
     ("y", "m"),
@@ -25,7 +26,7 @@ FIXED = 0
 TORSION = 1
 PLANAR = 3
 FREE = 6
-"""Six coordinates, spin last: a shaft on bearings. It must not tilt by a right angle."""
+"""Six coordinates, spin last: shaft on bearings. Its tilt must be below a right angle."""
 PRISMATIC = 11
 CYLINDRICAL = 12
 UNIVERSAL = 13
@@ -34,7 +35,7 @@ SCREW = 15
 FLOATING = 16
 """Six coordinates for bodies that tumble."""
 GUIDED = 17
-"""Displacements are functions of the coordinates, of which there may be none, and of time."""
+"""Displacements are functions of time and of any number of coordinates up to six."""
 
 #: Displacements that are the coordinates of each joint, as indices of `DISPLACEMENTS`.
 AXES: dict[int, tuple[int, ...]] = {
@@ -56,8 +57,8 @@ JOINTS: dict[int, tuple[tuple[str, str], ...]] = {
     code: tuple(DISPLACEMENTS[m] for m in axes) for code, axes in AXES.items()
 }
 
-#: Joints of bodies that hang on ground and are round about their spin axis: they have kernels of their own.
+#: Joints of round bodies (on ground, axisymmetric about the spin axis), which have separate kernels.
 ROUND = (FIXED, TORSION, PLANAR, FREE)
 
-#: Joints whose turns start afresh before beta reaches a right angle.
+#: Joints that reset their reference attitude before beta reaches a right angle.
 TUMBLING = (SPHERICAL, FLOATING)

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From coordinates to frames: positions, twists, accelerations and joint columns of round bodies on ground.
+"""Kinematics of round bodies on ground: positions, twists, accelerations and joint columns.
 
-All others are in `tree`.
+All other bodies are computed in `tree`.
 
-With w1 the first reference axis, w2 the second axis after the turn alpha, n the spin axis:
+With w1 the first reference axis, w2 the second axis after the rotation alpha, n the spin axis:
 omega = alpha' w1 + beta' w2 + phi' n, and its derivative has the bias alpha' beta' w1 x w2
-+ phi' (alpha' w1 + beta' w2) x n. J holds the columns of each joint as seen at the body origin (6 x n): it is
-d(twist)/d(rate), d(acceleration)/d(second rate) and the displacement twist per coordinate at once.
++ phi' (alpha' w1 + beta' w2) x n. J contains the columns of each joint at the body origin (6 x n):
+d(twist)/d(rate) = d(acceleration)/d(second rate) = displacement twist per coordinate.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pitchpoint.multibody.joints import FREE, PLANAR, TORSION
 
 @kernel
 def rest_pose(body, fr, J):
-    """Write everything that never changes: reference poses, columns of torsional and translating joints."""
+    """Write all constant values: reference poses, columns of torsional and translational coordinates."""
     for b in range(body.size):
         o = body[b]
         f = fr[b]
@@ -58,7 +58,7 @@ def rest_pose(body, fr, J):
 
 @kernel
 def free_body(o, f, J, q, v, a):
-    """Frame of a body with all six coordinates."""
+    """Frame and moving joint columns of a body with six coordinates."""
     d = o["dof"]
     p = o["path"]
     ca = math.cos(q[d + 3])
@@ -92,7 +92,7 @@ def free_body(o, f, J, q, v, a):
 
 @kernel(inline=True)
 def kinematics(body, fr, J, q, v, a):
-    """Frames, twists, accelerations and moving joint columns of all bodies at (q, v, a)."""
+    """Frames, twists, accelerations and moving joint columns of all round bodies at (q, v, a)."""
     for b in range(1, body.size):
         o = body[b]
         f = fr[b]

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Constant integrals of an elastic body from which its inertia in a floating frame follows for any
-deflection.
+"""Mass invariants of an elastic body: constant integrals that give its inertia in a floating frame.
 
 A point of the body has the velocity v + omega x (x + u) + Phi eta' in the axes of the floating frame, u =
-Phi eta. With the rigid displacements T_t, T_r(x + u) = T_r0 + sum eta_k T_k of the finite elements and
-their mass matrix, the kinetic energy is 1/2 w^T [T_t T_r Phi]^T M [T_t T_r Phi] w, w = (v, omega, eta');
-all products are kept here. For solids that is exact; of elements with rotations the rotary inertia is taken
-as in the undeformed state.
+Phi eta. With the rigid-body displacements T_t, T_r(x + u) = T_r0 + sum eta_k T_k of the finite elements and
+their mass matrix M, the kinetic energy is 1/2 w^T [T_t T_r Phi]^T M [T_t T_r Phi] w, w = (v, omega, eta').
+All constant products are stored. This is exact for solid elements; the rotary inertia of elements with
+rotational degrees of freedom is that of the undeformed state.
 
 Sources: Shabana, Dynamics of Multibody Systems, chapter 5; Wallrapp, Mech. Struct. Mach. 22 (1994) 283-304.
 """
@@ -26,24 +25,24 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class MassInvariants:
-    """Mass integrals about the origin of the floating frame, in its axes; n modal coordinates.
+    """Mass integrals about the origin of the floating frame, in its axes, for n modal coordinates.
 
     Parameters
     ----------
     mass
-        [kg].
+        Mass [kg].
     first
-        Mass times centre of mass of the undeformed body, (3,) [kg m].
+        First moment of mass of the undeformed body, (3,) [kg m].
     inertia
         Inertia of the undeformed body, (3, 3) [kg m^2].
     momentum
-        Momentum per modal rate, which is also the change of `first` per modal coordinate, (3, n).
+        Linear momentum per modal rate, also the derivative of `first` by the modal coordinates, (3, n).
     angular
         Angular momentum per modal rate of the undeformed body, (3, n).
     angular_1
-        Its change per modal coordinate k, (k, 3, n): sum of m_ab phi_k,a x phi_l,b.
+        Derivative of `angular` by modal coordinate k, (k, 3, n): sum of m_ab phi_k,a x phi_l,b.
     inertia_1
-        Change of the inertia per modal coordinate, (n, 3, 3), symmetric.
+        Derivative of the inertia by the modal coordinates, (n, 3, 3), symmetric.
     inertia_2
         Quadratic part of the inertia, (n, n, 3, 3): sum eta_k eta_l inertia_2[k, l].
     modal
@@ -61,7 +60,7 @@ class MassInvariants:
     modal: Array
 
     def turned(self, axes: ArrayLike) -> MassInvariants:
-        """The same integrals in other axes, columns (3, 3) in the present ones."""
+        """Invariants in rotated axes, given as columns (3, 3) in the present axes."""
         Q = np.asarray(axes, float)
         return MassInvariants(
             mass=self.mass,
@@ -79,7 +78,7 @@ class MassInvariants:
 def mass_invariants(
     structure: Structure, shape: ArrayLike, origin: ArrayLike = (0.0, 0.0, 0.0)
 ) -> MassInvariants:
-    """Integrals of a structure for given shapes.
+    """Mass invariants of a structure for given mode shapes.
 
     Parameters
     ----------
@@ -93,7 +92,7 @@ def mass_invariants(
     Raises
     ------
     CompileError
-        If the mass matrix is not that of a body: translations must have the same mass in all directions.
+        If the mass matrix is not physical: the mass must be positive and the same in all directions.
     """
     phi = np.asarray(shape, float)
     n = phi.shape[1]
@@ -104,8 +103,8 @@ def mass_invariants(
     if not mass > 0.0 or np.abs(box[:3, :3] - mass * np.eye(3)).max() > 1e-6 * mass:
         weights = ", ".join(f"{w:.6g}" for w in np.diag(box)[:3])
         raise CompileError(
-            f"M: translations weigh {weights} kg; not a mass matrix of a body, or directions and places "
-            "do not belong to it"
+            f"M: the masses along x, y and z are {weights} kg and must be equal and positive; "
+            "check M, and the directions and positions of the nodes"
         )
     first = _axial(box[3:6, :3])
     turned = [_turned(structure, phi[:, k]) for k in range(n)]
@@ -133,13 +132,13 @@ def mass_invariants(
 
 
 def _axial(box: Array) -> Array:
-    """Vector whose skew matrix this is: angular momentum by a velocity is first x v."""
+    """Vector of the skew-symmetric part of a matrix: the angular momentum due to v is first x v."""
     skew = 0.5 * (box - box.T)
     return np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
 
 
 def _turned(structure: Structure, phi: Array) -> Array:
-    """Velocities e x phi of the nodes for unit angular velocities e (n, 3); rotations stay as they are."""
+    """Node velocities e x phi for unit angular velocities e, shape (size, 3); zero for rotations."""
     moved = np.zeros((len(structure.places), 3))
     translations = structure.direction < 3
     moved[structure.node[translations], structure.direction[translations]] = phi[translations]

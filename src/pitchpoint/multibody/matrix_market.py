@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Matrix Market files of a finite-element body, and the table of its nodes.
+"""Import of a finite-element body from Matrix Market files and a node table.
 
 Boisvert, Pozo, Remington, The Matrix Market exchange formats, NISTIR 5935 (1996).
 """
@@ -22,12 +22,12 @@ from pitchpoint.multibody.structure import Structure, make_structure
 
 LAYOUTS = ("coordinate", "array")
 LONGEST = 4096
-"""Length of a line from which a file is none of text [byte]."""
-COLUMNS = "write x y z in m, and digits of displacements such as 123 if nodes differ"
+"""Maximum length of a text line [byte]."""
+COLUMNS = "write x y z in m, and the digits of the displacements such as 123 if nodes differ"
 
 
 def read_matrix_market(path: str | os.PathLike[str]) -> Any:
-    """Read a real square matrix of a Matrix Market file as sparse matrix.
+    """Read a real square matrix from a Matrix Market file as a sparse matrix.
 
     Parameters
     ----------
@@ -37,11 +37,11 @@ def read_matrix_market(path: str | os.PathLike[str]) -> Any:
     Raises
     ------
     ModelError
-        If it is not a such file, or too large.
+        If the file is not a valid Matrix Market file or is too large.
 
     Notes
     -----
-    The reader of SciPy 1.16 ends the process on some damaged files, so files are read here.
+    `scipy.io.mmread` of SciPy 1.16 is not used because it crashes the process on some damaged files.
     """
     from scipy.sparse import csc_array
 
@@ -64,25 +64,25 @@ def read_matrix_market(path: str | os.PathLike[str]) -> Any:
 
 
 def _short_lines(file: Path, text: IO[bytes]) -> Iterator[str]:
-    """Lines without the empty ones; remarks after the first are omitted."""
+    """Non-empty lines; comments after the first line are omitted."""
     number = 0
     while line := text.readline(LONGEST):
         number += 1
         if len(line) >= LONGEST or b"\0" in line:
-            raise refuse(file, "is not text of short lines", number)
+            raise refuse(file, f"is not a text file with lines below {LONGEST} bytes", number)
         if line.strip() and (number == 1 or not line.startswith(b"%")):
             yield line.decode("ascii", "replace")
 
 
 def _body(file: Path, lines: Iterator[str]) -> tuple[int, Any, Any, Any, bool]:
-    """Size, rows, columns and values of the entries that are listed, and whether each represents two."""
+    """Number of rows; row indices, column indices and values of the entries; whether it is symmetric."""
     words = next(lines, "").lower().split()
     if len(words) != 5 or " ".join(words[:2]) != "%%matrixmarket matrix" or words[2] not in LAYOUTS:
         raise refuse(
             file,
             "is not a Matrix Market file",
             1,
-            "its first line is %%MatrixMarket matrix coordinate real symmetric, or the like",
+            "the first line must be like %%MatrixMarket matrix coordinate real symmetric",
         )
     layout, kind, symmetry = words[2:]
     if kind not in ("real", "integer") or symmetry not in ("general", "symmetric"):
@@ -97,22 +97,22 @@ def _body(file: Path, lines: Iterator[str]) -> tuple[int, Any, Any, Any, bool]:
     entries = int(size[2]) if layout == "coordinate" else whole
     if rows != columns or not 0 < rows <= MOST_UNKNOWNS or entries > MOST_ENTRIES:
         raise refuse(file, f"{rows} x {columns} with {entries} entries (limit square, {MOST_UNKNOWNS} rows)")
-    # every entry takes two characters at least; compressed files state what they promise only at the end
+    # an entry has at least two characters; compressed files are checked after reading
     if file.suffix != ".gz" and 2 * entries > file.stat().st_size + 1:
-        raise refuse(file, f"promises {entries} entries in {file.stat().st_size} bytes")
+        raise refuse(file, f"its header specifies {entries} entries in {file.stat().st_size} bytes")
     found = np.zeros((0, 1))
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of files without entries
+        warnings.simplefilter("ignore")  # files without entries
         found = np.loadtxt(lines, ndmin=2, max_rows=entries + 1, comments=None)
     if len(found) != entries or (entries and found.shape[1] != (3 if layout == "coordinate" else 1)):
         shown = "x".join(map(str, found.shape))
-        raise refuse(file, f"promises {entries} entries and has {shown} numbers")
+        raise refuse(file, f"its header specifies {entries} entries, but it has {shown} numbers")
     if layout == "coordinate":
         at = found.reshape(entries, 3)[:, :2]
         if np.any((at < 1) | (at > rows) | (at != np.floor(at))):
             wrong = int(np.argmax(np.any((at < 1) | (at > rows) | (at != np.floor(at)), axis=1)))
             place = f"{at[wrong, 0]:g}, {at[wrong, 1]:g}"
-            raise refuse(file, f"entry {wrong + 1} lies at {place} (limit 1 to {rows})")
+            raise refuse(file, f"entry {wrong + 1} has the indices {place} (limit 1 to {rows})")
         i, j = (at.astype(np.int64) - 1).T
         return rows, i, j, found.reshape(entries, 3)[:, 2], symmetric
     if symmetric:  # the lower triangle by columns
@@ -123,17 +123,17 @@ def _body(file: Path, lines: Iterator[str]) -> tuple[int, Any, Any, Any, bool]:
 
 
 def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
-    """Read a table of nodes: x y z in m per line, and the digits of their displacements where they differ.
+    """Read a node table: x y z in m per line, and the digits of the displacements if nodes differ.
 
     Parameters
     ----------
     path
-        Text with blanks, tabs, commas or semicolons between the numbers; what follows # or % is a remark.
+        Text file; numbers are separated by blanks, tabs, commas or semicolons, comments begin with # or %.
 
     Returns
     -------
     places, node, direction
-        Places (nodes, 3) [m]; node and direction of every displacement as in `Structure`, None without
+        Positions (nodes, 3) [m]; node and direction of every displacement as in `Structure`, None without
         digits.
 
     Raises
@@ -148,22 +148,22 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
         while line := text.readline(4096):
             number += 1
             if len(line) >= 4096:
-                raise refuse(file, "is not a table of places", number)
+                raise refuse(file, "is not a node table", number)
             words = re.split(r"[#%]", line)[0].replace(",", " ").replace(";", " ").split()
             if not words:
                 continue
             if len(words) not in (3, 4):
                 raise refuse(file, f"has {len(words)} numbers in a line", number, COLUMNS)
-            places.append([real(file, number, w, "place", COLUMNS) for w in words[:3]])
+            places.append([real(file, number, w, "position", COLUMNS) for w in words[:3]])
             digits.append(_directions(file, number, words[3]) if len(words) == 4 else ())
             if bool(digits[-1]) != bool(digits[0]):
                 raise refuse(
-                    file, "only some nodes give their displacements", number, "add digits such as 123 to all"
+                    file, "only some nodes list their displacements", number, "add digits such as 123 to all"
                 )
             if len(places) > MOST_UNKNOWNS:
                 raise refuse(file, f"more than {MOST_UNKNOWNS} nodes", number)
     if not places:
-        raise refuse(file, "has no node", remedy="write one line x y z in m for each")
+        raise refuse(file, "has no node", remedy="write one line x y z in m per node")
     if not digits[0]:
         return np.array(places), None, None
     node = np.repeat(np.arange(len(places)), [len(d) for d in digits])
@@ -171,7 +171,7 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
 
 
 def _directions(file: Path, number: int, text: str) -> tuple[int, ...]:
-    """Directions of the displacements of a node, in the order of its digits."""
+    """Directions of the displacements of a node, in the order of the digits."""
     if not re.fullmatch(r"[1-6]{1,6}", text) or len(set(text)) != len(text):
         raise refuse(
             file, f"displacements: {text[:20]!r} is not a list of digits 1 to 6", number, "write 123"
@@ -185,7 +185,7 @@ def read_parts(
     places: str | os.PathLike[str],
     spin_stiffness: str | os.PathLike[str] | None = None,
 ) -> Structure:
-    """Structure of two Matrix Market files and a table of nodes.
+    """Structure from two Matrix Market files and a node table.
 
     Parameters
     ----------
@@ -194,7 +194,7 @@ def read_parts(
     places
         File for `read_places`.
     spin_stiffness
-        File for `read_matrix_market` with what a spin adds, see `Structure`.
+        File for `read_matrix_market` with the spin stiffness `K_spin` of `Structure`.
     """
     K, M = read_matrix_market(stiffness), read_matrix_market(mass)
     more = None if spin_stiffness is None else read_matrix_market(spin_stiffness)

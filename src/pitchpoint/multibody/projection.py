@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From frames to coordinates: wrenches and pair tangents through the joint columns.
+"""Projection of wrenches and pair tangents from frames to joint coordinates.
 
-The programme has one row per ordered pair of bodies (i, j) that interact and per pair of joints on their
-paths: pair block, path entry of i, path entry of j, target block, sizes, offsets inside the merged nodes, and
-a shortcut. It runs once per pair of bodies, however many elements act between them.
+The programme has one row per ordered pair of interacting bodies (i, j) and pair of joints on their paths:
+pair block, path entry of i, path entry of j, target block, sizes, offsets inside the merged nodes, and a
+fast-path code. The cost is independent of the number of elements between two bodies.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.joints import FREE, TORSION
 
-#: Shortcuts of a programme row.
+#: Fast-path codes of a programme row.
 ANY, SPINS, SHAFTS = 0, 1, 2
 
 PROJ = np.dtype(
@@ -24,7 +24,7 @@ PROJ = np.dtype(
 
 @kernel(inline=True)
 def project_force(path, fr, J, R):
-    """R -= J^T F for every joint on the way to every body."""
+    """R -= J^T F for all joints on the paths of all bodies."""
     for p in range(path.size):
         w = path[p]
         F = fr[w["body"]]["F"]
@@ -45,7 +45,7 @@ def project_force(path, fr, J, R):
 
 @kernel(inline=True)
 def project_tangent(proj, J, kk, X, A, T):
-    """A[block] += J_i^T kk[pair] X_j; X is J itself, or the rates of J for an exact linearisation.
+    """A[block] += J_i^T kk[pair] X_j; X is J, or the derivatives of `joint_rates` for exact linearisation.
 
     T is scratch (6, 6).
     """
@@ -64,7 +64,7 @@ def project_tangent(proj, J, kk, X, A, T):
                     kk[k, r, 3] * X[pj, 3, 0] + kk[k, r, 4] * X[pj, 4, 0] + kk[k, r, 5] * X[pj, 5, 0]
                 )
             A[m, oi, oj] += s
-        elif w["short"] == SHAFTS:  # translations have no rotation rows and the other way round
+        elif w["short"] == SHAFTS:  # translations and rotations are decoupled in J
             for r in range(6):
                 for c in range(3):
                     T[r, c] = (
@@ -98,10 +98,10 @@ def project_tangent(proj, J, kk, X, A, T):
 
 @kernel
 def project_geometry(proj, path, fr, J, A, ck):
-    """Subtract ck dJ^T/dq F, the change of the columns under the summed wrench (exact linearisation only).
+    """Subtract ck dJ^T/dq F, the derivative of the joint columns times the wrench (exact linearisation only).
 
-    For coordinates a, c of one path with columns (l, w): dQ_a/dq_c = (w_c x l_a).f + (w_c x w_a).m if c lies
-    inboard of a, (w_a x l_c).f if it does not. Rows of the programme with equal bodies carry the blocks.
+    For coordinates a, c of one path with columns (l, w): dQ_a/dq_c = (w_c x l_a).f + (w_c x w_a).m if c is
+    inboard of a, otherwise (w_a x l_c).f. Only programme rows with equal bodies contribute.
     """
     for row in range(proj.size):
         g = proj[row]

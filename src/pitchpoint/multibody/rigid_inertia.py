@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Inertia of bodies that need not be round: Newton and Euler about the body origin, world axes.
+"""Inertia forces of bodies that are not round: Newton-Euler equations about the body origin, world axes.
 
-With c the centre of mass from the origin, I the inertia about the origin (both turned with S), o the angular
+With c the centre of mass from the origin, I the inertia about the origin (both rotated with S), o the angular
 velocity and e its derivative:
 
     F = -m (a + e x c + o x (o x c)),  M = -(I e + o x I o + m c x a)
@@ -19,7 +19,7 @@ from pitchpoint.multibody.vectors import add, cross, into_body, into_world, trip
 
 @kernel
 def _turned_inertia(o, f, a):
-    """I a with the inertia turned into the world."""
+    """I a with the inertia rotated to world axes."""
     return into_world(f["S"], into_world(o["inertia"], into_body(f["S"], a)))
 
 
@@ -37,7 +37,7 @@ def _put(k, row, col, factor, a):
 
 @kernel
 def _wrench(o, f):
-    """Start the wrench of a body with its inertia forces."""
+    """Set the wrench of a body to its inertia forces."""
     m = o["mass"]
     w = triple(f["tw"], 3)
     e = triple(f["ac"], 3)
@@ -54,7 +54,7 @@ def _wrench(o, f):
 
 @kernel
 def _mass_and_gyration(o, f, k, cm, cd):
-    """Add cm times the mass matrix and cd times the derivative of the velocity forces by the twist."""
+    """Add cm times the mass matrix and cd times the derivative of the inertia forces by the twist."""
     m = o["mass"]
     w = triple(f["tw"], 3)
     c = _center(o, f)
@@ -73,9 +73,9 @@ def _mass_and_gyration(o, f, k, cm, cd):
 
 @kernel
 def _attitude(o, f, k, ck):
-    """Add ck times the derivative of the inertia forces by a turn of the body (fixed twist, acceleration).
+    """Add ck times the derivative of the inertia forces by a rotation of the body (constant tw, ac).
 
-    A turn x changes c by x x c and I b by x x (I b) - I (x x b).
+    A small rotation x changes c by x x c and I b by x x (I b) - I (x x b).
     """
     m = o["mass"]
     w = triple(f["tw"], 3)
@@ -97,7 +97,7 @@ def _attitude(o, f, k, ck):
 
 @kernel
 def tree_inertia(body, fr, kk, jac, cm, cd):
-    """Set the wrenches of bodies that are not round to their inertia forces; with jac > 0 add tangents."""
+    """Set the wrenches of bodies that are not round to the inertia forces; with jac > 0 add the tangents."""
     for b in range(body.size):
         o = body[b]
         if o["joint"] == GENERAL:

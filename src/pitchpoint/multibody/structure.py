@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finite-element matrices with the positions of their nodes, and straight beams as such matrices."""
+"""Finite-element matrices with node positions, and matrices of straight beams."""
 
 from __future__ import annotations
 
@@ -19,24 +19,24 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 MOST_UNKNOWNS = 2_000_000
-"""More displacements than this are a mistake or a matter for another program."""
+"""Maximum number of displacements."""
 
 
 @dataclass(frozen=True)
 class Structure:
-    """Stiffness and mass matrix of an unsupported elastic body in its own axes.
+    """Stiffness and mass matrix of an unsupported elastic body in body axes.
 
     Parameters
     ----------
     K, M
-        Sparse symmetric matrices (n, n) [N/m, kg and mixed units of rotations].
+        Sparse symmetric matrices (n, n) [N/m, kg, and the corresponding units for rotations].
     places
-        Nodes (number of nodes, 3) [m].
+        Node positions (number of nodes, 3) [m].
     node, direction
         Node (row of `places`) and direction (0-2 translation, 3-5 rotation) of every displacement, (n,).
     K_spin
-        What a spin about the third axis adds to K, per (rad/s)^2, (n, n): stress stiffness of the loads at
-        1 rad/s.
+        Increase of K due to spin about the third axis, per (rad/s)^2, (n, n): stress stiffness under the
+        centrifugal load at 1 rad/s.
     """
 
     K: csc_array
@@ -57,7 +57,7 @@ class Structure:
         return rows[np.argsort(self.direction[rows])]
 
     def rigid(self, about: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
-        """Displacements of six unit rigid motions (n, 6): translations, then turns about a point [m]."""
+        """Unit rigid-body displacements (n, 6): three translations, three rotations about a point [m]."""
         arm = (self.places - np.asarray(about, float))[self.node]
         found = np.zeros((self.size, 6))
         for k in range(3):
@@ -78,24 +78,24 @@ def make_structure(
     direction: ArrayLike | None = None,
     K_spin: Any = None,
 ) -> Structure:
-    """Check finite-element matrices and bring them into one form.
+    """Check finite-element matrices and convert them to a `Structure`.
 
     Parameters
     ----------
     K, M
         Stiffness and mass matrix, sparse or dense, (n, n).
     places
-        Nodes (number of nodes, 3) [m].
+        Node positions (number of nodes, 3) [m].
     node, direction
-        See `Structure`; without them every node has three translations, or six displacements, in order.
+        See `Structure`; if omitted, every node has three translations or six displacements, in order.
     K_spin
         See `Structure`.
 
     Raises
     ------
     CompileError
-        If sizes do not fit, a number is not finite, a matrix is not symmetric, or the body is held: an
-        unsupported body needs no force for any of its six rigid motions.
+        If sizes are inconsistent, a number is not finite, a matrix is not symmetric, or the body is
+        supported: a rigid-body motion of an unsupported body causes no force.
     """
     from scipy.sparse import csc_array
 
@@ -130,8 +130,8 @@ def make_structure(
     if n and rest.max() > 1e-6 * abs(found.K).max() * max(1.0, float(np.ptp(spots, axis=0).max())):
         worst = int(rest.max(axis=1).argmax())
         raise CompileError(
-            f"K: a rigid motion meets a force at node {where[worst]}; take away supports, and check places, "
-            "directions and units of the nodes"
+            f"K: a rigid-body motion causes a force at node {where[worst]}; remove supports, and check "
+            "positions, directions and units of the nodes"
         )
     return found
 
@@ -143,7 +143,7 @@ def _numbering(
     if node is None or direction is None:
         if n not in (3 * nodes, 6 * nodes) or nodes == 0:
             raise CompileError(
-                f"{n} displacements of {nodes} nodes are neither 3 nor 6 each; give node and direction"
+                f"{n} displacements of {nodes} nodes are neither 3 nor 6 per node; give node and direction"
             )
         each = n // nodes
         return np.repeat(np.arange(nodes), each), np.tile(np.arange(each), nodes)
@@ -158,55 +158,55 @@ def _numbering(
 
 
 FASTEST = 1e5
-"""Twenty times the speed of sound in steel; bodies that are all but rigid on purpose come near it [m/s]."""
+"""Maximum wave speed [m/s], twenty times the speed of sound in steel, for bodies modelled as nearly rigid."""
 
 
 def check_mass(structure: Structure) -> None:
-    """Refuse a mass matrix that no body has: its mass is positive and the same in all directions.
+    """Check that the mass is positive and the same in all directions.
 
     Raises
     ------
     CompileError
-        With the masses along x, y and z.
+        If it is not; the message lists the masses along x, y and z.
     """
     rigid = structure.rigid(structure.places.mean(axis=0))[:, :3]
     m = (rigid * np.asarray(structure.M @ rigid)).sum(axis=0)
     shown = ", ".join(f"{v:.6g}" for v in m)
     if not m.min() > 0.0:
-        raise CompileError(f"M: the body has the masses {shown} kg along x, y and z (limit > 0)")
+        raise CompileError(f"M: the masses along x, y and z are {shown} kg (limit > 0)")
     if np.ptp(m) > 1e-3 * m.max():
         raise CompileError(
-            f"M: the body has the masses {shown} kg along x, y and z, and a body has one; "
+            f"M: the masses along x, y and z are {shown} kg and must be equal; "
             "check the directions of the displacements and scalar masses"
         )
 
 
 def check_speed(structure: Structure, frequency: float) -> None:
-    """Refuse a body whose lowest mode [Hz] would need waves faster than sound could be.
+    """Check that the frequency of the lowest mode [Hz] does not imply an impossible wave speed.
 
-    A wave crosses a body twice in a period of its lowest longitudinal mode; other modes are slower.
+    A wave crosses the body twice per period of its lowest longitudinal mode; other modes are slower.
 
     Raises
     ------
     CompileError
-        A frequent cause is K in N/m together with coordinates in mm.
+        If the wave speed exceeds `FASTEST`; usually K is in N/m but the positions are in mm.
     """
     size = float(np.linalg.norm(np.ptp(structure.places, axis=0)))
     if 2.0 * size * frequency > FASTEST:
         raise CompileError(
-            f"the lowest mode of {frequency:.6g} Hz in a body of {size:.6g} m needs waves of "
+            f"the lowest mode of {frequency:.6g} Hz in a body of {size:.6g} m implies a wave speed of "
             f"{2.0 * size * frequency:.3g} m/s (limit {FASTEST:g} m/s); "
-            "give K in N/m, M in kg and places in m"
+            "give K in N/m, M in kg and positions in m"
         )
 
 
 def beam_line(beams: Sequence[Beam]) -> Structure:
-    """Beams in series along the third axis, from the origin, as one structure of six displacements per node.
+    """Structure of beams in series along the third axis, from the origin, with six displacements per node.
 
     Parameters
     ----------
     beams
-        The elements in order; all require a density.
+        Beam elements in order; a density is required.
     """
     from scipy.sparse import coo_array
 
@@ -228,7 +228,7 @@ def beam_line(beams: Sequence[Beam]) -> Structure:
 
 
 def turned_stiffening(stiffening: ArrayLike, axes: ArrayLike) -> Array:
-    """Stiffness per load (9, n, n) for loads in other axes, columns (3, 3) in the present ones."""
+    """Stress stiffness per load (9, n, n) for loads in rotated axes, columns (3, 3) in the present axes."""
     given, Q = np.asarray(stiffening, float), np.asarray(axes, float)
     square = np.zeros((3, 3, *given.shape[1:]))
     for r, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0))):

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frames of bodies in a tree: any joint on any parent, and the columns of all joints on the way from ground.
+"""Kinematics of bodies in a tree: frames, and the columns of all joints on the path from ground.
 
-A joint frame E sits on the parent. The displacements d of the joint (see joints.py) move the body by E d[0:3]
-and turn it about w1 = E'[:, 0], w2, n, where E' = E C holds the attitude C from which the turns of a tumbling
-body count. With o the angular velocity of the parent:
+The joint frame E is fixed to the parent. The displacements d of the joint (see joints.py) translate the body
+by E d[0:3] and rotate it about w1 = E'[:, 0], w2, n, where E' = E C includes the chart C, the reference
+attitude of the rotations of a tumbling body. With o the angular velocity of the parent:
 
     r = r_p + rho,  v = v_p + o x rho + E d',  a = a_p + e_p x rho + o x (o x rho) + 2 o x E d' + E d''
     omega = o + alpha' w1 + beta' w2 + spin' n
     e = e_p + alpha'' w1 + beta'' w2 + spin'' n + o x (omega - o) + alpha' beta' w1 x w2
         + spin' (alpha' w1 + beta' w2) x n
 
-The columns W of the six displacements, seen at the origin of the body, are (E, 0) and (0, w). The columns of
-a joint are those of its displacements; seen from a body further out they are moved along: (l + w x rho, w).
+The columns W of the six displacements at the origin of the body are (E, 0) and (0, w). The columns of a
+joint are those of its displacements; for an outboard body they are transferred to its origin: (l + w x rho,
+w).
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ from pitchpoint.multibody.joints import Z
 
 TWO_PI = 6.283185307179586
 MOST_TILT = 0.8
-"""Turn beta beyond which a tumbling body gets a new chart [rad]."""
+"""Angle beta above which a tumbling body gets a new chart [rad]."""
 
-#: Displacements of a body against its joint frame, their rates, and their columns in world axes.
+#: Displacements of a body relative to its joint frame, their rates, and their columns in world axes.
 MOTION = np.dtype(
     [
         ("d", "f8", 6),  # displacements [m, rad]
@@ -42,7 +43,7 @@ MOTION = np.dtype(
 
 @kernel
 def body_axes(f):
-    """Write S, the frame that is fixed to the body: R turned by the spin."""
+    """Write S, the body-fixed frame: R rotated by the spin."""
     c = math.cos(f["phi"])
     s = math.sin(f["phi"])
     for i in range(3):
@@ -55,7 +56,7 @@ def body_axes(f):
 
 @kernel
 def _displace(o, f, mo, guides, q, v, a):
-    """Displacements of a joint and their rates from its coordinates or its guide."""
+    """Displacements of a joint and their rates, from its coordinates or its guide."""
     d = o["dof"]
     for m in range(6):
         mo["d"][m] = 0.0
@@ -88,7 +89,7 @@ def _displace(o, f, mo, guides, q, v, a):
 
 @kernel
 def _joint_frame(o, p, f, charts, mo):
-    """Axes of the joint in the world into the columns of W: E, then w1; R as the frame before the turns."""
+    """Write the joint axes E in world axes to W, and R as the frame before the rotations."""
     W = mo["W"]
     S = p["S"]
     A = o["axes"]
@@ -108,7 +109,7 @@ def _joint_frame(o, p, f, charts, mo):
 
 @kernel
 def _turn(f, mo):
-    """Turn R by alpha and beta; leave the axes of the three turns in W."""
+    """Rotate R by alpha and beta; write the axes of the three rotations to W."""
     W = mo["W"]
     R = f["R"]
     d = mo["d"]
@@ -135,7 +136,7 @@ def _turn(f, mo):
 
 @kernel
 def _place(o, p, f, mo):
-    """Origin, twist and its derivative from those of the parent."""
+    """Origin, twist and acceleration of a body from those of its parent."""
     W = mo["W"]
     x = mo["rate"]
     y = mo["second"]
@@ -174,7 +175,7 @@ def _place(o, p, f, mo):
     f["ac"][2] = p["ac"][2] + e0 * r1 - e1 * r0 + o0 * k1 - o1 * k0
     for i in range(3):
         f["ac"][i] += W[i, 0] * y[0] + W[i, 1] * y[1] + W[i, 2] * y[2]
-    # turns: omega = o + s with s = t + spin' n, t = alpha' w1 + beta' w2
+    # rotations: omega = o + s with s = t + spin' n, t = alpha' w1 + beta' w2
     t0 = x[3] * W[3, 3] + x[4] * W[3, 4]
     t1 = x[3] * W[4, 3] + x[4] * W[4, 4]
     t2 = x[3] * W[5, 3] + x[4] * W[5, 4]
@@ -202,7 +203,7 @@ def _place(o, p, f, mo):
 
 @kernel
 def _columns(body, b, path, fr, J, guides, mo):
-    """Columns of the joint of a body and, moved along, of the joints before it."""
+    """Columns of the joint of a body, and those of all inboard joints transferred to its origin."""
     o = body[b]
     p = body[o["parent"]]
     f = fr[b]
@@ -241,7 +242,7 @@ def _columns(body, b, path, fr, J, guides, mo):
 
 @kernel
 def joint_motion(o, p, f, mo, guides, charts, q, v, a):
-    """Displacements of a joint, its columns W, and R of its body; S of the parent must be there."""
+    """Displacements of a joint, its columns W, and R of its body; requires S of the parent."""
     _displace(o, f, mo, guides, q, v, a)
     _joint_frame(o, p, f, charts, mo)
     _turn(f, mo)
@@ -249,10 +250,10 @@ def joint_motion(o, p, f, mo, guides, charts, q, v, a):
 
 @kernel
 def count_spin(o, body, fr, f, mo):
-    """Turn R of a body that turns with a spinner back by that spin, which becomes its own; R is S before.
+    """Split the attitude of a body attached to a spinner into frame R and spin; R is S on entry.
 
-    Its attitude against the frame that the spinner turns in is alpha about x, beta about the turned y, and
-    the spin, as if it were there on a joint with six coordinates; the whole turns are those of the spinner.
+    The attitude relative to the parent frame of the spinner is expressed as alpha about x, beta about the
+    rotated y, and spin, as for a joint with six coordinates; the whole turns are those of the spinner.
     """
     g = fr[o["spinner"]]
     p = fr[body[o["spinner"]]["parent"]]
@@ -304,7 +305,7 @@ def count_spin(o, body, fr, f, mo):
 
 @kernel
 def tree_kinematics(body, path, fr, J, motions, guides, charts, q, v, a):
-    """Frames and columns of all bodies that are not round, and S of those that need it; parents first."""
+    """Frames and columns of all bodies that are not round, and S where required; parents first."""
     for b in range(body.size):
         o = body[b]
         f = fr[b]
@@ -322,10 +323,10 @@ def tree_kinematics(body, path, fr, J, motions, guides, charts, q, v, a):
 
 @kernel
 def start_charts_afresh(body, fr, charts, q, v, a, al, ap):
-    """Let the turns of tumbling bodies count from here, if beta has grown; returns how many did.
+    """Set a new chart for tumbling bodies with a large beta; returns the number of changed bodies.
 
-    With Q the attitude reached, rates and second rates in the new chart are the components of the angular
-    velocity and its derivative in the axes of Q; `al` and `ap`, the memory of one-step methods, follow a.
+    The new chart is the present attitude Q; the new rates are the components of the angular velocity in the
+    axes of Q. `al` and `ap`, the memory of one-step methods, are transformed like the second rates a.
     """
     changed = 0
     for b in range(body.size):
@@ -341,7 +342,7 @@ def start_charts_afresh(body, fr, charts, q, v, a, al, ap):
 
 @kernel
 def _fresh_chart(C, d, q, v, a, al, ap):
-    """Put the turns at coordinates d to d + 2 into the attitude C."""
+    """Merge the rotations at coordinates d to d + 2 into the chart C; transform rates and second rates."""
     ca = math.cos(q[d])
     sa = math.sin(q[d])
     cb = math.cos(q[d + 1])
@@ -378,7 +379,7 @@ def _fresh_chart(C, d, q, v, a, al, ap):
 
 @kernel
 def _seen(turn, x, y, z):
-    """Components of a vector in axes turned by alpha, beta and spin, whose cosines and sines are `turn`."""
+    """Components of a vector in axes rotated by alpha, beta and spin; `turn` are their cosines and sines."""
     ca, sa, cb, sb, cs, ss = turn
     y2 = ca * y + sa * z
     z2 = ca * z - sa * y
@@ -388,7 +389,7 @@ def _seen(turn, x, y, z):
 
 @kernel
 def _second(turn, a, d, bias, rates):
-    """Second rates in the new chart: the angular acceleration less what the rates make of it there."""
+    """Transform second rates to the new chart: angular acceleration minus its velocity-dependent part."""
     ca, sa, cb, sb, _, _ = turn
     x = a[d] + a[d + 2] * sb + bias[0]
     y = a[d + 1] * ca - a[d + 2] * sa * cb + bias[1]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Point masses on bodies: unbalance as a property of the body, exact in every analysis."""
+"""Unbalance as point masses that are part of the mass properties of a body."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from pitchpoint.multibody.bodies import Body
 
 
 def with_point_mass(body: Body, mass: float, place: ArrayLike) -> Body:
-    """The body with a further point mass on it.
+    """Copy of a body with an additional point mass.
 
-    A body that was round is not any more: its inertia follows its turn.
+    A round body is no longer round: its inertia depends on the spin angle.
 
     Parameters
     ----------
     body
-        The body; its own mass stays as it is.
+        The body; its mass properties are included unchanged.
     mass
-        Further mass [kg], > 0.
+        Point mass [kg], > 0.
     place
-        Where it sits, from the origin in the axes of the body, shape (3,) [m]; an unbalance U at the angle
+        Position of the point mass from the origin in body axes, shape (3,) [m]; an unbalance U at the angle
         beta is mass times r = U at (r cos(beta), r sin(beta), z).
 
     Notes
     -----
-    Parallel axes: with T the inertia about the origin, T' = T + mass (p.p - p p^T); the centre of mass
-    moves to the mean of both.
+    Parallel axis theorem: with T the inertia about the origin, T' = T + mass (p.p - p p^T); the new centre
+    of mass is the mass-weighted mean.
 
     Examples
     --------

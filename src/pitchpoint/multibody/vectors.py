@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Three numbers at a time: vectors as tuples, for kernels that need more of them than they have names for."""
+"""Vectors in space as tuples of three numbers, for kernels."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def less(a, b):
 
 @kernel
 def times(s, a):
-    """Multiple."""
+    """Scalar times vector, s a."""
     return s * a[0], s * a[1], s * a[2]
 
 
@@ -56,19 +56,19 @@ def column(A, c):
 
 @kernel
 def triple(x, first):
-    """Three numbers of an array: r (first 0), or the parts 0 and 3 of a twist."""
+    """Three consecutive elements of an array, such as the linear (0) or angular (3) part of a twist."""
     return x[first], x[first + 1], x[first + 2]
 
 
 @kernel
 def unit(c):
-    """Unit vector of column c of three; zero beyond."""
+    """Unit vector c of three; zero for other c."""
     return 1.0 if c == 0 else 0.0, 1.0 if c == 1 else 0.0, 1.0 if c == 2 else 0.0
 
 
 @kernel
 def into_world(S, a):
-    """S a: vector with components a (tuple) along the columns of S, or any matrix (3, 3) times a vector."""
+    """S a: world components of a vector given in body axes S, or any (3, 3) matrix times a vector."""
     return (
         S[0, 0] * a[0] + S[0, 1] * a[1] + S[0, 2] * a[2],
         S[1, 0] * a[0] + S[1, 1] * a[1] + S[1, 2] * a[2],
@@ -78,7 +78,7 @@ def into_world(S, a):
 
 @kernel
 def into_body(S, a):
-    """Components of a vector along the columns of S."""
+    """S^T a: components of a world vector along the columns of S."""
     return (
         S[0, 0] * a[0] + S[1, 0] * a[1] + S[2, 0] * a[2],
         S[0, 1] * a[0] + S[1, 1] * a[1] + S[2, 1] * a[2],
@@ -88,5 +88,5 @@ def into_body(S, a):
 
 @kernel
 def moved_axis(f, a):
-    """Vector fixed to a body, given by its components in an array, in world axes."""
+    """World components of a body-fixed vector, given by an array of its components in axes S."""
     return into_world(f["S"], triple(a, 0))

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Many cases of one system: plan, run, store."""
+"""Parameter studies, data sets and speed sweeps."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Independent cases: one scenario of many variants of a model, on all cores.
+"""Parameter studies: one scenario for many variants of a model, on all cores.
 
-Every case is a model of its own, compiled and run by one thread; the compiled loops release the interpreter,
-so threads share the cores. A case computes the same bits whatever runs next to it. A case that fails has a
-status and a sentence; it never stops the others.
+Each case is a separate model, compiled and run in one thread. The compiled loops release the GIL, so that
+threads run in parallel. Results are bit-identical for any number of threads. A failed case has a status and
+a message and does not stop the others.
 """
 
 from __future__ import annotations
@@ -33,26 +33,26 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CaseResult:
-    """What one case gave.
+    """Result of one case.
 
     Parameters
     ----------
     index
-        Place in the list of cases.
+        Index in the list of cases.
     values
-        What was changed, by path, as it was given.
+        Changed values by path, as given.
     status, sentence
-        How it ended, as a number of `pitchpoint.core.status` and in words.
+        Final status (`pitchpoint.core.status`) and its message.
     numbers
-        The same values in SI units with their unit, for those that are numbers.
+        Numerical values by path in SI units, with their unit.
     steps, wall_s
-        Time steps (points of a roll), wall time [s].
+        Number of time steps (points of a slow roll), wall time [s].
     channels
-        Statistics by channel (unit, mean, rms of the alternating part, min, max); empty for a sweep.
+        Statistics by channel (unit, mean, rms of the alternating part, min, max); empty for a speed sweep.
     points, jumps
-        Of a speed sweep, as `sweep --json` prints them.
+        Points and jumps of a speed sweep, as printed by `sweep --json`.
     notes
-        What the user should know.
+        Notes on the result.
     """
 
     index: int
@@ -69,7 +69,7 @@ class CaseResult:
 
 
 def grid(paths: Mapping[str, Sequence[Any]]) -> list[dict[str, Any]]:
-    """All combinations of values, the last path varying fastest.
+    """Full factorial of the values; the last path varies fastest.
 
     Parameters
     ----------
@@ -93,27 +93,32 @@ def run_cases(
     progress: Progress = silent,
     sink: Callable[[CaseResult], None] | None = None,
 ) -> list[CaseResult]:
-    """Run one scenario of many variants of a model.
+    """Run one scenario for many variants of a model.
 
     Parameters
     ----------
     model
-        The model that is varied.
+        Base model.
     cases
         New values by path for each case, see `Model.replace_all`.
     scenario
-        Name of the scenario: a time response, a slow roll or a speed sweep.
+        Name of the scenario: time response, slow roll or speed sweep.
     jobs
-        Threads; default one per core.
+        Number of threads; default one per core.
     progress
-        Called with the number of finished cases after each.
+        Called after each case with the number of finished cases.
     sink
-        Takes every finished case at once, in the order in which they finish, in the calling thread.
+        Called with each finished case immediately, in order of completion, in the calling thread.
 
     Returns
     -------
     list of CaseResult
-        One per case, in the order of the cases. After Ctrl-C those that were not finished are INTERRUPTED.
+        One per case, in the order of `cases`. After Ctrl-C unfinished cases have the status INTERRUPTED.
+
+    Raises
+    ------
+    SolverError
+        If the scenario does not exist.
     """
     if scenario not in model.scenarios:
         raise SolverError(
@@ -123,7 +128,7 @@ def run_cases(
     done: dict[int, CaseResult] = {}
 
     def take(result: CaseResult) -> None:
-        """Keep a case and state how far the study is."""
+        """Store a case and report the progress."""
         done[result.index] = result
         if sink is not None:
             sink(result)
@@ -146,27 +151,27 @@ def run_case(
     index: int = 0,
     stop: threading.Event | None = None,
 ) -> CaseResult:
-    """Run one case; whatever goes wrong becomes its status.
+    """Run one case; errors are returned as its status and message.
 
     Parameters
     ----------
     model, values, scenario
         As in `run_cases`, for one case.
     index
-        Its place in the list.
+        Index in the list of cases.
     stop
-        Set by another thread that wants the case to end.
+        Event that another thread sets to stop the case.
     """
     begun = time.perf_counter()
     numbers: dict[str, tuple[float, str]] = {}
 
     def failed(status: int, words: str) -> CaseResult:
-        """Result of a case that has no numbers, or not all."""
+        """Result of a failed case."""
         wall_s = time.perf_counter() - begun
         return CaseResult(index, dict(values), status, words, numbers, wall_s=wall_s)
 
     def listen(done: float, total: float, note: str = "") -> None:
-        """End a case when the study is stopped."""
+        """Stop the case if the study is stopped."""
         if stop is not None and stop.is_set():
             raise KeyboardInterrupt
 
@@ -180,7 +185,7 @@ def run_case(
 
 
 def how_it_failed(error: BaseException) -> tuple[int, str]:
-    """Status and sentence of what ended a case."""
+    """Status and message for the exception that ended a case."""
     if isinstance(error, SolverError):
         return error.status, str(error)
     if isinstance(error, CompileError):
@@ -197,7 +202,7 @@ def how_it_failed(error: BaseException) -> tuple[int, str]:
 def _run(
     model: Model, scenario: Scenario, values: Mapping[str, Any], index: int, listen: Progress
 ) -> CaseResult:
-    """Compile and compute one case."""
+    """Compile and run one case."""
     from pitchpoint.system.compile import compile_model
 
     begun = time.perf_counter()
@@ -230,25 +235,25 @@ def _run(
 
 
 def paths_of(results: Sequence[CaseResult]) -> list[str]:
-    """Every path that some case changes, in the order of appearance."""
+    """All changed paths, in order of first appearance."""
     return list(dict.fromkeys(path for result in results for path in result.values))
 
 
 def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
-    """Cases as a dataset.
+    """Results of cases as a dataset.
 
     Parameters
     ----------
     results
-        What `run_cases` returned.
+        Results of `run_cases`.
 
     Returns
     -------
     xarray.Dataset
-        Over `case` and `statistic` (mean, rms, min, max): every channel; over `case`: status and the values
-        that were changed, by path. For speed sweeps over `case`, `direction`, `point` and `statistic`, with
-        speed and mesh_frequency of every point and the shares of lost and of back contact. NaN where there is
-        nothing. The attributes hold a sentence and the notes of every case.
+        All channels over `case` and `statistic` (mean, rms, min, max); status and changed values (by path)
+        over `case`. For speed sweeps over `case`, `direction`, `point` and `statistic`, with speed,
+        mesh_frequency and the shares of contact loss and back contact of every point. Missing values are
+        NaN. The attributes contain message and notes of every case.
     """
     import xarray as xr
 
@@ -270,7 +275,7 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
         for name, (values, unit) in tables.items():
             dims = ("case", "direction", "point", "statistic")[: np.ndim(values)]
             data[name] = (dims, values, {"units": unit, "long_name": name.replace("_", " ")})
-    data["status"] = ("case", [r.status for r in results], {"long_name": "how the case ended; 1 is fine"})
+    data["status"] = ("case", [r.status for r in results], {"long_name": "status of the case; 1: no error"})
     for path in paths_of(results):
         entries, unit = column(results, path)
         coords[path] = ("case", entries, {"units": unit} if unit else {})
@@ -282,9 +287,9 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
 
 
 def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tuple[np.ndarray, str]]]:
-    """Points of the sweeps of all cases as tables: directions, and (values, unit) by name.
+    """Sweep points of all cases as tables: directions, and (values, unit) by name.
 
-    Quantities have the shape (case, direction, point, statistic), all others (case, direction, point).
+    `QUANTITIES` have the shape (case, direction, point, statistic), all others (case, direction, point).
     """
     directions = list(dict.fromkeys(p["direction"] for r in results for p in r.points))
     most = max(
@@ -309,7 +314,7 @@ def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tu
 
 
 def column(results: Sequence[CaseResult], path: str) -> tuple[list[Any], str]:
-    """Values of one path over the cases and their unit: SI numbers if they are numbers, else texts."""
+    """Values of one path over the cases and their unit: SI numbers if all are numeric, otherwise text."""
     known = [r.numbers.get(path) for r in results]
     if any(known) and all(n is not None or r.status != OK for n, r in zip(known, results, strict=True)):
         return [np.nan if n is None else n[0] for n in known], next(n[1] for n in known if n is not None)

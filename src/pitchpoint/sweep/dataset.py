@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cases of a data set: computed, filtered, decimated, with noise; each the same bits for the same inputs.
+"""Cases of a data set: simulation, anti-aliasing filter, decimation and noise; reproducible to the bit.
 
-Every case is a model of its own. What differs from case to case are numbers, so all share the compiled code,
-and making a model and its system takes hundredths of a second.
+Each case is a separate model. Cases differ only in numerical values and share the compiled code, so creating
+a model and its system takes some hundredths of a second.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 CONSTANT = 1e-9
-"""Alternating part of a channel over its size below which it has no level that noise could be measured by."""
+"""Relative alternating part below which a channel is constant and a signal-to-noise ratio undefined."""
 
 
 @dataclass(frozen=True)
 class RecordedChannel:
-    """One channel of a case: samples, SI unit, words, rms of the noise that was added (0 = none)."""
+    """One channel of a case: samples, SI unit, long name, rms of the added noise (0 = none)."""
 
     values: NDArray[Any]
     unit: str
@@ -52,26 +52,26 @@ class RecordedChannel:
 
 @dataclass(frozen=True)
 class CaseRecord:
-    """What one case gave.
+    """Result of one case.
 
     Parameters
     ----------
     case
-        The case.
+        The planned case.
     key
         Hash of its inputs.
     status, sentence
-        How it ended, as a number of `pitchpoint.core.status` and in words.
+        Final status (`pitchpoint.core.status`) and its message.
     numbers
-        Numbers in force at the varied paths, jitter included: SI value and unit.
+        SI value and unit at each varied path, including jitter.
     channels
-        Samples by name of the channel; empty if it failed.
+        Samples by channel name; empty if the case failed.
     pulses
-        Times of the pulses of every tacho [s].
+        Pulse times of each tacho [s].
     steps
-        Time steps.
+        Number of time steps.
     notes
-        What the user should know.
+        Notes on the result.
     """
 
     case: PlannedCase
@@ -86,11 +86,11 @@ class CaseRecord:
 
 
 def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
-    """Make the function that gives the hash of all inputs of a case.
+    """Function that returns the hash of all inputs of a case.
 
-    Inputs are the content of the model, the recording options of the plan, the values and the seed of the
-    case, files that the values name with what is in them, and the version of the package; not the position in
-    the plan, nor the names of factors.
+    Inputs are the content of the model, the recording options of the plan, values and seed of the case, the
+    contents of files referenced by the values, and the package version, but not the position in the plan or
+    the names of factors.
     """
     common = {
         "model": content_hash(model),
@@ -113,7 +113,7 @@ def key_maker(plan: DatasetPlan, model: Model) -> Callable[[PlannedCase], str]:
 
 
 def _files(data: Any, folder: Path) -> list[str]:
-    """Hashes of the files that values name, as `FILE` or `FILE.py:function`."""
+    """Hashes of the files referenced by values as `FILE` or `FILE.py:function`."""
     if isinstance(data, Mapping):
         return [digest for value in data.values() for digest in _files(value, folder)]
     if isinstance(data, list | tuple):
@@ -121,40 +121,40 @@ def _files(data: Any, folder: Path) -> list[str]:
     if not isinstance(data, str):
         return []
     file = folder / data.partition(":")[0]
-    with suppress(OSError, ValueError):  # too long or with a zero: not the name of a file
+    with suppress(OSError, ValueError):  # too long or with a null character: not a file name
         if file.is_file():
             return [hashlib.sha256(file.read_bytes()).hexdigest()]
     return []
 
 
 def lead(plan: DatasetPlan) -> int:
-    """Samples before the first one that is recorded: the settling time, at least what the filter needs."""
+    """Number of samples before the first recorded one: settling time, at least the reach of the filter."""
     return max(math.ceil(plan.settle_time * plan.sample_rate - 1e-9), reach(plan))
 
 
 def reach(plan: DatasetPlan) -> int:
-    """Samples by which the filter looks ahead and back."""
+    """Half length of the anti-aliasing filter in samples."""
     return REACH if plan.oversampling > 1 else 0
 
 
 def treatment(plan: DatasetPlan) -> str:
-    """How the samples were taken, in a sentence."""
+    """Description of sampling, filtering and decimation."""
     if plan.oversampling == 1:
         return (
-            f"sampled at {plan.sample_rate:g} Hz without a filter: "
-            "vibration above half of it shows as aliases"
+            f"sampled at {plan.sample_rate:g} Hz without anti-aliasing filter: "
+            "content above half the sampling rate is aliased"
         )
     return (
-        f"sampled at {plan.oversampling * plan.sample_rate:g} Hz, low-pass of linear phase without delay "
-        f"(flat to {PASS * plan.sample_rate:g} Hz, {DAMPING:g} dB down from {STOP * plan.sample_rate:g} Hz), "
-        f"every {plan.oversampling}. sample kept"
+        f"sampled at {plan.oversampling * plan.sample_rate:g} Hz, zero-delay linear-phase low-pass filter "
+        f"(pass band to {PASS * plan.sample_rate:g} Hz, {DAMPING:g} dB attenuation from "
+        f"{STOP * plan.sample_rate:g} Hz), decimated by {plan.oversampling}"
     )
 
 
 def compute_case(
     plan: DatasetPlan, model: Model, case: PlannedCase, key: str, stop: threading.Event | None = None
 ) -> CaseRecord:
-    """Compute one case; whatever goes wrong becomes its status.
+    """Compute one case; errors are returned as its status and message.
 
     Parameters
     ----------
@@ -163,11 +163,11 @@ def compute_case(
     case, key
         The case and the hash of its inputs.
     stop
-        Set by another thread that wants the case to end.
+        Event that another thread sets to stop the case.
     """
 
     def listen(done: float, total: float, note: str = "") -> None:
-        """End a case when the set is stopped."""
+        """Stop the case if the data set is stopped."""
         if stop is not None and stop.is_set():
             raise KeyboardInterrupt
 
@@ -183,40 +183,40 @@ def compute_case(
 
 
 def varied_model(plan: DatasetPlan, model: Model, case: PlannedCase) -> Model:
-    """Model of a case: its values, then the jitter of its seed on the numbers given there."""
+    """Model of a case: its values, then the random jitter of its seed applied to them."""
     changed = model.replace_all(case.changes, allow_code=plan.allow_code) if case.changes else model
     shaken = {}
     combination = content_hash(dict(case.changes))
     for path, share in plan.jitter.items():
         number = number_at(changed, path)
         if number is None:
-            raise SolverError(f"jitter: there is no number at {path} in this case", REFUSED)
+            raise SolverError(f"jitter: {path} is not a number in this case", REFUSED)
         [normal] = white_noise(1, deviation=1.0, seed=_seeds(case.seed, path, combination))
         shaken[path] = number[0] * (1.0 + share * float(normal))
     return changed.replace_all(shaken) if shaken else changed
 
 
 def _seeds(*seeds: int | str) -> list[int]:
-    """Seeds as whole numbers, words by their checksums."""
+    """Seeds as integers; strings are replaced by their checksums."""
     return [s if isinstance(s, int) else zlib.crc32(s.encode()) for s in seeds]
 
 
 class _Tail:
-    """A sink that keeps the samples from one of them on."""
+    """Sink that stores all samples from index `first`."""
 
     def __init__(self, columns: int, first: int) -> None:
         self.columns, self.first, self.seen = columns, first, 0
         self.parts: list[NDArray[np.float64]] = []
 
     def append(self, t: NDArray[np.float64], values: NDArray[np.float64]) -> None:
-        """Take samples as they come."""
+        """Append a block of samples."""
         skip = max(0, self.first - self.seen)
         self.seen += len(t)
         if skip < len(t):
             self.parts.append(values[skip:])
 
     def rows(self) -> NDArray[np.float64]:
-        """All that was kept, shape (samples, columns)."""
+        """Stored samples, shape (samples, columns)."""
         return np.concatenate(self.parts) if self.parts else np.zeros((0, self.columns))
 
 
@@ -228,7 +228,7 @@ def _compute(
     numbers: dict[str, tuple[float, str]],
     listen: Any,
 ) -> CaseRecord:
-    """Run the model of a case and make its channels."""
+    """Run the model of a case and create its channels."""
     from pitchpoint.solvers.time import run_time
     from pitchpoint.system.compile import compile_model
 
@@ -259,7 +259,7 @@ def _compute(
         return CaseRecord(case, key, done.status, words, numbers, steps=done.steps)
     rows = sink.rows()
     if not np.all(np.isfinite(rows)):
-        raise SignalError("the computed channels are not finite; take a smaller step")
+        raise SignalError("the computed channels are not finite; use a smaller time step")
     t = (first + np.arange(len(rows))) / (times * rate) - before / rate
     recorded = dict(zip(names, rows.T, strict=True))
     channels: dict[str, RecordedChannel] = {}
@@ -284,7 +284,7 @@ def _compute(
 def _noisy(
     name: str, channel: ObservedChannel, clean: NDArray[np.float64], seed: int, key: str
 ) -> tuple[NDArray[np.float64], float]:
-    """A channel with its noise, and the standard deviation that was drawn with (0 = none)."""
+    """Channel with added noise, and the standard deviation of the noise (0 = none)."""
     if channel.noise is None:
         return clean, 0.0
     seeds = _seeds(seed, key, name)
@@ -292,7 +292,7 @@ def _noisy(
         rms = channel.noise.rms
         return clean + white_noise(clean.size, deviation=rms, seed=seeds), rms
     if float(clean.std()) <= CONSTANT * float(np.abs(clean).max()):
-        raise SignalError(f"channels.{name}: is constant, so snr means nothing; give the rms of the noise")
+        raise SignalError(f"channels.{name}: is constant, so snr is undefined; give the rms of the noise")
     noisy = with_white_noise(clean, signal_to_noise=float(channel.noise.snr or 0.0), seed=seeds)
     return noisy.values, noisy.noise_deviation
 
@@ -306,7 +306,7 @@ def compute_cases(
     keep: Callable[[CaseRecord], None],
     jobs: int | None = None,
 ) -> bool:
-    """Compute cases on all cores; states whether it came to the end, which Ctrl-C prevents.
+    """Compute cases on all cores; returns False if interrupted by Ctrl-C.
 
     Parameters
     ----------
@@ -315,35 +315,35 @@ def compute_cases(
     cases
         Cases with the hashes of their inputs.
     take
-        Called with every case, without its samples, in the calling thread.
+        Called with each case, without its samples, in the calling thread.
     keep
-        Stores a case, in the thread that computed it.
+        Stores a case; called in the thread that computed it.
     jobs
-        Threads; default one per core.
+        Number of threads; default one per core.
 
     Raises
     ------
     PitchpointError
-        If a case could not be stored; those under way are given up.
+        If a case could not be stored; cases in progress are abandoned.
     """
 
     def work(
         piece: tuple[PlannedCase, str], stop: threading.Event
     ) -> tuple[CaseRecord, PitchpointError | None]:
-        """Compute one case and write it; its record continues without samples."""
+        """Compute and store one case; returns its record without samples."""
         record, lost = compute_case(plan, model, *piece, stop), None
         try:
             keep(record)
-        except Exception as error:  # noqa: BLE001 - reported for the case; the others have their rows in the table
+        except Exception as error:  # noqa: BLE001 - reported for this case; the other cases are not affected
             status, words = how_it_failed(error)
             record = dataclasses.replace(record, status=status, sentence=words)
             lost = error if isinstance(error, PitchpointError) else None
         return dataclasses.replace(record, channels={}, pulses={}), lost
 
     def taken(result: tuple[CaseRecord, PitchpointError | None]) -> None:
-        """Pass a record on, and end everything if it could not be stored."""
+        """Pass a record to `take`; stop if it could not be stored."""
         take(result[0])
-        if result[1] is not None:  # a full disk: all that is computed from here on would be lost
+        if result[1] is not None:  # disk full: further results would be lost
             raise result[1]
 
     return on_all_cores(work, cases, taken, jobs)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Speed sweep: point by point, up and down, each point continuing where the last one stopped.
+"""Speed sweep: stepped speeds, up and down; each point starts from the final state of the previous one.
 
-A change of speed adds the ideal motion of the gear train (all bodies in the ratio of their teeth) to the
-velocities and leaves deflections and vibration alone, so the response stays on its branch until that branch
-ends.
+A change of speed adds the kinematic motion of the gear train (all bodies in the ratio of their teeth) to the
+velocities and does not change deflections and vibration, so that the response follows its branch up to a
+jump.
 """
 
 from __future__ import annotations
@@ -42,33 +42,33 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
 
 DRIFT = 0.005
-"""Share of its speed by which a machine may leave it at a point without a word."""
+"""Relative deviation of the mean speed from the prescribed speed above which a note is added."""
 STEPS_PER_PERIOD = 200
-"""Least steps per period of every mesh and of every mesh mode, unless given by the scenario.
+"""Minimum number of steps per period of every mesh and every mesh mode, unless given by the scenario.
 
-On the backlash oscillator of Kahraman and Singh 200 steps leave 5e-5 of half the backlash in the rms, 100
-steps 1.0e-4; the error falls with the square.
+For the backlash oscillator of Kahraman and Singh the error of the rms is 5e-5 of half the backlash with 200
+steps and 1.0e-4 with 100 steps; it decreases with the square of the step.
 """
 
 
 @dataclass(frozen=True)
 class SweepSummary:
-    """What a sweep found.
+    """Results of a speed sweep.
 
     Parameters
     ----------
     status, sentence
-        How it ended.
+        Final status and its message.
     points
-        One mapping per point in the order run: direction, speed [rad/s], mesh_frequency [Hz], statistics of
-        the swept mesh by quantity (unit, mean, rms, min, max), contact_loss_share and back_contact_share;
-        `channels` holds the statistics of every channel.
+        One mapping per point in the order of computation: direction, speed [rad/s], mesh_frequency [Hz],
+        statistics of the swept mesh by quantity (unit, mean, rms, min, max), contact_loss_share and
+        back_contact_share; `channels` contains the statistics of all channels.
     jumps
-        Direction and mesh frequency [Hz] of every jump.
+        Direction and mesh frequency [Hz] of each jump.
     steps, wall_s
-        Steps in all, wall time [s].
+        Total number of steps, wall time [s].
     notes
-        What the user should know.
+        Notes on the result.
     """
 
     status: int
@@ -82,10 +82,11 @@ class SweepSummary:
 
 @dataclass(frozen=True)
 class SweepPlan:
-    """Speeds of a sweep, what one rad/s of the swept body means for everyone else, how finely to step.
+    """Speeds, speed ratios and step sizes of a sweep.
 
-    `order` is the number of mesh periods of the swept mesh in a revolution of the swept body, `fastest` the
-    highest mesh frequency of the train over that of the swept mesh.
+    `order` is the number of mesh periods of the swept mesh per revolution of the swept body, `ratio` the
+    speed of each body over that of the swept body, and `fastest` the highest mesh frequency of the train
+    over that of the swept mesh.
     """
 
     mesh: str
@@ -100,29 +101,29 @@ class SweepPlan:
 
     @property
     def frequencies(self) -> NDArray[np.float64]:
-        """Mesh frequency at every speed [Hz]."""
+        """Mesh frequencies at all speeds [Hz], shape (points,)."""
         return np.abs(self.speeds) * self.order / (2.0 * math.pi)
 
     def points(self) -> Iterator[tuple[str, float]]:
-        """Directions and speeds [rad/s] in the order in which they are run."""
+        """Directions and speeds [rad/s] in the order of computation."""
         for direction in self.directions:
             for speed in self.speeds if direction == "up" else self.speeds[::-1]:
                 yield direction, float(speed)
 
     def steps_at(self, frequency: float, mesh_mode: float) -> int:
-        """Steps per mesh period."""
+        """Number of steps per period of the swept mesh."""
         if self.steps is not None:
             return self.steps
         return math.ceil(STEPS_PER_PERIOD * max(self.fastest, mesh_mode / frequency) * (1.0 - 1e-12))
 
 
 def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
-    """Points of a sweep; parameters as in `run_sweep`.
+    """Plan of a sweep; parameters as in `run_sweep`.
 
     Raises
     ------
     SolverError
-        If the scenario is not a sweep, or the swept mesh is at rest while the swept body turns.
+        If the scenario is not a sweep, or the swept mesh has no relative motion when the swept body rotates.
     """
     model, sweep = system.model, scenario.sweep
     if model is None or sweep is None:
@@ -132,8 +133,8 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
     order = orders[mesh]
     if not order > 0.0:
         raise SolverError(
-            f"mesh {mesh} is at rest while {sweep.body} turns, so it has no mesh frequency; sweep a body "
-            "that turns against the line of centres of the mesh",
+            f"mesh {mesh} is at rest while {sweep.body} rotates, so it has no mesh frequency; sweep a body "
+            "that rotates relative to the line of centres of the mesh",
             INCONSISTENT,
         )
     if sweep.mesh_frequency is not None:
@@ -156,7 +157,7 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
 
 
 class _Walk:
-    """A sweep under way: the run, the speed it has, the points behind it."""
+    """Sweep in progress: integrator run, present speed and step counts."""
 
     def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
         self.plan = plan
@@ -178,7 +179,7 @@ class _Walk:
         return 1.0 / (f * self.plan.steps_at(f, self.mode))
 
     def go_to(self, speed: float) -> None:
-        """Change the mean speed of the whole train; drives that hold a speed follow."""
+        """Change the mean speed of the whole train, including drives with constant speed."""
         w = self.system.workspace
         for name, ratio in self.plan.ratio.items():
             if ratio != 0.0:
@@ -193,7 +194,7 @@ class _Walk:
         self.run.change_step(self._step(speed))
 
     def advance(self, periods: int, sums: NDArray[np.float64] | None) -> int:
-        """Continue for some mesh periods, with statistics if there is a place for them; gives the status."""
+        """Integrate over some mesh periods, with statistics unless `sums` is None; returns the status."""
         f = self._frequency(self.speed)
         left = periods * self.plan.steps_at(f, self.mode)
         while left > 0:
@@ -208,7 +209,7 @@ class _Walk:
         return OK
 
     def point(self, direction: str, sums: NDArray[np.float64]) -> dict[str, Any]:
-        """Numbers of one point of the sweep."""
+        """Results of one point of the sweep."""
         found = read_statistics(sums)
         channels = {
             c.name: {
@@ -221,7 +222,7 @@ class _Walk:
             for k, c in enumerate(self.system.layout.channels)
         }
         state = self.system.layout.channel(f"contact_state[{self.plan.mesh}]")
-        # both flanks at once (state 2) count as contact of either
+        # simultaneous contact of both flanks (state 2) counts as neither contact loss nor back contact
         return {
             "direction": direction,
             "speed": self.speed,
@@ -245,18 +246,18 @@ def run_sweep(
     Parameters
     ----------
     system
-        Compiled with the scenario.
+        System compiled with the scenario.
     scenario
-        A scenario with `sweep`; default the one of the system.
+        Scenario with `sweep`; default: that of the system.
     progress
-        Called with the number of points after each.
+        Called after each point with the number of finished points.
     sink
-        Takes every point as soon as it is finished, such as a result file.
+        Called with each finished point, for example by a result file.
 
     Returns
     -------
     SweepSummary
-        Also of a failed or interrupted sweep, with the points that were finished.
+        Results, also of a failed or interrupted sweep with the points finished so far.
 
     Raises
     ------
@@ -301,14 +302,14 @@ def run_sweep(
 
 
 def _drifted(points: Sequence[dict[str, Any]], body: str) -> tuple[str, ...]:
-    """Note when a machine without drive did not keep its prescribed speeds."""
+    """Note if the mean speed without a drive deviates from the prescribed speed."""
     off = [p["channels"][f"speed[{body}]"]["mean"] / p["speed"] - 1.0 for p in points if p["speed"] != 0.0]
     worst = max(off, key=abs, default=0.0)
     if abs(worst) < DRIFT:
         return ()
     return (
-        f"{body} left its speed by up to {100.0 * worst:+.2g} % while a point was computed: the loads do not "
-        "balance there; drive or hold a body, or settle fewer periods",
+        f"{body}: the mean speed deviates by up to {100.0 * worst:+.2g} % from the prescribed speed, because "
+        "the loads do not balance; drive or hold a body, or reduce settle_periods",
     )
 
 
@@ -325,17 +326,17 @@ def sweep_speed(
     Returns
     -------
     xarray.Dataset
-        Dimensions `direction` and `mesh_frequency` [Hz]; for each quantity of the swept mesh `QUANTITY_mean`,
-        `_rms`, `_min`, `_max`, and the shares of lost and of back contact; every channel of the system under
-        its own name, such as `bearing_force[left.fx]`, with `statistic` (mean, rms, min, max) as a third
-        dimension; `jump_direction` (index in `direction`) and `jump_mesh_frequency` [Hz] over `jump`. NaN
-        where a point is missing. The attributes hold the notes. A result file of `pitchpoint sweep` has the
-        channels and the jumps under the same names.
+        Dimensions `direction` and `mesh_frequency` [Hz]; for each quantity of the swept mesh
+        `QUANTITY_mean`, `_rms`, `_min`, `_max`, and the shares of contact loss and back contact; all
+        channels of the system by name, such as `bearing_force[left.fx]`, with the third dimension
+        `statistic` (mean, rms, min, max); `jump_direction` (index in `direction`) and `jump_mesh_frequency`
+        [Hz] over `jump`. Missing points are NaN. The attributes contain the notes. Result files of
+        `pitchpoint sweep` have the same names of channels and jumps.
 
     Raises
     ------
     SolverError
-        If the sweep fails; `partial` holds the dataset so far.
+        If the sweep fails; `partial` contains the dataset so far.
     """
     import xarray as xr
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Points of a speed sweep as tables over direction and mesh frequency, for the dataset of `sweep_speed`."""
+"""Tables of sweep points over direction and mesh frequency, for the dataset of `sweep_speed`."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DIMENSIONS = ("direction", "mesh_frequency")
 
 Point = Mapping[str, Any]
 Variable = tuple[Any, ...]
-"""Dimensions, values and attributes, as xarray takes them."""
+"""Dimensions, values and attributes in the form of xarray."""
 
 
 @dataclass(frozen=True)
@@ -38,14 +38,14 @@ class Places:
 
 
 def places(points: Sequence[Point], directions: Sequence[str], grid: Sequence[float]) -> Places:
-    """Find the places of points among directions and mesh frequencies [Hz].
+    """Rows and columns of sweep points in tables over direction and mesh frequency [Hz].
 
     Parameters
     ----------
     points
         As in `SweepSummary`.
     directions, grid
-        Every direction and every mesh frequency that occurs.
+        All directions and mesh frequencies that occur.
     """
     row = {direction: k for k, direction in enumerate(directions)}
     column = {frequency: k for k, frequency in enumerate(grid)}
@@ -57,7 +57,7 @@ def places(points: Sequence[Point], directions: Sequence[str], grid: Sequence[fl
 
 
 def mesh_tables(points: Sequence[Point], at: Places) -> dict[str, Variable]:
-    """Every statistic of the swept mesh as a variable of its own, the shares and the speed."""
+    """One variable per statistic of the swept mesh, and the shares and the speed."""
     data: dict[str, Variable] = {}
     for name, _, _ in QUANTITIES:
         for key in STATISTICS:
@@ -71,7 +71,7 @@ def mesh_tables(points: Sequence[Point], at: Places) -> dict[str, Variable]:
 
 
 def channel_tables(channels: Sequence[Channel], points: Sequence[Point], at: Places) -> dict[str, Variable]:
-    """Statistics of every channel, one variable each, with `statistic` as last dimension."""
+    """One variable per channel, with `statistic` as the last dimension."""
     data: dict[str, Variable] = {}
     for c in channels:
         values = [[p["channels"][c.name][key] for key in STATISTICS] for p in points]
@@ -81,7 +81,7 @@ def channel_tables(channels: Sequence[Channel], points: Sequence[Point], at: Pla
 
 
 def jump_tables(jumps: Sequence[Mapping[str, Any]], directions: Sequence[str]) -> dict[str, Variable]:
-    """Direction (its index) and mesh frequency [Hz] of every jump."""
+    """Direction index and mesh frequency [Hz] of each jump."""
     which = np.array([directions.index(j["direction"]) for j in jumps], dtype=np.int32)
     where = np.array([j["mesh_frequency"] for j in jumps], dtype=np.float64)
     words = "direction of the jump, its index in `direction`"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Independent pieces of work on all cores.
+"""Parallel execution of independent tasks in threads.
 
-Threads share one compiled code, and its loops release the interpreter. Results are passed on in the
-calling thread, so that files and tables have one writer.
+Threads share the compiled code, whose loops release the GIL. Results are processed in the calling thread, so
+that files and tables have a single writer.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from collections.abc import Callable, Sequence
 from typing import TypeVar
 
 LOOK = 0.05
-"""How often the waiting thread looks at the keyboard [s]."""
+"""Interval at which the waiting thread checks for Ctrl-C [s]."""
 GRACE = 0.7
-"""How long pieces under way may take to stop after an interruption [s]."""
+"""Maximum time that tasks in progress have to stop after an interruption [s]."""
 
 W = TypeVar("W")
 D = TypeVar("D")
@@ -29,18 +29,18 @@ def on_all_cores(
     take: Callable[[D], None],
     jobs: int | None = None,
 ) -> bool:
-    """Do all pieces of work; states whether it came to the end, which Ctrl-C prevents.
+    """Execute all tasks; returns False if interrupted by Ctrl-C.
 
     Parameters
     ----------
     work
-        Does one piece in one of the threads; must not raise. The event is set when it should stop.
+        Executes one task in one of the threads; must not raise. The event is set when the task should stop.
     pieces
-        The pieces.
+        Tasks.
     take
-        Takes what was done, in the order in which it is finished, in the calling thread.
+        Called with each result in order of completion, in the calling thread.
     jobs
-        Threads; default one per core.
+        Number of threads; default one per core.
     """
     finished: queue.SimpleQueue[D] = queue.SimpleQueue()
     stop = threading.Event()
@@ -49,7 +49,7 @@ def on_all_cores(
     nothing = object()
 
     def serve() -> None:
-        """Take pieces and hand their results on, until there are none or all stop."""
+        """Execute tasks and queue their results until none is left or all stop."""
         while not stop.is_set():
             with turn:
                 piece = next(waiting, nothing)
@@ -58,7 +58,7 @@ def on_all_cores(
             finished.put(work(piece, stop))  # type: ignore[arg-type]
 
     count = max(1, min(jobs or os.cpu_count() or 1, len(pieces)))
-    # daemons: a piece that does not listen must not keep the interpreter from leaving
+    # daemon threads: a task that ignores the event must not block the exit of the interpreter
     threads = [threading.Thread(target=serve, daemon=True, name=f"case-{k}") for k in range(count)]
     done = 0
     try:

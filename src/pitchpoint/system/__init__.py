@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where a description becomes arrays: layout, records, residual, observation."""
+"""Compiled systems: layout, element records, residual and observations as arrays."""

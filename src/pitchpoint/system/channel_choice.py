@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Channels of a system by their names or by patterns of them."""
+"""Selection of channels by name or pattern."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ if TYPE_CHECKING:
 
 
 def chosen_channels(system: System, patterns: Sequence[str]) -> list[int]:
-    """Numbers of the channels that some patterns name, in the order of the system; all without patterns.
+    """Numbers of the channels that match the patterns, in the order of the system; without patterns all.
 
     Parameters
     ----------
     system
-        The system.
+        The compiled system.
     patterns
-        Names of channels; * matches any characters, as in `mesh_force[*]`.
+        Channel names; * matches any characters, as in `mesh_force[*]`.
 
     Raises
     ------
     SolverError
-        If a pattern names no channel.
+        If a pattern matches no channel.
     """
     names = [c.name for c in system.layout.channels]
     if not patterns:

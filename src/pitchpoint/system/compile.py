@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a model to a system: the rules of its sections turn components into records for the assembler."""
+"""Compilation of a model: the rules of its sections convert components to records for `assemble`."""
 
 from __future__ import annotations
 
@@ -36,26 +36,26 @@ if TYPE_CHECKING:
 
 
 def compile_model(model: Model, scenario: Scenario | str | None = None) -> System:
-    """Turn a model into flat arrays that solvers can use.
+    """Compile a model to the flat arrays that solvers use.
 
     Parameters
     ----------
     model
         A valid model with at least one body.
     scenario
-        Scenario (or its name) whose prescribed motions become constraints; None leaves all bodies free.
+        Scenario (or its name) whose prescribed motions become constraints; None: no prescribed motions.
 
     Returns
     -------
     System
-        Frozen; `System.copy` gives each thread its own.
+        Frozen; use `System.copy` for each further thread.
 
     Raises
     ------
     CompileError
-        If the model has no bodies or no such scenario, or something of it cannot be expressed.
+        If the model has no bodies, the scenario does not exist, or a component cannot be represented.
     ModelError
-        If a file that it names, of code or numbers, is not what it should be.
+        If a referenced code or data file is invalid.
     """
     try:
         return _compile(model, scenario)
@@ -65,7 +65,7 @@ def compile_model(model: Model, scenario: Scenario | str | None = None) -> Syste
 
 def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
-        raise CompileError("the model has no bodies: there is nothing that could move; add `bodies`")
+        raise CompileError("the model has no bodies; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
     tree = [*bodies(model), *housing_seats(model)]
     states: dict[str, int] = {}
@@ -95,7 +95,7 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     banks += _banks(late, places)
     every_body = [*places.tree, *hidden_bodies(elements)]
     if any(getattr(model, section) for section in SIGNALS):
-        # only machines with signals wait for what these need
+        # imported and compiled only for models with signals
         from pitchpoint.system.rules.signals import net_of_model
         from pitchpoint.system.signals import assemble_controlled
 
@@ -116,7 +116,7 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
 
 
 def _banks(used: Iterable[Section], places: Places) -> list[Bank]:
-    """What the rules of some sections make; modules of rules are imported only where a model needs them."""
+    """Banks created by the rules of the given sections; rule modules are imported only if needed."""
     found: list[Bank] = []
     for rule in dict.fromkeys(rule for section in used for rule in section.rules):
         module, _, function = rule.partition(":")
@@ -127,7 +127,7 @@ def _banks(used: Iterable[Section], places: Places) -> list[Bank]:
 
 
 def _named(model: Model, scenario: str) -> Scenario:
-    """Scenario of this name, or an error with the nearest spelling."""
+    """Scenario of this name; the error message suggests the nearest spelling."""
     if scenario not in model.scenarios:
         listed = ", ".join(model.scenarios) or "none"
         guess = did_you_mean(scenario, model.scenarios)
@@ -140,5 +140,5 @@ def _is_constraint(bank: Bank) -> bool:
 
 
 def _laws(banks: list[Bank]) -> dict[str, tuple[Law | None, ...]]:
-    """User laws of the kinds that have any."""
+    """User laws of each kind that has any."""
     return {b.kind: b.laws for b in banks if b.laws is not None and any(law is not None for law in b.laws)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sampled controllers: functions of a user or built in, called at the multiples of a sample time."""
+"""Sampled controllers: user-defined or built-in functions that are called at multiples of a sample time."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ from pitchpoint.core.errors import CompileError
 
 @dataclass(frozen=True)
 class SampledController:
-    """A controller f(t, inputs, state, parameters) -> outputs.
+    """Sampled controller f(t, inputs, state, parameters) -> outputs.
 
     Parameters
     ----------
     name
-        For messages.
+        Name of the controller, for messages.
     function
-        Gets the time [s], the inputs as an array, its own state, which it may change in place, and its
-        parameters; returns one number per output, or the number itself if there is one output.
+        Called with time [s], inputs (array), controller state (may be modified in place) and parameters;
+        returns one number per output, or a single number for one output.
     inputs, outputs
-        Names of the signals it reads, and of the held signals it writes.
+        Names of the input signals and of the zero-order-hold output signals.
     period
-        Time between two calls [s]; the first is at the start of the run.
+        Sample time [s]; the first call is at the start of the run.
     delay
-        Time from a call to the change of the outputs [s], a whole number of periods included.
+        Time from a call to the change of the outputs [s]; may be one or more periods.
     state
-        Start of its state, copied at the start of every run.
+        Initial state, copied at the start of each run.
     parameters
-        Handed on as they are.
+        Passed to the function unchanged.
     """
 
     name: str
@@ -48,14 +48,14 @@ class SampledController:
     parameters: Any = ()
 
     def __post_init__(self) -> None:
-        """Refuse times that are none."""
+        """Check period and delay."""
         if not (self.period > 0.0 and math.isfinite(self.period)):
             raise CompileError(f"controller {self.name!r}: its period must be positive, not {self.period}")
         if not (self.delay >= 0.0 and math.isfinite(self.delay)):
-            raise CompileError(f"controller {self.name!r}: its delay must not be negative, as {self.delay}")
+            raise CompileError(f"controller {self.name!r}: its delay must be >= 0, not {self.delay}")
 
     def call(self, t: float, inputs: Any, state: Any) -> tuple[list[float], str]:
-        """Outputs, and a sentence if it failed: what it raised or returned."""
+        """Call the function; returns the outputs and an error message, empty if the call succeeded."""
         try:
             answer = self.function(t, inputs, state, self.parameters)
         except KeyboardInterrupt:
@@ -86,18 +86,18 @@ def _where(error: BaseException) -> str:
 def sampled_pid(
     t: float, inputs: Sequence[float], state: dict[str, Any], parameters: dict[str, float]
 ) -> float:
-    """PID in the form of a digital controller: backward differences, clamped, with conditional integration.
+    """Discrete PID controller: backward differences, output limits, anti-windup by conditional integration.
 
     Parameters
     ----------
     t
         Time [s].
     inputs
-        The control error.
+        Control error.
     state
-        {"integral": 0.0, "error": None}: the error of the call before, None at the first.
+        {"integral": 0.0, "error": None}; error is that of the previous call, None at the first call.
     parameters
-        kp, ki, kd, period; low and high if the output has limits.
+        kp, ki, kd, period; optionally low and high as limits of the output.
     """
     e = float(inputs[0])
     h = parameters["period"]
@@ -107,6 +107,6 @@ def sampled_pid(
     u = parameters.get("kp", 0.0) * e + integral + parameters.get("kd", 0.0) * (e - before) / h
     state["error"] = e
     limited = min(max(u, low), high)
-    if u == limited or (u - limited) * e < 0.0:  # integrate only where it leads back
+    if u == limited or (u - limited) * e < 0.0:  # integrate only if the output leaves saturation
         state["integral"] = integral
     return limited

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic bodies of a system: their records, and the hidden bodies that carry their modal coordinates."""
+"""Elastic bodies of a system: their records, and the hidden bodies of their modal coordinates."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def elastic_records(system: System) -> list[tuple[str, np.void, tuple[str, ...]]]:
-    """Name and record of every elastic body, and the fields of the hidden bodies; body i is its frame."""
+    """Name, record and record fields of the hidden bodies of each elastic body; field i is its frame."""
     found = []
     for kind, bank in system.records.items():
         fields = registry.find(kind).modal
@@ -25,7 +25,7 @@ def elastic_records(system: System) -> list[tuple[str, np.void, tuple[str, ...]]
 
 
 def modal_bodies(system: System, frames: bool = False) -> list[int]:
-    """Numbers of all bodies that carry modal coordinates; on request of the frames, too."""
+    """Numbers of all bodies with modal coordinates; with `frames` also those of the floating frames."""
     own = ("i",) if frames else ()
     found = {int(r[field]) for _, r, fields in elastic_records(system) for field in (*own, *fields)}
     return sorted(found - {0})

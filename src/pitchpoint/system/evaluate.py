@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ask a compiled system questions at one state: residual, linearisation, observations, accelerations."""
+"""Evaluation of a compiled system at one state: residual, linearisation, observations, accelerations."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 
 def load(system: System, state: State) -> None:
-    """Copy a state into the workspace of a system."""
+    """Copy a state to the workspace of a system."""
     w = system.workspace
     w.q[:], w.v[:], w.a[:], w.lam[:] = state.q, state.v, state.a, state.lam
     w.fr["turns"] = state.turns
@@ -42,7 +42,7 @@ def load(system: System, state: State) -> None:
 
 
 def store(system: System, t: float) -> State:
-    """Copy the state out of the workspace of a system."""
+    """Copy of the state in the workspace of a system, with the time t [s]."""
     w = system.workspace
     return State(
         float(t),
@@ -56,7 +56,7 @@ def store(system: System, t: float) -> State:
 
 
 def explain(system: System, status: int) -> str:
-    """Sentence for a status, with the name of the element that reported it if one did."""
+    """Message for a status, with the name of the element that caused it, if any."""
     text = sentence(status)
     row, record = int(system.workspace.ctl[0]["badkind"]), int(system.workspace.ctl[0]["bad"])
     if row < 0 or status == INTERRUPTED:
@@ -81,7 +81,7 @@ def check(system: System, status: int, partial: State | None = None) -> None:
 
 
 def prepare(system: System) -> None:
-    """Write the constant parts of the workspace; needed once after it was made."""
+    """Write the constant parts of a new workspace, once."""
     w = system.workspace
     if not w.ready:
         send_request(w, REST)
@@ -91,7 +91,7 @@ def prepare(system: System) -> None:
 def accelerations(system: System, t: float, rate: float = 0.0) -> int:
     """Solve accelerations and multipliers at the state in the workspace, wrap the spins; returns the status.
 
-    `rate` pulls drifted constraints back [1/s].
+    `rate` [1/s] is the Baumgarte stabilisation of the constraints.
     """
     status = send_request(system.workspace, ACCELERATE, t, factors=(0.0, 0.0, rate))
     send_request(system.workspace, WRAP)
@@ -99,7 +99,7 @@ def accelerations(system: System, t: float, rate: float = 0.0) -> int:
 
 
 def fill_events(system: System, t: float, target: NDArray[np.float64]) -> int:
-    """Write all event functions at the state in the workspace into an array of theirs; returns the status."""
+    """Write all event functions at the state in the workspace to `target`; returns the status."""
     return send_request(system.workspace, EVENTS, t, where=target.ctypes.data)
 
 
@@ -109,7 +109,7 @@ def residual(system: System, state: State) -> NDArray[np.float64]:
     Raises
     ------
     SolverError
-        If an element refuses the state.
+        If an element cannot be evaluated at the state.
     """
     prepare(system)
     load(system, state)
@@ -125,7 +125,7 @@ def blocks(
     Returns
     -------
     ndarray, shape (na, 6, 6)
-        What `dense` and `sparse` take; sums of blocks are blocks of sums.
+        Blocks for `dense` and `sparse`; blocks may be added.
     """
     prepare(system)
     load(system, state)
@@ -135,14 +135,14 @@ def blocks(
         entry = linearise.entry
         link_exact(system.records)
     check(system, send_request(w, RESIDUAL, state.t, jac, (cm, cd, ck), entry=entry))
-    w.clock[VALID] = 0  # a run under way has lost the matrix it kept
+    w.clock[VALID] = 0  # invalidates the matrix of a run in progress
     found = w.A.copy()
-    found[0] = 0.0  # where the kernels drop what belongs to ground
+    found[0] = 0.0  # sink of contributions to ground
     return found
 
 
 def dense(system: System, parts: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Dense matrix (nd, nd) of its blocks."""
+    """Dense matrix (nd, nd) from its blocks."""
     rows, columns, places = system.layout.entries
     nd = system.sizes["nd"]
     whole = np.zeros((nd, nd))
@@ -151,7 +151,7 @@ def dense(system: System, parts: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def sparse(system: System, parts: NDArray[np.float64]) -> csc_array:
-    """Sparse matrix (nd, nd), compressed columns, of its blocks."""
+    """Sparse matrix (nd, nd) in compressed column format from its blocks."""
     from scipy.sparse import csc_array
 
     rows, columns, places = system.layout.entries
@@ -170,7 +170,8 @@ def matrix(
     cm, cd, ck
         Factors of mass, damping and stiffness.
     jac
-        `residual.EXACT` for the derivative of the residual, `residual.NEWTON` for what integrators use.
+        `residual.EXACT` for the exact derivative of the residual, `residual.NEWTON` for the Newton matrix of
+        the integrators.
     """
     return dense(system, blocks(system, state, cm, cd, ck, jac))
 
@@ -180,9 +181,10 @@ def linearize(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Exact derivatives of the residual: M = dR/da, D = dR/dv, K = dR/dq, each (nd, nd).
 
-    Gyroscopic terms are in D; geometric stiffness from loads and spins, and what dampers of spinning bodies
-    do to a displacement, in K, which is not symmetric then. Held in K are phase, path of contact and shared
-    width of the meshes (docs/decisions/0006-frozen-phase-tangents.md), and their friction is not followed.
+    D includes gyroscopic terms. K includes geometric stiffness due to loads and spins, and circulatory terms
+    due to dampers of spinning bodies, and is then not symmetric. Mesh phase, path of contact and shared face
+    width of the meshes are frozen in K (docs/decisions/0006-frozen-phase-tangents.md); mesh friction is not
+    linearised.
     """
     return (
         matrix(system, state, 1.0, 0.0, 0.0),
@@ -192,7 +194,7 @@ def linearize(
 
 
 def constraint_jacobian(system: System, state: State) -> NDArray[np.float64]:
-    """Rows G = dg/dq at a state, shape (nc, nd)."""
+    """Constraint Jacobian G = dg/dq at a state, shape (nc, nd)."""
     residual(system, state)
     return system.workspace.G.copy()
 

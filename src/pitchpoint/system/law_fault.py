@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Message of a user's law in which a computation stopped: compiled code can only return NaN."""
+"""Error message of a failed user law: repeats the call in Python, as compiled code only returns NaN."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from pitchpoint.system.system import System
 
 
 def law_fault(system: System, kind: str, number: int) -> str:
-    """Sentence about the law of one record, "" if it has none or answers now.
+    """Error message of the law of one record; "" if it has no law or the repeated call succeeds.
 
     Parameters
     ----------
     system
-        The system right after the element stopped: time, frames and scratch are those of the failed call.
+        The system right after the failure: time, frames and scratch arrays are those of the failed call.
     kind, number
         Name of the kind and number of the record.
     """
@@ -37,7 +37,7 @@ def law_fault(system: System, kind: str, number: int) -> str:
 
 
 def _arguments(system: System, record: Any, pool: Any) -> tuple[float, float, int, int]:
-    """Time, second argument, place and number of the parameters in the failed call."""
+    """Time, second argument, and position and number of the parameters in the failed call."""
     t = float(system.workspace.ctl[0]["t"])
     if "now" in record.dtype.names:  # a mesh
         return t, float(record["now"]["psi"]), int(record["params"]), len(pool)
@@ -61,7 +61,7 @@ def _arguments(system: System, record: Any, pool: Any) -> tuple[float, float, in
 
 
 def _name(function: Any) -> str:
-    """File and function, as a model file names them."""
+    """File and function name, as in a model file."""
     found = plain(function)
     code = getattr(found, "__code__", None)
     file = f"{Path(code.co_filename).name}:" if code is not None else ""

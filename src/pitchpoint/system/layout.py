@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names and indices: which coordinate, block, observation and row belongs to what. Made once per topology."""
+"""Layout of a system: names and indices of coordinates, blocks, observations and constraint rows."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pitchpoint.multibody.bodies import GENERAL, PATH, Body
 from pitchpoint.multibody.joints import FREE, SPIN, TORSION, TUMBLING
 from pitchpoint.multibody.projection import ANY, PROJ, SHAFTS, SPINS
 
-NODE = 6  # most coordinates of one node
+NODE = 6  # maximum number of coordinates of a node
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Layout:
     channels, events
         Observations and event functions in the order of their rows.
     node_of, offset_of
-        Node of every body and offset of its first coordinate inside it (-1 for bodies without coordinates).
+        Node of each body and offset of its first coordinate in the node (-1 for bodies without coordinates).
     blocks
         Block index of every ordered pair of nodes.
     node_dof, node_size
@@ -79,7 +79,7 @@ class Layout:
 
     @cached_property
     def entries(self) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
-        """Row, column and place in the blocks of every entry of the matrix, column by column."""
+        """Row, column and flat index in the blocks of all matrix entries, sorted by column."""
         found = []
         for (i, j), block in self.blocks.items():
             r, c = np.mgrid[: self.node_size[i], : self.node_size[j]]
@@ -91,14 +91,14 @@ class Layout:
 
 
 def group(sizes: Sequence[int], edges: set[tuple[int, int]]) -> list[list[int]]:
-    """Gather neighbouring bodies into nodes of at most six coordinates.
+    """Group coupled bodies to nodes of at most six coordinates.
 
     Parameters
     ----------
     sizes
         Number of coordinates of each body, ground included.
     edges
-        Pairs of bodies that share a tangent.
+        Pairs of bodies coupled by a tangent.
     """
     near: dict[int, set[int]] = {b: set() for b in range(len(sizes))}
     for i, j in edges:
@@ -126,7 +126,7 @@ def group(sizes: Sequence[int], edges: set[tuple[int, int]]) -> list[list[int]]:
 def place_coordinates(
     records: NDArray[np.void], nodes: list[list[int]]
 ) -> tuple[list[int], list[int], list[int], list[int]]:
-    """Number the coordinates node by node; returns node and offset of bodies, start and size of nodes."""
+    """Number the coordinates by nodes; returns node and offset of the bodies, start and size of the nodes."""
     nb = records.size
     node_of, offset_of = [-1] * nb, [-1] * nb
     starts, sizes = [], []
@@ -147,16 +147,16 @@ def place_coordinates(
 def structure(
     records: NDArray[np.void], pairs: set[tuple[int, int]], blocks_only: set[tuple[int, int]]
 ) -> tuple[dict[str, NDArray[Any]], dict[tuple[int, int], int], dict[str, Any]]:
-    """Write every integer programme of a tree of bodies.
+    """Create all integer programmes of a tree of bodies.
 
     Parameters
     ----------
     records
-        Body records; their dof, spin, path, first, count and ii fields are filled in.
+        Body records; the fields dof, spin, path, first, count and ii are set.
     pairs
-        Pairs of bodies joined by frame kinds.
+        Pairs of bodies coupled by frame kinds.
     blocks_only
-        Further pairs of bodies that only need a block (coordinate kinds).
+        Further pairs of bodies that require only a matrix block (coordinate kinds).
 
     Returns
     -------
@@ -166,9 +166,9 @@ def structure(
     owners = _owners(records)
     moving = [b for b in range(nb) if owners[b]]
     joined = {(i, j) for i, j in pairs | blocks_only if i != j and owners[i] and owners[j]}
-    of = [int(r["shares"]) or b for b, r in enumerate(records)]  # body whose coordinates they are
+    of = [int(r["shares"]) or b for b, r in enumerate(records)]  # body that owns the coordinates
     live = {(of[a], of[c]) for i, j in joined for a in owners[i] for c in owners[j] if of[a] != of[c]}
-    # what acts on a body joins all joints on its way; those before its own are on the way of another
+    # forces on a body couple all joints on its path; inboard joints are covered by the paths of their bodies
     ways = {(of[a], of[owners[b][-1]]) for b in moving for a in owners[b]}
     live |= {pair for a, c in ways if a != c for pair in ((a, c), (c, a))}
     nodes = group([int(r["n"]) if of[b] == b else 0 for b, r in enumerate(records)], live)
@@ -206,10 +206,10 @@ def structure(
 
 
 def products(records: NDArray[np.void], pairs: set[tuple[int, int]]) -> int:
-    """How many products of two joints the matrix is made of: rows of the projection programme.
+    """Number of joint pairs that contribute to the matrix: rows of the projection programme.
 
-    Every pair of bodies acts through all joints on the way to either, so that a chain of n bodies needs
-    n^3 / 3 of them.
+    Each pair of bodies involves all joints on the paths to both, so that a chain of n bodies requires n^3 /
+    3 rows.
     """
     count = [0] * records.size
     for b in range(1, records.size):
@@ -219,7 +219,7 @@ def products(records: NDArray[np.void], pairs: set[tuple[int, int]]) -> int:
 
 
 def _owners(records: NDArray[np.void]) -> list[list[int]]:
-    """Bodies whose joints move each body, from ground outwards; parents come before their children."""
+    """For each body the bodies whose joints move it, from ground outwards; parents come before children."""
     owners: list[list[int]] = [[]]
     for b in range(1, records.size):
         own = [b] if records[b]["n"] > 0 else []
@@ -228,7 +228,7 @@ def _owners(records: NDArray[np.void]) -> list[list[int]]:
 
 
 def _paths(records: NDArray[np.void], owners: list[list[int]]) -> NDArray[np.void]:
-    """List the joints on the path to every body; bodies get the places of their joints in it."""
+    """Table of the joints on the path to each body; sets first, count and path of the bodies."""
     rows: list[tuple[int, ...]] = []
     for b, mine in enumerate(owners):
         records[b]["first"], records[b]["count"] = len(rows), len(mine)
@@ -246,23 +246,23 @@ def _projection(
     blocks: Mapping[tuple[int, int], int],
     places: tuple[Sequence[int], Sequence[int]],
 ) -> NDArray[np.void]:
-    """Projection programme: every pair of bodies through every joint on the way to either.
+    """Projection programme: one row per pair of bodies and pair of joints on their paths.
 
     Parameters
     ----------
     records, path
-        Bodies and the joints on the way to each.
+        Bodies, and the joints on the path to each.
     index
         Numbers of the pairs of bodies.
     blocks
-        Block of every pair of nodes.
+        Block of each pair of nodes.
     places
-        Node of every body, and offset of its first coordinate there.
+        Node of each body, and offset of its first coordinate in the node.
     """
     one, two = np.array(list(index), np.int64).reshape(-1, 2).T
     across = records["count"][two]
     total = records["count"][one] * across
-    row = np.repeat(np.arange(total.size), total)  # number of the pair from 0, and of the row within it
+    row = np.repeat(np.arange(total.size), total)  # index of the body pair; `within`: row within the pair
     within = np.arange(row.size) - np.repeat(np.cumsum(total) - total, total)
     found = np.zeros(row.size, PROJ)
     found["pair"] = np.array(list(index.values()), np.int64)[row]
@@ -284,10 +284,10 @@ def _projection(
 def body_channels(
     bodies: Sequence[Body], names: Sequence[str], records: NDArray[np.void], first: int
 ) -> tuple[list[Channel], NDArray[np.int64]]:
-    """Observations of the bodies themselves: unwrapped angle, speed, displacements, attitudes.
+    """Observations of the bodies: unwrapped angle, speed, displacements, attitudes.
 
-    Returns the channels and rows (0 coordinate | 1 unwrapped spin | 2 rate, body, coordinate, observation);
-    of tumbling bodies (3, chart, first turn, first of four observations).
+    Returns the channels and a table with rows (0 coordinate | 1 unwrapped spin | 2 rate, body, coordinate,
+    observation), for tumbling bodies (3, chart, first rotation, first of four observations).
     """
     channels: list[Channel] = []
     table: list[tuple[int, int, int, int]] = []
@@ -297,7 +297,7 @@ def body_channels(
             dof = int(records[b]["dof"]) + k
             at = first + len(channels)
             if body.motion in TUMBLING and unit == "rad":
-                if coordinate == "alpha":  # the turns jump where they start afresh, attitudes do not
+                if coordinate == "alpha":  # the angles jump when the chart changes, the attitude does not
                     table.append((3, int(records[b]["chart"]), dof, at))
                     text = f"attitude of {name} against its start, quaternion"
                     channels += [Channel(f"attitude[{name}.{c}]", "1", f"{text}, {c}") for c in "xyzw"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Linear algebra on the workspace: factor the blocks, solve with constraint rows, find accelerations."""
+"""Linear algebra on the workspace: factorisation, solution with constraint rows, accelerations."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ from pitchpoint.system.workspace import FACTORISATIONS, MACH, REDUNDANT
 
 MOST_PASSES = 200
 SETTLED = 1e-13
-"""Change of the accelerations over their size at which friction fits the loads of the joints."""
+"""Relative change of the accelerations at which the iteration of joint friction has converged."""
 PATIENCE = 3
-"""Passes without a correction of half the size after which one is examined for rounding; then twice as
-many."""
+"""Passes without a halved correction before it is tested for round-off; doubled after each test."""
 LONGER = 1e6
-"""Factor by which that correction is lengthened: rounding does not grow with it."""
+"""Scale factor of the correction in this test: round-off does not increase with it."""
 CLEARLY = 0.05
-"""How much faster than the corrections did the lengthened one must shrink."""
+"""Required margin between the convergence ratios of the scaled and the unscaled correction."""
 
 
 @kernel
 def factor_entry(at, mass, other):
-    """Factor the matrix in the workspace and, with constraints, their Schur complement.
+    """Factor the matrix in the workspace and, with constraints, the Schur complement.
 
-    With `mass` it is the mass matrix alone, whose programmes may be shorter; the solution then takes theirs.
+    With `mass` the matrix is the mass matrix only; its (possibly shorter) programmes are also used by the
+    solution.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -61,7 +61,7 @@ def factor_entry(at, mass, other):
 
 @kernel
 def factor(at):
-    """Factor the matrix in the workspace, through the address of `factor_entry`."""
+    """Factor the matrix in the workspace, called by the address of `factor_entry`."""
     return call(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["factor_entry"], at, 0, 0)
 
 
@@ -73,7 +73,7 @@ def factor_mass(at):
 
 @kernel
 def solve_entry(at, spare, other):
-    """Solve A x + G^T y = -R, G x = -g with the factors in the workspace; x and y stay in the workspace."""
+    """Solve A x + G^T y = -R, G x = -g with the factors in the workspace; writes x and y there."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -105,7 +105,7 @@ def solve_entry(at, spare, other):
 
 @kernel
 def solve(at):
-    """Solve with the factors in the workspace, through the address of `solve_entry`."""
+    """Solve with the factors in the workspace, called by the address of `solve_entry`."""
     call(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["solve_entry"], at, 0, 0)
 
 
@@ -113,7 +113,7 @@ def solve(at):
 def solve_acceleration(at, t, rate):
     """Accelerations and multipliers of the state in the workspace: M a + G^T lam = f, G a = -gtt.
 
-    With rate > 0 [1/s] drift of the rows is pulled back: G a = -gtt - 2 rate (G v + gt) - rate^2 g.
+    With rate > 0 [1/s] the rows are stabilised (Baumgarte): G a = -gtt - 2 rate (G v + gt) - rate^2 g.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -148,12 +148,12 @@ def solve_acceleration(at, t, rate):
 
 @kernel
 def _settle_friction(at, t):
-    """Repeat the solution until friction fits the loads of the joints, which depend on the accelerations.
+    """Fixed-point iteration of joint friction: joint loads depend on the accelerations and vice versa.
 
-    Each pass corrects by what the residual leaves over with the mass matrix at hand; it contracts as long as
-    friction does not jam the mechanism. Forces that cancel, such as those of teeth and bearings in steady
-    running, leave rounding that no share of the accelerations bounds: corrections that hardly shrink,
-    although longer ones in the same direction would, are that rounding.
+    Each pass solves the remaining residual with the factored mass matrix; it converges unless friction jams
+    the mechanism. Large forces that cancel, such as tooth and bearing forces in steady operation, cause
+    round-off that is not small relative to the accelerations. Corrections that no longer decrease are
+    accepted as round-off if a scaled-up correction in the same direction does converge.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -199,7 +199,7 @@ def _settle_friction(at, t):
 
 @kernel
 def _correction(at, t):
-    """What the residual leaves over, solved with the mass matrix at hand, into x and y."""
+    """Solve the remaining residual with the factored mass matrix; results in x and y."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -222,7 +222,7 @@ def _correction(at, t):
 
 @kernel
 def _shrinks(at, t, change):
-    """Factor by which the next pass would shrink the correction x, y, were it `LONGER`; x and y are lost."""
+    """Convergence ratio of the next pass for the correction x, y scaled by `LONGER`; overwrites x and y."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -251,7 +251,7 @@ def _shrinks(at, t, change):
 
 @kernel
 def pull_back(at, rate):
-    """Turn the position residuals g of the rows into the right-hand side of their second derivative."""
+    """Replace the position residuals g by the right-hand side of the acceleration constraints."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     nc = c["nc"]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What an exact linearisation adds to the matrix of the integrators: moving axes, turned loads, gyration.
+"""Exact linearisation: terms of moving axes, rotated loads and gyroscopic effects.
 
-Integrators never use it, so it has its own entry, compiled only when modes or damping need it.
+Integrators do not use these terms. They have a separate entry, compiled only if modes or damping require it.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from pitchpoint.system.workspace import MACH
 
 @kernel
 def _project(proj, J, kk, X, A, T):
-    """One copy of `project_tangent` for all its calls here."""
+    """`project_tangent` as a separate function, so that it is compiled only once here."""
     project_tangent(proj, J, kk, X, A, T)
 
 
 @kernel
 def _any(x):
-    """Whether a vector holds anything but zeros: at rest most of what follows does not."""
+    """Whether a vector has a nonzero element; at rest most terms vanish and are skipped."""
     others = 0
     for i in range(x.size):
         others += int(x[i] != 0.0)
@@ -36,10 +36,10 @@ def _any(x):
 
 @kernel
 def exact_rates(at, cm, cd, ck):
-    """Parts of the exact matrix that a frame tangent alone cannot carry.
+    """Add the terms of the exact matrix that are not frame tangents.
 
-    Twists depend on q and accelerations on q and v through the moving joint axes:
-    A += ck J^T D (d twist/dq) + J^T M (cd d acc/dv + ck d acc/dq). Needs its own pass over the elements.
+    Due to the moving joint axes twists depend on q, and accelerations on q and v:
+    A += ck J^T D (d twist/dq) + J^T M (cd d acc/dv + ck d acc/dq). Requires further passes over the elements.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]

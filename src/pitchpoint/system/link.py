@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Address tables: where the entry of every kind is, where its records are, how many. Rebuilt in each
-process."""
+"""Address tables of element kinds: entry, records and number of records. Rebuilt in each process."""
 
 from __future__ import annotations
 
@@ -35,9 +34,9 @@ if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
 
 ACTING = (STATE, HELD, TORQUE, STRUT, FORCE, RATE, LINK)
-"""Signals that act on the machine, or are written and read between steps."""
+"""Operations of signals that act on the machine, or are written and read between steps."""
 NO_MATTER = 1e30
-"""Share of a coordinate that an error may have if nothing depends on it."""
+"""Relative error tolerance of coordinates on which nothing depends."""
 _CHANNEL = {
     traits.FRAME: 0,
     traits.FRICTION: 0,
@@ -49,7 +48,7 @@ _TABLE = {traits.CONSTRAINT: "cons", traits.MOTION: "guiding", traits.FRICTION: 
 
 
 TABLES = ("forces", "cons", "guiding", "frictions")
-"""Address tables, in the order in which their rows are counted for messages."""
+"""Address tables in the order of their row numbers in messages."""
 
 
 def link(
@@ -57,10 +56,10 @@ def link(
     pools: Mapping[str, NDArray[np.float64]],
     laws: Mapping[str, Sequence[Any]],
 ) -> dict[str, NDArray[np.int64]]:
-    """Make the address tables, rows (entry, records, count, channel, early).
+    """Create the address tables with rows (entry, records, count, channel, early).
 
-    Kinds come in alphabetical order, so sums are reproducible. Addresses of pools and user laws are written
-    into the records on the way.
+    Kinds are in alphabetical order, so that sums are reproducible. Also writes the addresses of pools and
+    user laws to the records.
     """
     tables: dict[str, list[tuple[int, ...]]] = {name: [] for name in TABLES}
     for name in sorted(records):
@@ -84,15 +83,15 @@ def link(
     return {name: np.array(rows, np.int64).reshape(-1, COLUMNS) for name, rows in tables.items()}
 
 
-#: Parts of the core that every driver calls: fields of MACH and their kernels.
+#: Core kernels that every driver calls, by their fields of MACH.
 _PARTS = {"residual": residual.entry, "factor_entry": linear.factor_entry, "solve_entry": linear.solve_entry}
 
 
 def prepare_kernels(kinds: Iterable[str], trees: bool = False) -> None:
-    """Compile what is not in the cache: the core here, the kinds of elements in a second process.
+    """Compile kernels that are not in the cache: the core here, element kinds in a second process.
 
-    Meshes go first: they are the largest kinds, and the records of a model need them before all others.
-    Bodies in `trees` need their own part of the core.
+    Meshes are first: they are the largest kinds, and the records of a model need them first. `trees` adds
+    the core kernels of bodies in trees.
     """
     found = [registry.find(name) for name in kinds]
     theirs = [kind.entry for kind in sorted(found, key=lambda kind: (kind.role != traits.MESH, kind.name))]
@@ -100,14 +99,14 @@ def prepare_kernels(kinds: Iterable[str], trees: bool = False) -> None:
 
 
 def link_exact(records: Mapping[str, NDArray[np.void]]) -> None:
-    """Compile what only exact tangents need and write its addresses into the records."""
+    """Compile the kernels of exact tangents and write their addresses to the records."""
     for name, bank in records.items():
         for field, kernel in registry.find(name).exact.items():
             bank[field] = address(kernel)
 
 
 def link_parts(body: NDArray[np.void]) -> dict[str, int]:
-    """Addresses of the parts of the core that these bodies need."""
+    """Addresses of the core kernels that these bodies require."""
     parts = dict(_PARTS)
     if np.any(body["joint"] == GENERAL) or np.any(body["fixed_axes"]):
         parts["tree"] = tree.entry
@@ -117,12 +116,12 @@ def link_parts(body: NDArray[np.void]) -> dict[str, int]:
 
 
 def signal_banks(records: Mapping[str, NDArray[np.void]]) -> list[NDArray[np.void]]:
-    """Records of signals; there is one bank at most."""
+    """Banks of signal records, one at most."""
     return [records[name] for name in registry.of_role(records, traits.SIGNAL)]
 
 
 def only_observes(name: str, bank: NDArray[np.void]) -> bool:
-    """Whether the records of a kind are signals that nothing but results reads."""
+    """Whether the records of a kind are signals used for output only."""
     return registry.find(name).role == traits.SIGNAL and not acts(bank)
 
 
@@ -132,7 +131,7 @@ def acts(signals: NDArray[np.void]) -> bool:
 
 
 def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -> None:
-    """Fill in what friction, signals and states of elements need of a new workspace."""
+    """Set the fields of a new workspace that depend on friction, signals and element states."""
     mach = workspace.mach[0]
     body = workspace.program["body"]
     mach["settles"] = np.any(workspace.tables["frictions"][:, residual.CHANNEL] != OBSERVER_CHANNEL)
@@ -141,23 +140,23 @@ def fit_signals(workspace: Workspace, records: Mapping[str, NDArray[np.void]]) -
     for bank in signal_banks(records):
         if not acts(bank):
             continue
-        if np.any(bank["op"] == CHANNEL):  # other elements observe at every evaluation
+        if np.any(bank["op"] == CHANNEL):  # signals read channels of other elements at every evaluation
             mach["watch"] = workspace.arrays["heard"].ctypes.data
-            mach["shares"] = 0  # they read all observations of the others at once
+            mach["shares"] = 0  # these signals need all observations in one pass
         if np.any(np.isin(bank["op"], (ACCELERATION, ANGULAR_ACCELERATION))):
-            mach["constant_mass"] = 0  # what follows accelerations may be part of the mass matrix
+            mach["constant_mass"] = 0  # feedback of accelerations changes the mass matrix
 
 
 @contextmanager
 def heard(
     workspace: Workspace, records: Mapping[str, NDArray[np.void]], channels: NDArray[np.int64] | None
 ) -> Iterator[None]:
-    """Let kinds that observe with the slope do so only if some of these channels are theirs; None: all do."""
+    """Context: kinds observed before the accelerations are evaluated only for these channels; None: all."""
     early = workspace.tables["forces"][:, EARLY]
     kept = early.copy()
     if channels is not None and len(channels):
         banks = [bank for bank in records.values() if "out" in (bank.dtype.names or ())]
-        firsts = np.array([bank["out"][0] for bank in banks])  # channels go kind by kind
+        firsts = np.array([bank["out"][0] for bank in banks])  # channels are ordered by kind
         for e in np.flatnonzero(early == 1):
             first = records[kind_of_row(records, int(e))]["out"][0]
             end = min(firsts[firsts > first], default=workspace.ctl[0]["no"])
@@ -169,6 +168,6 @@ def heard(
 
 
 def kind_of_row(records: Mapping[str, NDArray[np.void]], row: int) -> str:
-    """Name of the kind in a row of the tables: forces, constraints, guides, frictions."""
+    """Name of the kind of a row, counted through the `TABLES`; "?" if out of range."""
     ordered = sorted(records, key=lambda n: (TABLES.index(_TABLE.get(registry.find(n).channel, "forces")), n))
     return ordered[row] if 0 <= row < len(ordered) else "?"

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Programmes of the mass matrix alone: where no mass couples two bodies, its blocks are independent.
+"""Shorter programmes of the mass matrix if it is block diagonal.
 
-Explicit methods factor the mass matrix at every evaluation, because a tilt turns the inertia of a shaft. The
-programmes of the whole matrix also go through the blocks by which springs and flanks couple the bodies; of
-the mass matrix these are zero. Bodies on ground need nothing but their own diagonal blocks.
+Explicit methods factor the mass matrix at every evaluation, because the inertia of a shaft changes with its
+tilt. The programmes of the full matrix also process the coupling blocks of springs and flanks, which are
+zero in the mass matrix. Bodies on ground require only their diagonal blocks.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ NODE = 6
 def mass_programmes(
     program: Mapping[str, NDArray[Any]], records: Mapping[str, NDArray[np.void]]
 ) -> dict[str, NDArray[Any]]:
-    """Programmes mass_proj, mass_factor, mass_solve; those of the whole matrix where masses may couple."""
+    """Programmes mass_proj, mass_factor, mass_solve; those of the full matrix if masses may be coupled."""
     body, path, proj = program["body"], program["path"], program["proj"]
     alone = np.all(body["count"] <= 1) and not np.any(body["shares"])
     if not alone or not all(_no_mass(name, bank) for name, bank in records.items()):
@@ -41,5 +41,5 @@ def mass_programmes(
 
 
 def _no_mass(name: str, bank: NDArray[np.void]) -> bool:
-    """Whether the records of a kind bring no mass."""
+    """Whether the records of a kind add nothing to the mass matrix."""
     return registry.find(name).massless or only_observes(name, bank)

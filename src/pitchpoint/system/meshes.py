@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Meshes of a system, of cylindrical and bevel gears alike, as solvers and reports use them.
+"""Access to the meshes of a system, cylindrical and bevel gears, for solvers and reports.
 
-Records of both kinds have the same names for what solvers read (`elements/mesh/bevel/record.py`). Meshes
-count through the kinds in alphabetical order, as their observations and event functions do.
+Fields that solvers read have the same names in the records of both kinds (`elements/mesh/bevel/record.py`).
+Meshes are numbered over the kinds in alphabetical order, like their observations and event functions.
 """
 
 from __future__ import annotations
@@ -19,44 +19,43 @@ if TYPE_CHECKING:
 
 
 def mesh_places(system: System) -> list[tuple[str, int]]:
-    """Kind and number of the record of every mesh."""
+    """Kind and record number of each mesh."""
     return [(kind, k) for kind in system.kinds(MESH) for k in range(system.records[kind].size)]
 
 
 def mesh_records(system: System) -> list[np.void]:
-    """Records of all meshes; what is written into them goes to the system."""
+    """Records of all meshes, as views: writing to them changes the system."""
     return [system.records[kind][k] for kind, k in mesh_places(system)]
 
 
 def mesh_record(system: System, mesh: int) -> np.void:
-    """Record of one mesh; what is written into it goes to the system."""
+    """Record of one mesh, as a view: writing to it changes the system."""
     kind, k = mesh_places(system)[mesh]
     return system.records[kind][k]
 
 
 def one_mesh(system: System, mesh: int) -> dict[str, slice]:
-    """One mesh as a choice of records."""
+    """Selection of records with one mesh: {kind: slice}."""
     kind, k = mesh_places(system)[mesh]
     return {kind: slice(k, k + 1)}
 
 
 def is_bevel(record: np.void) -> bool:
-    """Whether a mesh is one of bevel gears."""
+    """Whether a record is that of a bevel mesh."""
     return "apex" in (record.dtype.names or ())
 
 
 def shared_width(record: np.void) -> tuple[float, float]:
-    """Ends of the face width that both gears share, of an evaluated mesh [m].
+    """Ends of the common face width of an evaluated mesh [m].
 
-    They count from the pitch point along parallel axes; of bevel gears, whose faces do not move, from the
-    mean cone distance.
+    Measured from the pitch point along parallel axes; for bevel gears from the mean cone distance (constant).
     """
     part = record if is_bevel(record) else record["now"]
     return float(part["z_lo"]), float(part["z_hi"])
 
 
 def force_directions(record: np.void) -> NDArray[np.float64]:
-    """Directions of the circumferential, radial and axial force on gear 2 of an evaluated mesh, rows."""
+    """Directions of tangential, radial and axial force on gear 2 of an evaluated mesh, rows of (3, 3)."""
     now = record["now"]
     if is_bevel(record):
         return np.array((now["t"], now["away"][1], now["axis"][1]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Records of elements as the compiled core wants them: checked, every index filled in, outputs counted."""
+"""Preparation of element records for the compiled core: checks, indices, numbering of outputs."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from pitchpoint.system.layout import Channel
 
 
 def checked(kind: Kind, bank: NDArray[np.void], nb: int) -> NDArray[np.void]:
-    """Own, contiguous copy of a bank with the exact dtype and valid body indices."""
+    """Contiguous copy of a bank, checked for dtype and body indices."""
     record = kind.record
     if bank.dtype != record:
-        raise CompileError(f"records of kind {kind.name!r} have another layout than the kind declares")
+        raise CompileError(f"records of kind {kind.name!r} do not have the dtype that the kind declares")
     bank = np.array(bank, dtype=record, order="C").reshape(-1)
     for pair in kind.pairs:
         for name in pair:
             if bank.size and not (0 <= bank[name].min() and bank[name].max() < nb):
                 raise CompileError(
-                    f"a record of kind {kind.name!r} names a body that does not exist ({name})"
+                    f"a record of kind {kind.name!r} refers to a body that does not exist ({name})"
                 )
     return bank
 
@@ -41,7 +41,7 @@ def _outputs(rows: Sequence[tuple[str, ...]], label: str) -> list[Channel]:
 
 
 def _movers(records: NDArray[np.void], b: int) -> set[int]:
-    """Bodies whose joints move a body."""
+    """Bodies whose joints move body b."""
     found = set()
     while b:
         if records[b]["n"] > 0:
@@ -51,7 +51,7 @@ def _movers(records: NDArray[np.void], b: int) -> set[int]:
 
 
 def _carried(records: NDArray[np.void], i: int, j: int) -> int:
-    """Which of two gears carries the line between them round: the one whose base moves with more joints."""
+    """Gear (1 or 2) whose base rotates the line of centres: that with more joints; 0 for none."""
     one, two = (_movers(records, base_of(records, b)) for b in (i, j))
     return 0 if one == two else 1 if len(one) > len(two) else 2
 
@@ -63,7 +63,7 @@ def fill(
     pair_index: Mapping[tuple[int, int], int],
     parts: Mapping[str, Any],
 ) -> None:
-    """Write the index fields of a bank: pair blocks, coordinate blocks, spin coordinates."""
+    """Set the index fields of a bank: pair blocks, coordinate blocks, spin coordinates."""
     fields = bank.dtype.names or ()
     paired = kind.paired
     for record in bank:
@@ -94,7 +94,7 @@ def fill(
 
 
 def pairs(banks: Mapping[str, NDArray[np.void]], channel: str) -> set[tuple[int, int]]:
-    """Pairs of bodies that the records of a channel join; of constraints only those on turning frames."""
+    """Pairs of bodies coupled by the records of a channel; constraints only on body-fixed frames."""
     return {
         (int(record[a]), int(record[b]))
         for name, bank in banks.items()
@@ -108,7 +108,7 @@ def pairs(banks: Mapping[str, NDArray[np.void]], channel: str) -> set[tuple[int,
 def number(
     banks: Mapping[str, NDArray[np.void]], names: Mapping[str, Sequence[str]]
 ) -> tuple[list[Channel], list[Channel], list[str], list[tuple[int, int]]]:
-    """Give every record its observations, event functions and constraint rows."""
+    """Number the observations, event functions and constraint rows of all records."""
     channels: list[Channel] = []
     events: list[Channel] = []
     rows: list[str] = []

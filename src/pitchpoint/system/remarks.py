@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a user should know about numbers that were computed without a fault: limits of the model passed."""
+"""Notes on results outside the validity of the model."""
 
 from __future__ import annotations
 
@@ -19,27 +19,27 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 DEEPEST = 0.1
-"""Penetration in normal modules up to which teeth count as springs on their undeformed line of action."""
+"""Maximum penetration in normal modules for teeth as springs on the undeformed line of action."""
 FULL_DAMPING = 0.9
-"""Share of the contact damping that counts as all of it."""
+"""Fraction of the contact damping above which it is considered complete."""
 
 
 def deep_contacts(
     model: Model | None, statistics: Iterable[Mapping[str, Mapping[str, Any]]]
 ) -> tuple[Message, ...]:
-    """Notes on meshes whose flanks went deeper into each other than teeth can bend.
+    """Notes on meshes whose flank penetration exceeds the possible deflection of teeth.
 
-    Penetration is counted from the backlash at the centre distance of the model, on either flank. Beyond a
-    tenth of a module neither a stiffness per tooth nor the undeformed path of contact means anything: the
-    loads, the stiffness or a prescribed motion are wrong by a unit or a sign.
+    The penetration is the deflection beyond half the backlash at the centre distance of the model, on either
+    flank. Above a tenth of a module neither the tooth stiffness nor the undeformed path of contact is valid;
+    usually a load, a stiffness or a prescribed motion has a wrong unit or sign.
 
     Parameters
     ----------
     model
-        The model that was computed; without one there are no remarks.
+        The computed model; None: no notes.
     statistics
-        One or several tables of channels with `min` and `max`, as runs, rolls and points of sweeps give them;
-        NaN where there was no sample.
+        One or more tables of channels with `min` and `max` from runs, slow rolls or sweep points; NaN
+        without samples.
     """
     if model is None:
         return ()
@@ -57,11 +57,11 @@ def deep_contacts(
             found.append(
                 Message(
                     at,
-                    f"the flanks go {format_quantity(deepest, 'length', 3)} into each other, more than teeth "
-                    "can bend",
+                    f"the flank penetration reaches {format_quantity(deepest, 'length', 3)}, more than teeth "
+                    "can deflect",
                     limit=f"about 0.1 m_n = {format_quantity(limit, 'length', 3)}",
-                    remedy="check the loads, the stiffness, prescribed motions, a given time step, and "
-                    "the damping: with too little of it a varying stiffness can build up unbounded vibration",
+                    remedy="check loads, stiffness, prescribed motions, a given time step, and damping: "
+                    "with low damping the varying stiffness can cause parametric instability",
                     kind="note",
                 )
             )
@@ -69,15 +69,15 @@ def deep_contacts(
 
 
 def weak_damping(system: System, statistics: Mapping[str, Mapping[str, Any]]) -> tuple[str, ...]:
-    """Sentences about meshes whose flanks stay in contact, but less deep than the contact damping requires.
+    """Notes on meshes that stay in contact but have a mean penetration too small for full contact damping.
 
-    Contact damping grows from nothing at first contact to its full value at the penetration s_0. Where the
-    mean penetration is smaller, a ratio of 5 % may act with a tenth of that.
+    Contact damping increases from zero at first contact to its full value at the penetration s_0. If the mean
+    penetration is smaller, a damping ratio of 5 % may have only a tenth of its effect.
 
     Parameters
     ----------
     system
-        The system that was computed.
+        The computed system.
     statistics
         Channels with `mean`, and `share_zero` of the contact states.
     """

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All requests of Python about one state, behind one kernel.
+"""Single kernel for all evaluations of one state that Python requests.
 
-Time and factors travel in the control record, so the kernel has the signature of an entry and needs no
-wrapper of its own.
+Time and factors are passed in the control record, so that the kernel has the signature of an entry and
+requires no wrapper.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ from pitchpoint.system.workspace import MACH
 if TYPE_CHECKING:
     from pitchpoint.system.workspace import Workspace
 
-#: Requests.
+#: Codes of the evaluations.
 REST, RESIDUAL, OBSERVE, EVENTS, ACCELERATE, WRAP = range(6)
 
 
 @kernel
 def handle_request(at, request, where):
-    """Serve one request about the state in the workspace, at the time and with the factors in the control.
+    """Evaluate the state in the workspace, with time and factors of the control record; returns the status.
 
-    REST: write what never changes. RESIDUAL: residual and matrix (jac, cm, cd, ck). OBSERVE, EVENTS: fill the
-    array at `where`. ACCELERATE: accelerations and multipliers (ck = rate that pulls constraints back).
-    WRAP: bring spins into (-pi, pi].
+    REST: write constant values. RESIDUAL: residual and matrix (jac, cm, cd, ck). OBSERVE, EVENTS: fill the
+    array at `where`. ACCELERATE: accelerations and multipliers (ck = stabilisation rate of the constraints).
+    WRAP: wrap spins to (-pi, pi].
     """
     c = view(at, 1, CTL)[0]
     t = c["t"]
@@ -61,7 +61,7 @@ def send_request(
     where: int = 0,
     entry: Any = handle_request,
 ) -> int:
-    """Make a request with plain numbers, to `handle_request` or to another entry; returns the status."""
+    """Set the control record and call `handle_request` or another entry; returns the status."""
     ctl = workspace.ctl[0]
     ctl["t"], ctl["jac"] = t, jac
     ctl["cm"], ctl["cd"], ctl["ck"] = factors

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The one residual R(t, q, v, a, lam) = M a - f + G^T lam and its matrix cm M + cd D + ck K.
+"""Residual R(t, q, v, a, lam) = M a - f + G^T lam and its matrix cm M + cd D + ck K.
 
-Statics, modes, frequency response and every integrator call this with their own three coefficients. `jac` is
-what they require: FORCES (0), NEWTON (1, tangents may be approximate), EXACT (2, for linearisation) or MASS
-(3, the mass matrix alone, elements compute forces only).
+Statics, modes, frequency response and all integrators use this residual with their own three factors. `jac`
+selects the result: FORCES (0), NEWTON (1, tangents may be approximate), EXACT (2, for linearisation) or MASS
+(3, mass matrix only, elements compute forces only).
 """
 
 from __future__ import annotations
@@ -24,16 +24,16 @@ from pitchpoint.system.workspace import MACH
 FORCES, NEWTON, EXACT, MASS = 0, 1, 2, 3
 FRAME_CHANNEL, COORDINATE_CHANNEL = 0, 1
 OBSERVER_CHANNEL = 4
-"""Channel of signals that nothing but results reads: they run only where somebody looks."""
+"""Channel of signals used for output only; evaluated only when observations are requested."""
 ENTRY, RECORDS, COUNT, CHANNEL, EARLY = range(5)
 COLUMNS = 5
-"""Columns of the tables of kinds: address, records, how many, channel; 1 if the observations of the kind
-follow from places and rates alone, so that they are available before the accelerations, and 2 if they are not
-used (`link.heard`)."""
+"""Columns of the address tables: entry, records, number of records, channel, early. early is 1 if the
+observations of the kind depend on positions and rates only, so that they are available before the
+accelerations, and 2 if they are not requested (`link.heard`)."""
 ALL, SOONER, LATER = 0, 1, 2
-"""Which kinds observe: all, those that need no accelerations, the others (no other kind runs then)."""
+"""Kinds that observe: all, those that need no accelerations, only the others (the first are then skipped)."""
 TWO_PI = 6.283185307179586
-MOST_TURN = 1e12  # largest turn in one step that is counted [rad]
+MOST_TURN = 1e12  # maximum rotation in one step that is wrapped [rad]
 
 
 @kernel
@@ -45,7 +45,7 @@ def zero(x):
 
 @kernel
 def run_kinds(at, table, frames_only):
-    """Call the entries of a table of kinds; stop at the first that does not return OK and note its row."""
+    """Call the entries of an address table; stop at the first error and store its row in `badkind`."""
     c = view(at, 1, CTL)[0]
     part = view(c["mach"], 1, MACH)[0]["part"]
     out = c["out"]
@@ -69,8 +69,7 @@ def run_kinds(at, table, frames_only):
 
 @kernel
 def constraints(at):
-    """Evaluate all rows; add multipliers to the residual (rows on coordinates) and wrenches (rows on
-    frames)."""
+    """Evaluate all constraint rows; add the multipliers to residual (coordinates) and wrenches (frames)."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nc = c["nc"]
@@ -122,10 +121,10 @@ def entry(at, jac, spare):
     kinematics(body, fr, J, view(c["q"], nd, F8), view(c["v"], nd, F8), view(c["a"], nd, F8))
     zero(R)
     if jac != FORCES:
-        zero(view(c["A"], 36 * c["na"], F8))  # in one row, which the compiler makes one call
+        zero(view(c["A"], 36 * c["na"], F8))  # as a vector, which compiles to a single call
         zero(view(c["kk"], 36 * c["np"], F8))
     else:
-        c["cm"] = 0.0  # elements with mass go by this factor, also where only masses are required
+        c["cm"] = 0.0  # elements with mass use this factor for any jac
     inertia(body, fr, kk, jac, c["cm"], c["cd"])
     c["jac"] = FORCES if jac == MASS else jac
     if m["tree"] != 0:
@@ -159,7 +158,7 @@ def entry(at, jac, spare):
 def residual(at, t, jac, cm, cd, ck):
     """Evaluate R, and with jac > 0 the blocks of cm M + cd D + ck K, at the state in the workspace.
 
-    Through the address of `entry`: its code is compiled once and not again inside every driver.
+    Called by the address of `entry`, so that its code is compiled once and not inlined in every driver.
     """
     c = view(at, 1, CTL)[0]
     c["t"] = t
@@ -169,7 +168,7 @@ def residual(at, t, jac, cm, cd, ck):
     m = view(c["mach"], 1, MACH)[0]
     if m["watch"] == 0 or c["out"] != 0:
         return call(m["residual"], at, jac, 0)
-    c["out"] = m["watch"]  # signals read what elements observe
+    c["out"] = m["watch"]  # signals read observations of elements
     status = call(m["residual"], at, jac, 0)
     c["out"] = 0
     return status
@@ -190,9 +189,9 @@ def observe(at, t, where):
 
 @kernel
 def observe_later(at, t, where):
-    """Complete the observations in the row at address `where`, begun with `part` SOONER at the same state.
+    """Complete the observations at address `where` that `part` SOONER has started at the same state.
 
-    The accelerations and multipliers of the state are there by now. Bodies follow with `observe_bodies`.
+    Requires the accelerations and multipliers of the state. The bodies are written by `observe_bodies`.
     """
     m = view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]
     if m["later"] == 0:
@@ -221,7 +220,7 @@ def observe_bodies(at, where):
         d = table[e, 2]
         if table[e, 0] == 0:
             out[table[e, 3]] = q[d]
-        elif table[e, 0] == 1:  # outputs unwrap
+        elif table[e, 0] == 1:  # unwrapped for output
             out[table[e, 3]] = q[d] + TWO_PI * fr[table[e, 1]]["turns"]
         elif table[e, 0] == 3:
             attitude(charts[table[e, 1]], q[d], q[d + 1], q[d + 2], out, table[e, 3])
@@ -241,7 +240,7 @@ def evaluate_events(at, t, where):
 
 @kernel
 def wrap(at):
-    """Bring every spin back into (-pi, pi]; the subtraction of 2 pi is exact there. Only after acceptance."""
+    """Wrap all spins to (-pi, pi] after an accepted step; the subtraction of 2 pi is exact there."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     spins = view(m["spins"], (m["nspins"], 2), I8)
@@ -250,10 +249,10 @@ def wrap(at):
     for e in range(spins.shape[0]):
         d = spins[e, 0]
         if not abs(q[d]) < MOST_TURN:
-            # too large for any digit of the angle to be right, or no number: whoever steps will find out
+            # NaN, or too large for a meaningful angle: the integrator detects it
             continue
         if abs(q[d]) > 2.0 * TWO_PI:
-            # a runaway body: many turns in one step, no point in counting them one by one
+            # many revolutions in one step: divide instead of counting
             n = math.floor(q[d] / TWO_PI + 0.5)
             q[d] -= n * TWO_PI
             fr[spins[e, 1]]["turns"] += int(n)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Systems with signals: their records in addition to those of the other elements, and their controllers."""
+"""Systems with signals and sampled controllers."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pitchpoint.elements.signals.net import SignalNet
 from pitchpoint.system.controller import SampledController
 from pitchpoint.system.system import System, assemble
 
-OBSERVED = "name a channel as results have it"
+OBSERVED = "use the name of a result channel"
 
 
 def assemble_controlled(
@@ -32,19 +32,21 @@ def assemble_controlled(
     laws: Mapping[str, Sequence[Any]] | None = None,
     **more: Any,
 ) -> System:
-    """Make a system with signals; arguments as of `system.assemble`, but for those below.
+    """Assemble a system with signals; other arguments as in `system.assemble`.
 
     Parameters
     ----------
     net
-        The bodies with their signals.
+        Bodies and signals.
     controllers
-        Sampled controllers; they write signals made by `SignalNet.held`.
+        Sampled controllers; their outputs are signals created by `SignalNet.held`.
 
     Raises
     ------
     CompileError
-        If signals form an algebraic loop, or something is named that does not exist.
+        If signals form an algebraic loop, or a name does not exist.
+    ModelError
+        If a sensor refers to a channel that does not exist.
     """
     if not net.nodes:
         return assemble(net.bodies, banks, constraints, names=names, pools=pools, laws=laws, **more)
@@ -72,7 +74,7 @@ def assemble_controlled(
 
 
 def _check(net: SignalNet, controllers: Sequence[SampledController]) -> None:
-    """Controllers read signals and write held ones, each of these once."""
+    """Check that controllers read existing signals and write held signals, each written only once."""
     taken: set[str] = set()
     for controller in controllers:
         for name in controller.inputs:
@@ -82,7 +84,7 @@ def _check(net: SignalNet, controllers: Sequence[SampledController]) -> None:
             if name not in net.nodes or net.nodes[name].op != sr.HELD:
                 raise CompileError(f"controller {controller.name!r}: {name!r} is not a held signal")
             if name in taken:
-                raise CompileError(f"controller {controller.name!r}: {name!r} has another controller already")
+                raise CompileError(f"controller {controller.name!r}: {name!r} has two controllers")
             taken.add(name)
 
 
@@ -92,7 +94,7 @@ def kind_of_signals(system: System) -> str:
 
 
 def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:
-    """Values of signals at the last evaluation of the system."""
+    """Values of signals at the last evaluation of the system, shape (n,)."""
     kind = kind_of_signals(system)
     labels = list(system.names[kind])
     slots = [int(system.records[kind]["slot"][labels.index(name)]) for name in names]
@@ -101,14 +103,14 @@ def values(system: System, names: Sequence[str]) -> NDArray[np.float64]:
 
 
 def hold(system: System, name: str, value: float) -> None:
-    """Write a held signal."""
+    """Set the value of a held signal."""
     kind = kind_of_signals(system)
     record = system.records[kind][list(system.names[kind]).index(name)]
     system.pools[kind][int(record["start"])] = value
 
 
 def reset(system: System) -> None:
-    """Bring all held signals back to their start values."""
+    """Reset all held signals to their start values."""
     kind = kind_of_signals(system)
     for record in system.records[kind]:
         if record["op"] == sr.HELD:

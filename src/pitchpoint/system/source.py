@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where in the model file a record comes from, so that a failed computation can name component and line."""
+"""Origin of records in the model file: component and line for messages of failed computations."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ if TYPE_CHECKING:
 
 
 def source(system: System, kind: str, name: str) -> str:
-    """Place in the model file of a record, such as "loads.push (line 6)".
+    """Path of a record in the model file, such as "loads.push (line 6)".
 
     Parameters
     ----------
     system
-        A system.
+        The compiled system.
     kind, name
-        Kind of the record and its name; a component may have several, NAME.x or NAME.2.
+        Kind and name of the record; a component may have several records such as NAME.x or NAME.2.
 
     Returns
     -------
     str
-        Without a model, or where none of its components has the name: kind and name.
+        Path and line; kind and name if there is no model or no component with this name.
     """
     described = registry.find(kind)
     if described.role == DRIVE and (driven := _drive(system, name)):
@@ -41,7 +41,7 @@ def source(system: System, kind: str, name: str) -> str:
 
 
 def coordinate_source(system: System, name: str) -> str:
-    """A coordinate, as results name it, with the line of its body: "rotor.z (line 4)"."""
+    """Name of a coordinate with the line of its body: "rotor.z (line 4)"."""
     body = name.rpartition(".")[0]
     for section in ("bodies", "shafts", "elastic_bodies") if system.model is not None else ():
         line = system.model.line((section, body.partition(".")[0])) if system.model is not None else None
@@ -51,7 +51,7 @@ def coordinate_source(system: System, name: str) -> str:
 
 
 def _drive(system: System, name: str) -> str:
-    """Place of a drive in its scenario; "" without a model."""
+    """Path of a drive in its scenario; "" without a model."""
     if system.model is None or system.scenario is None:
         return ""
     scenario = next((n for n, s in system.model.scenarios.items() if s is system.scenario), "")
@@ -61,14 +61,14 @@ def _drive(system: System, name: str) -> str:
 
 
 def row_source(system: System, row: int) -> str:
-    """The same for a constraint row by its number."""
+    """Path of a constraint row in the model file, by its number; see `source`."""
     words = system.layout.rows[row]
     kind, _, name = words.partition(" ")
     return source(system, kind, name) if _component(system, registry.find(kind), name) else words
 
 
 def row_unit(system: System, row: int) -> str:
-    """Unit of what a constraint row is off by, with a blank before it; "" for angles and ratios."""
+    """Unit of the residual of a constraint row, with a leading blank; "" for angles and ratios."""
     kind = registry.find(system.layout.rows[row].partition(" ")[0])
     bank = system.records[kind.name]
     unit = kind.row_unit(bank[(bank["row"] <= row) & (row < bank["row"] + kind.rows)][0])
@@ -76,13 +76,13 @@ def row_unit(system: System, row: int) -> str:
 
 
 def with_lines(model: Model, error: ModelError) -> ModelError:
-    """The error with the lines of those of its problems that have none but name a place in the file."""
+    """Copy of the error with line numbers added to the problems that have a path but no line."""
     found = [p if p.line is not None else p.changed(line=model.line_of(p.where)) for p in error.problems]
     return ModelError(found, error.file or model.file)
 
 
 def _component(system: System, kind: Kind, name: str) -> tuple[str, str] | None:
-    """Section and name of the component that a record comes from."""
+    """Section and name of the component of a record."""
     if system.model is None:
         return None
     for section in kind.sections:

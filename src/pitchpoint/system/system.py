@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The compiled form of a model: record arrays, structure, names. `assemble` makes it from numbers alone."""
+"""Compiled system: record arrays, structure and names; `assemble` creates it from numerical data."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ if TYPE_CHECKING:
 
 TWO_PI = 6.283185307179586
 MOST_PRODUCTS = 12_000_000
-"""Products of two joints in the matrix beyond which it takes gigabytes, and every step a second: a chain of
-330 bodies."""
+"""Maximum number of joint pairs in the matrix (chain of 330 bodies); beyond it the matrix takes gigabytes
+and a step takes seconds."""
 Law = Callable[..., float] | int
 
 
 @dataclass
 class State:
-    """State of a system: plain arrays, owned by the caller.
+    """State of a system; the arrays are owned by the caller.
 
     Parameters
     ----------
@@ -46,9 +46,9 @@ class State:
     lam
         Multipliers of the constraint rows, shape (nc,).
     turns
-        Whole turns of every body, ground first, shape (nb,); the spin is q + 2 pi turns.
+        Whole turns of each body, ground first, shape (nb,); the spin angle is q + 2 pi turns.
     charts
-        Attitudes from which the turns of tumbling bodies count, shape (number of them, 3, 3).
+        Reference attitudes of the rotations of tumbling bodies, shape (number of tumbling bodies, 3, 3).
     """
 
     t: float
@@ -66,34 +66,34 @@ class State:
 
 @dataclass(frozen=True)
 class System:
-    """Flat arrays of one compiled model. Use one per thread: `copy` shares nothing that a kernel writes.
+    """Flat arrays of one compiled model. Use a separate `copy` for each thread.
 
     Parameters
     ----------
     bodies
-        The bodies without ground.
+        Bodies without ground.
     layout
         Names and indices.
     records
-        Record array of every kind used.
+        Record array of each kind used.
     program
         Structure arrays (see `layout.structure`).
     sizes
-        nb, nd, np, na, nc, no, ne.
+        Sizes nb, nd, np, na, nc, no, ne (see `CTL`).
     pools
-        Float array of every kind that has one; its address goes to the field ``pool`` of the records.
+        Table pool of each kind that has one; its address is stored in the field ``pool`` of the records.
     laws
-        User laws of every kind, one per record or None; their addresses go to the field ``law``.
+        User laws of each kind, one per record or None; their addresses are stored in the field ``law``.
     weight
         Length per unit of each coordinate in error norms.
     names
-        Names of the records of every kind, for messages.
+        Names of the records of each kind, for messages.
     keep
-        Further objects that must live as long as the records (arrays whose addresses they hold).
+        Objects that must live as long as the records (arrays whose addresses are stored in records).
     controllers
-        Sampled controllers; time runs call them at their instants.
+        Sampled controllers, called by time integration at their sample times.
     model, scenario
-        The description it was made from, if there was one.
+        Model and scenario from which the system was compiled, if any.
     """
 
     bodies: tuple[Body, ...]
@@ -112,7 +112,7 @@ class System:
 
     @cached_property
     def workspace(self) -> Workspace:
-        """Memory and addresses, made at first use in this process."""
+        """Memory and addresses, created at first use in this process."""
         tables = link(self.records, self.pools, self.laws)
         parts = link_parts(self.program["body"])
         program = {**self.program, **mass_programmes(self.program, self.records)}
@@ -122,11 +122,11 @@ class System:
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)
-        state.pop("workspace", None)  # addresses are of this process
+        state.pop("workspace", None)  # addresses are valid in this process only
         return state
 
     def copy(self) -> System:
-        """Same numbers, own memory: for another thread."""
+        """Independent copy for another thread."""
         return replace(
             self,
             records={k: r.copy() for k, r in self.records.items()},
@@ -135,12 +135,17 @@ class System:
         )
 
     def with_params(self, records: Mapping[str, NDArray[np.void]]) -> System:
-        """Other numbers, same topology.
+        """Copy with other parameters and the same topology.
 
         Parameters
         ----------
         records
-            New record arrays of some kinds, equal in dtype and size; index fields must be unchanged.
+            New record arrays of some kinds with the same dtype and size; index fields must be unchanged.
+
+        Raises
+        ------
+        CompileError
+            If the size, dtype or an index field of a record array changes.
         """
         for name, new in records.items():
             old = self.records.get(name)
@@ -152,7 +157,7 @@ class System:
         return replace(self.copy(), records={k: records.get(k, r).copy() for k, r in self.records.items()})
 
     def initial_state(self) -> State:
-        """State at the start values of the bodies: zero, but for what they give."""
+        """State with the start values of the bodies, otherwise zero."""
         nd, nb = self.sizes["nd"], self.sizes["nb"]
         q, v, turns = np.zeros(nd), np.zeros(nd), np.zeros(nb, np.int64)
         for b, body in enumerate(self.bodies, start=1):
@@ -169,7 +174,7 @@ class System:
 
     @property
     def states(self) -> NDArray[np.int64]:
-        """Coordinates whose rates are states of elements; their places mean nothing, shape (n,)."""
+        """Coordinates whose rates are element states, shape (n,); their positions have no meaning."""
         body = self.program["body"]
         return np.asarray(body["spin"][body["state"] == 1])
 
@@ -178,15 +183,15 @@ class System:
         return registry.of_role(self.records, role)
 
     def banks(self, role: str) -> list[NDArray[np.void]]:
-        """Records of all kinds of a role; what is written into them goes to the system."""
+        """Records of all kinds of a role, as views: writing to them changes the system."""
         return [self.records[kind] for kind in self.kinds(role)]
 
     def rows(self, role: str) -> list[np.void]:
-        """The same, record by record."""
+        """List of all records of a role, as views."""
         return [record for bank in self.banks(role) for record in bank]
 
     def spin(self, body: str) -> int:
-        """Index of the spin coordinate of a body by name, or of that which it is fixed to."""
+        """Index of the spin coordinate of a body, or of the body whose spin it takes over."""
         found = spin_of(self.program["body"], self.layout.bodies.index(body))
         if found < 0:
             raise CompileError(f"{body}: this body does not spin")
@@ -204,25 +209,26 @@ def assemble(
     weight_radius: float = 0.05,
     keep: tuple[Any, ...] = (),
 ) -> System:
-    """Make a system from numbers: bodies, element records, constraint records.
+    """Assemble a system from bodies, element records and constraint records.
 
     Parameters
     ----------
     bodies
-        Bodies on ground; body k of the list is index k + 1 in the records, ground is 0.
+        Bodies without ground, parents first; body k of the list has index k + 1 in the records, ground is 0.
     banks, constraints
-        Record arrays by name of kind; body fields and physics filled in, index fields are written here.
+        Record arrays by name of the kind with body numbers and physical parameters; index fields are set
+        here.
     names
         Names of the elements of each kind, for the observations.
     pools, laws, keep
         See `System`.
     weight_radius
-        Length that one radian counts for in error norms [m].
+        Length equivalent to one radian in error norms [m].
 
     Raises
     ------
     CompileError
-        If a body cannot be computed or a record names something that does not exist; all faults at once.
+        If the data of a body are invalid or a record refers to a body that does not exist.
     """
     named = [body.name or f"body{k}" for k, body in enumerate(bodies, start=1)]
     _check_bodies(bodies, named)
@@ -270,19 +276,19 @@ def assemble(
 
 
 def _check_bodies(bodies: Sequence[Body], named: Sequence[str]) -> None:
-    """Refuse bodies that cannot be computed; all faults of one sort at once."""
+    """Raise CompileError for invalid bodies, listing all problems."""
     faults = [f"{n}: {fault}" for n, body in zip(named, bodies, strict=True) for fault in body.faults()]
     if len(set(named)) != len(named):
-        faults.append("names of bodies must differ")
+        faults.append("names of bodies must be unique")
     if faults:
         raise CompileError("; ".join(faults))
     faults = [
-        f"{n}: hangs on body {body.parent}, which is not among the {k} before it"
+        f"{n}: the parent, body {body.parent}, is not among the {k} bodies before it"
         for k, (n, body) in enumerate(zip(named, bodies, strict=True))
         if not 0 <= body.parent <= k
     ]
     faults += [
-        f"{n}: shares the coordinates of body {body.shares}, which is not among the {k} before it"
+        f"{n}: shares the coordinates of body {body.shares}, which is not among the {k} bodies before it"
         for k, (n, body) in enumerate(zip(named, bodies, strict=True))
         if not 0 <= body.shares <= k or (body.shares and bodies[body.shares - 1].shares)
     ]
@@ -291,7 +297,7 @@ def _check_bodies(bodies: Sequence[Body], named: Sequence[str]) -> None:
 
 
 def _check_depth(records: NDArray[np.void], named: Sequence[str], count: int) -> None:
-    """Refuse bodies that hang on so many others that the matrix takes gigabytes and every step seconds."""
+    """Raise CompileError for chains of joints too long for the memory and time of the matrix."""
     if count <= MOST_PRODUCTS:
         return
     depth = [0] * records.size
@@ -299,14 +305,14 @@ def _check_depth(records: NDArray[np.void], named: Sequence[str], count: int) ->
         depth[b] = depth[int(records[b]["parent"])] + (1 if records[b]["n"] > 0 else 0)
     last = int(np.argmax(depth))
     raise CompileError(
-        f"{named[last - 1]}: hangs on {depth[last] - 1} other bodies in series, so that the "
-        f"matrix is made of {count:.2g} products of joints (limit {MOST_PRODUCTS:.2g}); shorten the chain of "
-        "joints, or let its bodies move freely (motion: free) and join them by bushings"
+        f"{named[last - 1]}: is at the end of a chain of {depth[last]} joints, and the matrix has "
+        f"{count:.2g} pairs of joints (limit {MOST_PRODUCTS:.2g}); shorten the chain of "
+        "joints, or let its bodies move freely (motion: free) and connect them by bushings"
     )
 
 
 def _ordered(given: Mapping[str, NDArray[np.void]], records: NDArray[np.void]) -> dict[str, NDArray[np.void]]:
-    """Checked banks that have elements, by name; bodies whose turned axes they need are marked."""
+    """Checked, non-empty banks sorted by kind; marks bodies whose body-fixed frame S they need."""
     banks = {n: checked(registry.find(n), given[n], records.size) for n in sorted(given)}
     banks = {n: bank for n, bank in banks.items() if bank.size}
     for name, bank in banks.items():
@@ -320,7 +326,7 @@ def _ordered(given: Mapping[str, NDArray[np.void]], records: NDArray[np.void]) -
 def _coordinates(
     bodies: Sequence[Body], named: Sequence[str], records: NDArray[np.void]
 ) -> list[tuple[str, str]]:
-    """Names and units of all coordinates in the order of their numbers."""
+    """Names and units of all coordinates, in order."""
     found: dict[int, tuple[str, str]] = {}
     for b, (body, name) in enumerate(zip(bodies, named, strict=True), start=1):
         for k, (coordinate, unit) in enumerate(body.coordinates):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What only models with a tree of bodies need of the core, called by address: others do not compile it."""
+"""Core kernels of models with trees of bodies, called by address: other models do not compile them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pitchpoint.system.workspace import MACH, RECHARTED
 
 @kernel
 def entry(at, jac, spare):
-    """Frames, columns and inertia forces of all bodies that are not round; with jac > 0 their tangents."""
+    """Frames, columns and inertia forces of all bodies that are not round; with jac > 0 also tangents."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -46,7 +46,7 @@ def entry(at, jac, spare):
 
 @kernel
 def tumble_entry(at, spare, other):
-    """Let the turns of bodies that tumble count from where they are; counted in the clock. After a step."""
+    """Set new charts of tumbling bodies after a step, if required; counts the changes in the clock."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All memory of one compiled system: every array is made once, and one address leads to all of them.
+"""Memory of one compiled system: all arrays are allocated once and accessible from a single address.
 
-Drivers receive that address instead of forty arrays; they make views at their top. A workspace belongs to one
-`System` and to one thread at a time. Addresses are per process: a workspace is never stored, only rebuilt.
+Drivers receive this address instead of forty arrays and create views. A workspace is used by one `System`
+and one thread at a time. Addresses are valid only in their process, so a workspace is never stored but
+rebuilt.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 from pitchpoint.multibody.channels import CTL, FRAME, GUIDE
 from pitchpoint.multibody.tree import MOTION
 
-# slots of the clock (int64): what a driver counts and remembers between chunks
+# slots of the clock (int64): counters and flags that drivers keep between chunks
 (
     STEPS,
     EVALUATIONS,
@@ -29,10 +30,10 @@ from pitchpoint.multibody.tree import MOTION
     RECHARTED,
 ) = range(10)
 
-#: Rows of the array of stages: 16 stages, two states, 7 coefficients of the dense output.
+#: Rows of the stage array: 16 stages, two states, 7 coefficients of the dense output.
 STAGE_ROWS = 25
 
-#: Programmes of which the mass matrix has its own.
+#: Programmes with a separate version for the mass matrix.
 PROGRAMMES = ("proj", "factor", "solve")
 
 #: Private arrays of the drivers: (name, dtype, shape in terms of the sizes). Address and sizes go to MACH.
@@ -41,35 +42,35 @@ _ARRAYS: tuple[tuple[str, Any, tuple[str, ...]], ...] = (
     ("Tq", "f8", ("npath", "6", "6")),  # d twist / dq
     ("Av", "f8", ("npath", "6", "6")),  # d acceleration / dv
     ("Aq", "f8", ("npath", "6", "6")),  # d acceleration / dq
-    ("motions", MOTION, ("nb",)),  # displacements of every joint and their columns
-    ("guides", GUIDE, ("nguides",)),  # displacements that are functions
-    ("charts", "f8", ("ncharts", "3", "3")),  # attitudes from which the turns of tumbling bodies count
+    ("motions", MOTION, ("nb",)),  # displacements of each joint and their columns
+    ("guides", GUIDE, ("nguides",)),  # displacements of guided joints
+    ("charts", "f8", ("ncharts", "3", "3")),  # reference attitudes of tumbling bodies
     ("T", "f8", ("6", "6")),  # scratch block
     ("y6", "f8", ("6",)),  # scratch column
     ("order6", "i8", ("6",)),  # scratch of the block inversion
-    ("Y", "f8", ("nc", "nd")),  # A^-1 G^T, row by row
+    ("Y", "f8", ("nc", "nd")),  # A^-1 G^T, one row per constraint
     ("S", "f8", ("nc", "nc")),  # Schur complement
     ("diag", "f8", ("nc",)),
     ("order", "i8", ("nc",)),
     ("used", "i8", ("nc",)),  # 0 = redundant row
     ("y", "f8", ("nc",)),
     ("z", "f8", ("nc",)),
-    ("pull", "f8", ("nc",)),  # right-hand side of the rows of an acceleration
+    ("pull", "f8", ("nc",)),  # right-hand side of the acceleration constraints
     ("weight", "f8", ("nd",)),  # length per unit of each coordinate in error norms [m/m, m/rad]
     ("relative", "f8", ("nd",)),  # 0 for spins, whose size is unrelated to their error
     ("x", "f8", ("nd",)),  # right-hand side and solution
-    ("step", "f8", ("nd",)),  # correction on trial where friction is settled
-    ("step_lam", "f8", ("nc",)),  # and that of the multipliers
+    ("step", "f8", ("nd",)),  # scaled trial correction in the friction iteration
+    ("step_lam", "f8", ("nc",)),  # scaled trial correction of the multipliers
     ("al", "f8", ("nd",)),  # algorithmic acceleration of the generalised-alpha family
-    ("ap", "f8", ("nd",)),  # acceleration of the step before, for the prediction
-    ("lp", "f8", ("nc",)),  # multipliers of the step before, for the prediction
-    ("stage", "f8", ("stages", "nd2")),  # of the explicit methods
+    ("ap", "f8", ("nd",)),  # acceleration of the previous step, for the predictor
+    ("lp", "f8", ("nc",)),  # multipliers of the previous step, for the predictor
+    ("stage", "f8", ("stages", "nd2")),  # stages of the explicit methods
     ("clock", "i8", ("16",)),
-    ("real", "f8", ("16",)),  # remembered contraction rate, step size, error of the last step
+    ("real", "f8", ("16",)),  # contraction rate, step size, error of the last step
     ("row", "f8", ("no",)),  # observation of the step
     ("heard", "f8", ("no",)),  # observations that signals read
     ("ev0", "f8", ("ne",)),  # event functions before the step
-    ("ev1", "f8", ("ne",)),  # and after it
+    ("ev1", "f8", ("ne",)),  # event functions after the step
 )
 
 MACH = np.dtype(
@@ -77,20 +78,20 @@ MACH = np.dtype(
         (name, "i8")
         for name in (
             *("body", "path", "path_of", "proj", "factor", "solve", "spins", "body_out", "rows"),
-            *("mass_proj", "mass_factor", "mass_solve"),  # of the mass matrix alone
-            *("solve_now", "nsolve_now"),  # programme that belongs to the factors at hand
+            *("mass_proj", "mass_factor", "mass_solve"),  # of the mass matrix
+            *("solve_now", "nsolve_now"),  # programme of the current factors
             *("forces", "cons", "guiding", "frictions"),
             *(name for name, _, _ in _ARRAYS),
             *("npath", "nproj", "nfactor", "nsolve", "nspins", "nbody_out", "nforces", "ncons"),
             *("nmass_proj", "nmass_factor", "nmass_solve"),
             *("nguiding", "nfrictions", "ncharts"),
-            *("residual", "factor_entry", "solve_entry"),  # addresses of the parts that all drivers share
-            *("tree", "tumble"),  # and of those that only trees need, 0 without
-            "part",  # which kinds observe, see `residual.ALL`
-            "shares",  # 1: some of them may do so where the slope of the state is computed
-            "later",  # 1: and some only with the accelerations
+            *("residual", "factor_entry", "solve_entry"),  # addresses of the core kernels of all drivers
+            *("tree", "tumble"),  # addresses of the core kernels of trees, 0 if not used
+            "part",  # kinds that observe, see `residual.ALL`
+            "shares",  # 1: some kinds can be observed before the accelerations are known
+            "later",  # 1: some kinds can be observed only with the accelerations
             "watch",  # address of `heard` if signals read observations, else 0
-            "constant_mass",  # 1: M does not depend on q, and no force on the accelerations
+            "constant_mass",  # 1: M is independent of q, and forces are independent of accelerations
             "settles",  # 1: forces depend on accelerations, see `linear.solve_acceleration`
         )
     ],
@@ -99,19 +100,19 @@ MACH = np.dtype(
 
 
 class Workspace:
-    """Arrays of one system, reachable from the integer `at`.
+    """Arrays of one system, accessible from the address `at`.
 
     Parameters
     ----------
     program
-        Structure arrays made by the layout: body, path, path_of, proj, factor, solve, spins, body_out, rows;
-        mass_proj, mass_factor, mass_solve likewise of the mass matrix alone.
+        Structure arrays of the layout: body, path, path_of, proj, factor, solve, spins, body_out, rows; and
+        mass_proj, mass_factor, mass_solve for the mass matrix.
     sizes
-        nb, nd, np, na, nc, no, ne.
+        Sizes nb, nd, np, na, nc, no, ne (see `CTL`).
     tables
-        Address tables of the kinds (`link.TABLES`): rows (entry, records, count, channel, early).
+        Address tables of the kinds (`link.TABLES`) with rows (entry, records, count, channel, early).
     parts
-        Addresses of the residual and of the linear algebra (`link.link_parts`).
+        Addresses of the core kernels (`link.link_parts`).
     weight
         Length per unit of each coordinate in error norms.
     """
@@ -145,7 +146,7 @@ class Workspace:
         self.arrays["relative"][:] = 1.0
         self.arrays["relative"][program["spins"][:, 0]] = 0.0
         self.arrays["charts"][:] = np.eye(3)
-        self.ready = False  # constant parts of frames and columns written yet?
+        self.ready = False  # whether constant parts of frames and columns are written
         self._fill(sizes, parts)
 
     def _fill(self, sizes: dict[str, int], parts: dict[str, int]) -> None:
@@ -174,10 +175,10 @@ class Workspace:
 
     @property
     def at(self) -> int:
-        """Address of the control record: all a driver needs."""
+        """Address of the control record, the only argument of a driver."""
         return int(self.ctl.ctypes.data)
 
     @property
     def clock(self) -> NDArray[np.int64]:
-        """Counters of the drivers (see the slots above)."""
+        """Counters and flags of the drivers, by slots such as `STEPS`."""
         return self.arrays["clock"]

@@ -283,7 +283,7 @@ def test_a_stiffness_below_zero_is_told_with_law_and_phase(
     file = written(tmp_path, TORSION.replace(FOURIER, "{law: user, python: 'law.py:k'}"))
     out = str(tmp_path / "out.h5")
     assert run_command(["run", file, "--scenario", "steady", "-o", out, "--allow-code"]) == 3
-    assert "law.py:k gives -2e+08 N/m (mesh phase 0.5000); a stiffness is > 0" in capsys.readouterr().err
+    assert "law.py:k gives -2e+08 N/m (mesh phase 0.5000; limit > 0)" in capsys.readouterr().err
 
 
 def test_what_is_no_model_at_all_is_said_plainly(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

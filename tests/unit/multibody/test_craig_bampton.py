@@ -109,7 +109,7 @@ def test_one_node_shows_its_six_shapes():
     ("change", "message"),
     [
         (lambda K, M, x: (K[:-1, :-1], M, x), "K has 17"),
-        (lambda K, M, x: (K + csc_array(np.diag([1e9] + [0.0] * 17)), M, x), "take away supports"),
+        (lambda K, M, x: (K + csc_array(np.diag([1e9] + [0.0] * 17)), M, x), "remove supports"),
         (lambda K, M, x: (K, M, x[:-1]), "neither 3 nor 6"),
         (lambda K, M, x: (K * np.nan, M, x), "not finite"),
         (lambda K, M, x: (np.triu(K.toarray()), M, x), "both triangles"),
@@ -130,10 +130,10 @@ def test_loose_parts_and_wrong_interfaces():
         block_diag([line.M, line.M]),
         np.vstack([line.places, line.places + 1.0]),
     )
-    with pytest.raises(CompileError, match="hangs on no interface|loose|six rigid"):
+    with pytest.raises(CompileError, match="connected to no interface|not connected|six rigid"):
         craig_bampton(two, [0], 2)
     solid = truss()
-    with pytest.raises(CompileError, match="do not hold"):
+    with pytest.raises(CompileError, match="do not constrain all rigid-body motions"):
         craig_bampton(solid, [0], 2)
 
 

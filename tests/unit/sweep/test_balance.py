@@ -54,5 +54,5 @@ def test_a_train_that_leaves_the_speeds_of_a_sweep_is_told():
         "  input: {body: driver, torque: 200 N m}", "  input: {body: driver, torque: balance}"
     )
     notes = run_sweep(compiled(text, "sweep")[1]).notes
-    assert any("driver left its speed by up to -" in note for note in notes)
-    assert not any("left its speed" in note for note in swept("500 rpm, 3000 rpm", 2).notes)
+    assert any("driver: the mean speed deviates by up to -" in note for note in notes)
+    assert not any("mean speed deviates" in note for note in swept("500 rpm, 3000 rpm", 2).notes)

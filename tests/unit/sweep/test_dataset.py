@@ -178,9 +178,9 @@ def test_noise_over_a_constant_has_no_level(tmp_path: Path) -> None:
 def test_the_treatment_is_stated(planned: tuple[DatasetPlan, Model]) -> None:
     plan, _ = planned
     assert treatment(plan).startswith(
-        "sampled at 40000 Hz, low-pass of linear phase without delay (flat to 8000 Hz"
+        "sampled at 40000 Hz, zero-delay linear-phase low-pass filter (pass band to 8000 Hz"
     )
-    assert "without a filter" in treatment(dataclasses.replace(plan, oversampling=1))
+    assert "without anti-aliasing filter" in treatment(dataclasses.replace(plan, oversampling=1))
 
 
 def test_without_a_filter_the_samples_are_those_of_the_machine(planned: tuple[DatasetPlan, Model]) -> None:

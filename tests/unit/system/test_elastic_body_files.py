@@ -311,15 +311,15 @@ def short(line):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (millimetres, "rigid motion meets a force"),
-        (on_ground, "rigid motion meets a force.*take away supports"),
+        (millimetres, "rigid-body motion causes a force"),
+        (on_ground, "rigid-body motion causes a force.*remove supports"),
         (lopsided, "K: is not symmetric"),
-        (cut_through, "hangs on no interface node|not six rigid motions|without stiffness"),
-        (weightless, "masses 0, 0, 0 kg.*limit > 0"),
-        (one_way, "and a body has one"),
+        (cut_through, "connected to no interface node|not have six rigid-body modes|without stiffness"),
+        (weightless, "masses along x, y and z are 0, 0, 0 kg.*limit > 0"),
+        (one_way, "and must be equal"),
         (negative, "M: has -.* on its diagonal"),
         (downhill, "K: has -.* on its diagonal, row"),
-        (short, "neither 3 nor 6 each|42 displacements of 6 nodes"),
+        (short, "neither 3 nor 6 per node|42 displacements of 6 nodes"),
     ],
 )
 def test_matrices_of_no_free_body_are_told(tmp_path, change, words):
@@ -340,7 +340,7 @@ def test_places_in_millimetres_are_suspected(tmp_path):
     (tmp_path / "m.yaml").write_text(
         f"elastic_bodies: {{b: {{file: solid.npz, nodes: {{{nodes}}}, modes: 4}}}}\n", encoding="utf-8"
     )
-    with pytest.raises(ModelError, match=r"needs waves of .*places in m"):
+    with pytest.raises(ModelError, match=r"implies a wave speed of .*positions in m"):
         compile_model(load_model(tmp_path / "m.yaml"))
 
 
@@ -352,9 +352,10 @@ def test_check_tells_what_is_wrong_with_the_matrices_of_all_bodies(tmp_path, cap
     assert run_command(["check", str(tmp_path / "crank.yaml")]) == 2
     told = " ".join(capsys.readouterr().err.split())
     assert (
-        "elastic_bodies.rod (line 6): K: a rigid motion meets a force at node 0; take away supports" in told
+        "elastic_bodies.rod (line 6): K: a rigid-body motion causes a force at node 0; remove supports"
+        in told
     )
-    assert "elastic_bodies.other (line 12): K: a rigid motion" in told
+    assert "elastic_bodies.other (line 12): K: a rigid-body motion" in told
     assert "Traceback" not in told
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness laws: each one small file with one function of the same name, from a gear pair to a description.
+"""Mesh stiffness laws: one module per law with a function of the same name, from gear pair to description.
 
-A law comes into model files by its class in `model.components.stiffness`. Importing this package imports none
-of them.
+Model files reach a law through its class in `model.components.stiffness`. Importing this package does not
+import the laws.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ def law_function(name: str) -> Callable[..., Any]:
     Parameters
     ----------
     name
-        Name in model files, of the module in this package, and of the function in it.
+        Name of the law in model files, of its module in this package, and of the function in that module.
 
     Examples
     --------

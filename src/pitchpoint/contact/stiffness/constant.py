@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Constant mesh stiffness: one number, whatever the phase."""
+"""Constant mesh stiffness, independent of the mesh phase."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def constant(pair: GearPair | None, *, mean: float) -> PhaseStiffness:
     Parameters
     ----------
     pair
-        The gear pair; not read.
+        The gear pair; not used.
     mean
         Mesh stiffness along the base tangent [N/m].
 

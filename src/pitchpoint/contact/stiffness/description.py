@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a stiffness law provides: the stiffness of one tooth pair, or the whole mesh over its phase.
+"""Results of a stiffness law: stiffness of one tooth pair, or of the whole mesh over its phase.
 
-Plain data without kernels, so that a model can be described and checked without a compiler.
+Plain data without kernels: a model can be read and checked without the compiler.
 
 Derivation: docs/theory/stiffness.md, "The mesh".
 """
@@ -20,20 +20,20 @@ Array = NDArray[np.float64]
 
 
 def refuse(where: str, message: str, value: object, limit: str, remedy: str) -> ModelError:
-    """Build the error for one wrong option of a stiffness source.
+    """Error for one invalid option of a stiffness law.
 
     Parameters
     ----------
     where
         Path of the option in the model.
     message
-        What is wrong with it.
+        Description of the problem, following the value.
     value
-        The value given.
+        Value found.
     limit
-        What is allowed.
+        Permitted values.
     remedy
-        What to do.
+        Corrective action.
 
     Examples
     --------
@@ -44,21 +44,21 @@ def refuse(where: str, message: str, value: object, limit: str, remedy: str) -> 
 
 
 def positive(where: str, value: float, unit: str) -> float:
-    """Return a number that must be positive and finite, or raise ModelError.
+    """Return a positive finite number, or raise ModelError.
 
     Parameters
     ----------
     where
         Path of the option in the model.
     value
-        The value given.
+        Value to check.
     unit
         Its SI unit, for the message.
 
     Raises
     ------
     ModelError
-        If the number is not finite or not above 0.
+        If the number is not finite or not > 0.
 
     Examples
     --------
@@ -71,14 +71,14 @@ def positive(where: str, value: float, unit: str) -> float:
 
 
 def share(where: str, value: float) -> float:
-    """Return a number that must lie in [0, 1], or raise ModelError.
+    """Return a number in [0, 1], or raise ModelError.
 
     Parameters
     ----------
     where
         Path of the option in the model.
     value
-        The value given.
+        Value to check.
 
     Raises
     ------
@@ -103,14 +103,14 @@ def frozen_array(where: str, values: ArrayLike, least: int = 0) -> Array:
     where
         Path of the option in the model.
     values
-        The values given, shape (n,).
+        Values to check, shape (n,).
     least
-        Smallest number of values.
+        Minimum number of values.
 
     Raises
     ------
     ModelError
-        If the values are not a flat list of finite numbers, or too few.
+        If the values are not a flat list of finite numbers, or if there are too few.
 
     Examples
     --------
@@ -136,17 +136,17 @@ class PairShape:
     ----------
     c_prime
         Stiffness of one pair per unit face width in the transverse plane along the base tangent, c'
-        [N/m^(power + 1)], at its highest point (parabola) or where `table` is one.
+        [N/m^(power + 1)]: maximum of the parabola, or the value at which `table` is 1.
     S_R
-        Lowest over highest stiffness of the parabola, in [0, 1].
+        Stiffness ratio, minimum over maximum of the parabola, in [0, 1].
     T_R
-        Tip-relief factor in [0, 1]: ramp of T_R frac(eps_alpha) base pitches at both ends.
+        Tip-relief factor in [0, 1]: ramps of T_R frac(eps_alpha) base pitches at both ends.
     table
-        Values relative to c_prime at equal steps of the path from A to E, linear between them; replaces the
-        parabola (S_R is then not used), the ramp stays.
+        Values relative to c_prime at equal steps of the path from A to E, with linear interpolation; replaces
+        the parabola (S_R is then not used) but not the ramps.
     load_limit
-        Line load along the base tangent below which the stiffness falls (ISO 6336-1, low specific load)
-        [N/m]; 0 switches this off.
+        Line load along the base tangent below which the stiffness decreases (ISO 6336-1, low specific load)
+        [N/m]; 0: no reduction.
     power
         Exponent of the force over the penetration, >= 1; 1 is a linear spring.
     """
@@ -173,7 +173,7 @@ class PairShape:
             )
 
     def ramp_length(self, eps_alpha: float) -> float:
-        """Length of the ramp at both ends, L = T_R frac(eps_alpha) [base pitches]; 0 if below 1e-12.
+        """Length of the ramps at both ends, L = T_R frac(eps_alpha) [base pitches]; 0 if below 1e-12.
 
         >>> round(PairShape(c_prime=14e9, T_R=0.75).ramp_length(1.3), 12)
         0.225
@@ -182,7 +182,7 @@ class PairShape:
         return length if length > 1e-12 else 0.0
 
     def along(self, p: ArrayLike, eps_alpha: float) -> Array:
-        """Stiffness relative to c_prime at places of the path, inside it (any shape) [base pitches from A].
+        """Stiffness relative to c_prime at positions p on the path (any shape) [base pitches from A].
 
         >>> PairShape(c_prime=14e9, S_R=0.8).along([0.0, 0.65], 1.3).tolist()
         [0.8, 1.0]
@@ -208,7 +208,7 @@ class PairShape:
         return float(self.table[0]), float(self.table[-1])
 
     def slope(self, penetration: float) -> float:
-        """Slope of the force per unit face width at a penetration [N/m^2]; of a linear law c' everywhere.
+        """Tangent stiffness per unit face width at a penetration [N/m^2]; c' for a linear law.
 
         >>> PairShape(c_prime=2e9, power=1.5).slope(1e-4)
         30000000.0
@@ -218,8 +218,8 @@ class PairShape:
     def jumps(self, eps_alpha: float, eps_beta: float = 0.0) -> tuple[float, ...]:
         """Mesh phases in [0, 1) at which the mesh stiffness is discontinuous.
 
-        A spur pair without ramp enters at psi = 0 and leaves at psi = frac(eps_alpha); with overlap or ramp
-        the mesh stiffness is continuous.
+        A spur pair without ramps enters contact at psi = 0 and leaves it at psi = frac(eps_alpha); with
+        overlap or ramps the mesh stiffness is continuous.
 
         >>> PairShape(c_prime=14e9).jumps(1.25), PairShape(c_prime=14e9).jumps(1.25, 0.5)
         ((0.0, 0.25), ())
@@ -235,21 +235,22 @@ class PairShape:
 
 @dataclass(frozen=True, kw_only=True)
 class PhaseStiffness:
-    """Total stiffness of a mesh, prescribed over its phase psi (period 1, a pair enters at psi = 0).
+    """Total mesh stiffness, prescribed over the mesh phase psi (period 1, a pair enters contact at psi = 0).
 
     Parameters
     ----------
     mean
-        Reference stiffness along the base tangent [N/m]; the mean over a period.
+        Mean stiffness over a period, along the base tangent [N/m].
     cosine, sine
-        Fourier coefficients relative to the mean; entry h - 1 belongs to harmonic h of psi. Equal lengths.
+        Fourier coefficients relative to the mean; entry h - 1 is harmonic h of psi. The shorter array is
+        padded with zeros.
     table
-        Values relative to the mean at psi = i/n, i = 0..n-1, linear between them and periodic.
+        Values relative to the mean at psi = i/n, i = 0..n-1; periodic with linear interpolation.
     rectangular
-        (first value, second value, share): the first value relative to the mean holds for
-        0 <= psi < share, the second for the rest of the period.
+        (first value, second value, duty): the first value relative to the mean applies for 0 <= psi < duty,
+        the second for the rest of the period.
 
-    At most one of the three forms is given; none means a constant stiffness.
+    At most one of the three forms may be given; without any the stiffness is constant.
     """
 
     mean: float
@@ -271,11 +272,13 @@ class PhaseStiffness:
         if self.table is not None:
             object.__setattr__(self, "table", frozen_array("stiffness.table", self.table, 2))
         if (n > 0) + (self.table is not None) + (self.rectangular is not None) > 1:
-            raise refuse("stiffness", "of forms at once", "more than one", "one", "keep one of them")
+            raise refuse(
+                "stiffness", "form of description is given", "more than one", "one", "keep one of them"
+            )
 
     @property
     def form(self) -> int:
-        """Number of the form as the kernels count: 0 Fourier (or constant), 1 table, 2 rectangular.
+        """Form number used by the kernels: 0 Fourier (or constant), 1 table, 2 rectangular.
 
         >>> PhaseStiffness(mean=1e8).form, PhaseStiffness(mean=1e8, table=[1.0, 1.0]).form
         (0, 1)
@@ -285,7 +288,7 @@ class PhaseStiffness:
         return 2 if self.rectangular is not None else 0
 
     def arrays(self) -> tuple[int, Array, Array]:
-        """Number of terms n and the two arrays, shapes (n,), that the kernel `phase_stiffness` reads.
+        """Number of terms n and the two arrays, shapes (n,), of the kernel `phase_stiffness`.
 
         >>> n, first, second = PhaseStiffness(mean=1e8, cosine=[-0.2]).arrays()
         >>> n, first.tolist(), second.tolist()
@@ -317,10 +320,10 @@ class PhaseStiffness:
         return np.asarray(1.0 + np.cos(angle) @ cosine + np.sin(angle) @ sine)
 
     def extremes(self) -> tuple[float, float]:
-        """Lowest and highest stiffness relative to the mean, not sampled.
+        """Minimum and maximum stiffness relative to the mean.
 
-        Those of a Fourier series lie at the roots of its derivative, found as eigenvalues of a polynomial in
-        exp(2 pi i psi).
+        For a Fourier series they are computed at the roots of its derivative, a polynomial in exp(2 pi i
+        psi), and on a grid.
 
         >>> low, high = PhaseStiffness(mean=1e8, cosine=[-0.2, -0.1, -0.05]).extremes()
         >>> round(low, 9), round(high, 9)
@@ -337,14 +340,14 @@ class PhaseStiffness:
             upper = 0.5 * h * (second + 1j * first)  # derivative = sum of upper z^h and its conjugate z^-h
             roots = np.roots(np.concatenate((upper[::-1], [0.0], np.conj(upper))))
             on_circle = np.abs(np.abs(roots) - 1.0) < 1e-5
-            # a flat extremum is a multiple root, which round-off may push off the circle: hence the grid too
+            # a flat extremum is a multiple root, which round-off may move off the unit circle: add a grid
             grid = np.arange(8 * count) / (8.0 * count)
             phases = np.concatenate((np.angle(roots[on_circle]) / (2.0 * math.pi), grid))
             values = self.ratio(phases)
         return float(values.min()), float(values.max())
 
     def jumps(self, eps_alpha: float = 1.0, eps_beta: float = 0.0) -> tuple[float, ...]:
-        """Mesh phases in [0, 1) at which the stiffness is discontinuous; the arguments do not matter here.
+        """Mesh phases in [0, 1) at which the stiffness is discontinuous; the arguments are not used.
 
         >>> PhaseStiffness(mean=1e8, rectangular=(1.2, 0.8, 0.5)).jumps()
         (0.0, 0.5)
@@ -360,14 +363,14 @@ Description = PairShape | PhaseStiffness
 
 
 def require_positive(where: str, description: PhaseStiffness) -> PhaseStiffness:
-    """Return a prescribed stiffness that is positive everywhere, or raise ModelError.
+    """Return a prescribed stiffness that is positive at all phases, or raise ModelError.
 
     Parameters
     ----------
     where
         Path of the option in the model.
     description
-        Prescribed stiffness to look at.
+        Prescribed stiffness to check.
 
     Raises
     ------

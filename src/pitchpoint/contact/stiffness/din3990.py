@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness of one tooth pair by DIN 3990-1 / ISO 6336-1 method B (the polynomial of Schaefer).
+"""Stiffness of one tooth pair to DIN 3990-1 / ISO 6336-1 method B (Schaefer's polynomial).
 
-In the standard's unit, c' [N/(mm um)] = 1e9 N/m^2; values act in the transverse plane along the base tangent.
+The unit of c' in the standard is 1 N/(mm um) = 1e9 N/m^2. All values apply in the transverse plane along the
+base tangent.
 """
 
 from __future__ import annotations
@@ -21,13 +22,13 @@ POLYNOMIAL = (0.04723, 0.15551, 0.25791, -0.00635, -0.11654, -0.00193, -0.24188,
 #: N/(mm um) in N/m^2.
 UNIT = 1.0e9
 
-#: Specific load F_t K_A/b below which the stiffness falls [N/m] (ISO 6336-1: 100 N/mm).
+#: Specific load F_t K_A/b below which the stiffness decreases [N/m] (ISO 6336-1: 100 N/mm).
 LOW_LOAD = 1.0e5
 
 
 @dataclass(frozen=True, kw_only=True)
 class SingleStiffness:
-    """All values on the way to c': stiffness in N/m^2, factors dimensionless."""
+    """Single stiffness c' and mesh stiffness with all intermediate values [N/m^2] and factors [-]."""
 
     c_th: float
     c_prime: float
@@ -42,24 +43,24 @@ class SingleStiffness:
 
 
 def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> float:
-    """Theoretical single stiffness c'_th = 1/q' of two disc gears with the standard basic rack [N/m^2].
+    """Theoretical single stiffness c'_th = 1/q' of two solid disc gears with the standard basic rack [N/m^2].
 
     Parameters
     ----------
     z_n1, z_n2
-        Numbers of teeth of the virtual spur gears; gear 1 is the smaller. ``math.inf`` for an internal mate.
+        Numbers of teeth of the virtual spur gears; gear 1 is the smaller. ``math.inf`` for an internal gear.
     x1, x2
-        Profile shift coefficients; an internal mate's with the sign of ISO 21771.
+        Profile shift coefficients; for an internal gear with the sign of ISO 21771.
 
     Raises
     ------
     ModelError
-        If the polynomial is not positive (far outside its range).
+        If the polynomial is not positive (far outside its range of validity).
 
     Notes
     -----
     q' = C1 + C2/z_n1 + C3/z_n2 + C4 x1 + C5 x1/z_n1 + C6 x2 + C7 x2/z_n2 + C8 x1^2 + C9 x2^2 [1]_. The
-    standard states x1 >= x2 and -0.5 <= x1 + x2 <= 2; a ValidityWarning reports values outside this range.
+    range of validity is x1 >= x2 and -0.5 <= x1 + x2 <= 2; a ValidityWarning reports values outside it.
 
     References
     ----------
@@ -82,7 +83,7 @@ def theoretical_stiffness(z_n1: float, z_n2: float, x1: float, x2: float) -> flo
     q += C8 * x1 * x1 + C9 * x2 * x2
     if not q > 0.0:
         raise refuse(
-            "stiffness.law", "is the flexibility of din3990", q, "> 0", "use law: energy or constant"
+            "stiffness.law", "is the tooth flexibility of din3990", q, "> 0", "use law: energy or constant"
         )
     return UNIT / q
 
@@ -113,9 +114,9 @@ def blank_factor(web_over_width: float, rim_over_module: float) -> float:
     Parameters
     ----------
     web_over_width
-        Web thickness over face width, b_s/b; taken as 0.2 below and as 1.2 above that range.
+        Web thickness over face width, b_s/b; limited to 0.2 ... 1.2.
     rim_over_module
-        Rim thickness below the root over normal module, s_R/m_n; taken as 1 below that.
+        Rim thickness below the root over normal module, s_R/m_n; limited to values >= 1.
 
     Notes
     -----
@@ -138,7 +139,7 @@ def virtual_teeth(gear: CylindricalGear, formula: str = "iso") -> float:
     gear
         The gear.
     formula
-        "iso" for z/(cos² β_b cos β), "cos3" for z/cos³ β, the approximation of older texts.
+        "iso" for z/(cos² β_b cos β), "cos3" for the older approximation z/cos³ β.
 
     Raises
     ------
@@ -175,21 +176,21 @@ def single_stiffness(
     modulus_steel: float = 206.0e9,
     virtual_teeth_formula: str = "iso",
 ) -> SingleStiffness:
-    """Single and mesh stiffness of a pair with every factor.
+    """Single stiffness and mesh stiffness of a pair with all factors.
 
     Parameters
     ----------
     pair
-        The gear pair; order of the gears does not matter, gear 1 of the formula is the one with fewer teeth
-        (of equal ones, that with the larger profile shift).
+        The gear pair in any order; gear 1 of the formula is the one with fewer teeth (for equal numbers of
+        teeth, the one with the larger profile shift).
     C_M
         Correction factor between theory and measurement [-].
     C_R
-        Gear blank factor [-], see `blank_factor`; that of the more flexible blank.
+        Gear blank factor [-], see `blank_factor`; use that of the more flexible blank.
     moduli
         Young's moduli of the two gears [Pa]; None means steel on steel.
     modulus_steel
-        Young's modulus for which the polynomial holds [Pa].
+        Young's modulus of the steel on which the polynomial is based [Pa].
     virtual_teeth_formula
         See `virtual_teeth`.
 
@@ -201,8 +202,8 @@ def single_stiffness(
 
     Notes
     -----
-    Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean of both basic racks, with
-    the dedendum in effect where a root diameter is given. An internal mate enters with 1/z_n2 = 0 and the x2
+    Source: ISO 6336-1:2006, method B. E = 2 E1 E2/(E1 + E2). C_B is the mean value of both basic racks, with
+    the effective dedendum if a root diameter is given. For an internal gear 1/z_n2 = 0 and x2 has the sign
     of ISO 21771.
 
     Examples
@@ -223,7 +224,7 @@ def single_stiffness(
 
 @dataclass(frozen=True)
 class VirtualTooth:
-    """Tooth on its virtual spur gear: z_n, x, h_fP* [-], alpha_n and helix or spiral angle [rad]."""
+    """Tooth of a virtual spur gear: z_n, x, h_fP* [-], alpha_n and helix or spiral angle [rad]."""
 
     z_n: float
     x: float
@@ -240,15 +241,15 @@ def stiffness_of_teeth(
     moduli: tuple[float, float] | None = None,
     modulus_steel: float = 206.0e9,
 ) -> SingleStiffness:
-    """Single and mesh stiffness of two teeth of virtual spur gears, see `single_stiffness`.
+    """Single stiffness and mesh stiffness of two teeth of virtual spur gears, see `single_stiffness`.
 
-    Source: ISO 6336-1:2006, method B; for bevel gears with the virtual gears of ISO 10300-1 and the mean
-    normal module.
+    Source: ISO 6336-1:2006, method B; bevel gears with the virtual gears of ISO 10300-1 and the mean normal
+    module.
 
     Parameters
     ----------
     teeth
-        Of gear 1 and gear 2.
+        Teeth of gear 1 and gear 2.
     eps_alpha
         Transverse contact ratio [-].
     C_M, C_R, moduli, modulus_steel
@@ -296,7 +297,7 @@ def din3990(
     modulus_steel: float = 206.0e9,
     virtual_teeth_formula: str = "iso",
 ) -> PairShape:
-    """Parabolic stiffness of one tooth pair with c' by DIN 3990 / ISO 6336-1.
+    """Parabolic stiffness of one tooth pair with c' to DIN 3990 / ISO 6336-1.
 
     Parameters
     ----------
@@ -305,15 +306,15 @@ def din3990(
     S_R, T_R
         Stiffness ratio and tip-relief factor of the parabola, both in [0, 1].
     c_prime
-        Own value of c' in place of the polynomial [N/m^2] (14e9 is a usual one for steel).
+        Given value of c' that replaces the polynomial [N/m^2] (14e9 is a common value for steel).
     low_load
-        Let the stiffness fall with the load below F_t K_A/b = 100 N/mm, c' ~ (F_t K_A/(100 b))^0.25.
+        Reduce the stiffness below the specific load F_t K_A/b = 100 N/mm, c' ~ (F_t K_A/(100 b))^0.25.
     C_M, C_R, moduli, modulus_steel, virtual_teeth_formula
         See `single_stiffness`.
 
     Notes
     -----
-    The load limit is carried over to the base tangent: 1e5 N/m / cos(alpha_t).
+    The load limit is converted to the base tangent: 1e5 N/m / cos(alpha_t).
 
     Examples
     --------

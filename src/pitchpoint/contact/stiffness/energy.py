@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness of one tooth pair by the energy method: teeth as cantilevers, Hertz contact, gear bodies.
+"""Stiffness of one tooth pair by the energy method: teeth as cantilevers, Hertzian contact, gear bodies.
 
 Source: Ma, Song, Pang, Wen, Eng. Fail. Anal. 44 (2014) 179.
 """
@@ -61,10 +61,11 @@ def energy_compliance(
     moduli, poisson
         Young's moduli [Pa] and Poisson's ratios of both gears.
     bores
-        Bore diameters [m] where the bodies are held; None takes half the root diameter.
+        Bore diameters at which the bodies are clamped [m]; None: half the root diameter.
     body
-        Gear bodies by Sainsot, Velex and Duverger: "load_line" (their definition of the load's height),
-        "contact_point" (height of the contact point, as some programs read it) or "rigid". A ring is rigid.
+        Gear body model of Sainsot, Velex and Duverger: "load_line" (their definition of the load height),
+        "contact_point" (height of the contact point, as in some programs) or "rigid". Internal gears are
+        rigid.
     line_load
         Force along the base tangent per unit face width [N/m] for the load-dependent contact compliance of
         Weber and Banaschek; 0 uses the load-independent one.
@@ -76,10 +77,10 @@ def energy_compliance(
 
     Notes
     -----
-    See `tooth_compliance` for the teeth. The contact lines of a helical pair are longer than the face by
-    1/cos(beta_b) and loaded by F_n = F_bt/cos(beta_b), so the contact compliance is divided by cos(beta_b).
-    Every pair carries its own body compliance: the deflection that neighbouring pairs cause in each other
-    through a common body is not modelled.
+    See `tooth_compliance` for the teeth. The contact lines of a helical pair are longer than the face width
+    by 1/cos(beta_b) and loaded by F_n = F_bt/cos(beta_b), so the contact compliance is divided by
+    cos(beta_b). The body compliance applies to each pair separately: the coupling of neighbouring pairs
+    through the common gear body is not modelled.
 
     Examples
     --------
@@ -98,7 +99,7 @@ def energy_compliance(
             "choose",
         )
     if points < 2:
-        raise refuse("stiffness.points", "make no table", points, ">= 2", "use 129")
+        raise refuse("stiffness.points", "is not enough points for a table", points, ">= 2", "use 129")
     E1, E2 = (positive("material.youngs_modulus", E, "Pa") for E in moduli)
     beta, beta_b = pair.gear1.beta, pair.gear1.beta_b
     rho_1 = np.linspace(pair.T1A, pair.T1E, points)
@@ -112,7 +113,7 @@ def energy_compliance(
     soft = [plane_strain_compliance(E, nu) for E, nu in zip((E1, E2), poisson, strict=True)]
     contact = np.full(points, 1.0 / line_stiffness(*soft))
     if line_load > 0.0:
-        smallest = 1e-3 * pair.p_et  # keeps the contact width finite where a path begins on the base circle
+        smallest = 1e-3 * pair.p_et  # finite contact width if the path begins on the base circle
         curvature = 1.0 / np.maximum(rho_1, smallest)
         curvature += math.copysign(1.0, pair.gear2.z) / np.maximum(rho_2, smallest)
         width = half_width(line_load, 1.0 / (curvature * math.cos(beta_b)), *soft)
@@ -147,7 +148,7 @@ def energy(
     Returns
     -------
     PairShape
-        c_prime is the largest stiffness [N/m^2]; the table is relative to it. S_R is lowest over largest.
+        c_prime is the maximum stiffness [N/m^2]; the table is relative to it. S_R is minimum over maximum.
 
     Examples
     --------

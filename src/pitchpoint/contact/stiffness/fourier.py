@@ -17,17 +17,17 @@ def fourier(
     Parameters
     ----------
     pair
-        The gear pair; not read.
+        The gear pair; not used.
     mean
         Mean stiffness along the base tangent [N/m].
     cosine, sine
-        Coefficients relative to the mean, shape (n,), harmonic 1 first; the shorter list is filled with
+        Coefficients relative to the mean, shape (n,), harmonic 1 first; the shorter list is padded with
         zeros.
 
     Raises
     ------
     ModelError
-        If the stiffness is not positive everywhere.
+        If the stiffness is not positive at all phases.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tooth pair as two rounded bodies: force K delta^1.5 with the curvatures at the pitch point.
+"""Tooth pair as a Hertzian point contact: force K delta^1.5 with the curvatures at the pitch point.
 
 Source: Hertz's theory in Johnson, Contact Mechanics (1985), 4.2.
 """
@@ -11,21 +11,21 @@ import math
 from pitchpoint.contact.stiffness.description import PairShape, positive, refuse
 from pitchpoint.geometry.gear_pair import GearPair
 
-#: Diameters from which the curvatures can be taken.
+#: Diameters on which the curvatures can be based.
 DIAMETERS = ("reference", "operating")
 
 
 def equivalent_radius(pair: GearPair, diameter: str = "reference") -> float:
-    """Radius R of a helical pair at its pitch point, normal to the flanks [m].
+    """Equivalent radius R of curvature of a pair at its pitch point, normal to the flanks [m].
 
     Parameters
     ----------
     pair
         The gear pair; internal gears have z < 0.
     diameter
-        Which diameter d_1 of gear 1 is multiplied by cos alpha_t: "reference" gives r_b1 tan alpha_wt, the
-        true radius of curvature of the flank; "operating" takes the working pitch diameter instead, which
-        is too large by cos alpha_t/cos alpha_wt.
+        Diameter d_1 of gear 1 that is multiplied by cos alpha_t. "reference" gives r_b1 tan alpha_wt, the
+        exact radius of curvature of the flank. "operating" uses the working pitch diameter, which gives a
+        radius too large by cos alpha_t/cos alpha_wt.
 
     Raises
     ------
@@ -35,8 +35,8 @@ def equivalent_radius(pair: GearPair, diameter: str = "reference") -> float:
     Notes
     -----
     R = i d_1 cos(alpha_t) tan(alpha_wt)/(2 (1 + i) cos(beta_b)), i = z_2/z_1 with its sign. The reference
-    diameter is the exact one: with rho_1 = r_b1 tan(alpha_wt)/cos(beta_b) and rho_2 = i rho_1 it is 1/R =
-    1/rho_1 + 1/rho_2.
+    diameter is exact: with rho_1 = r_b1 tan(alpha_wt)/cos(beta_b) and rho_2 = i rho_1, 1/R = 1/rho_1 +
+    1/rho_2.
 
     Examples
     --------
@@ -51,7 +51,13 @@ def equivalent_radius(pair: GearPair, diameter: str = "reference") -> float:
     (33.45, 33.99)
     """
     if diameter not in DIAMETERS:
-        raise refuse("stiffness.diameter", "is none", diameter, " or ".join(DIAMETERS), "take one of them")
+        raise refuse(
+            "stiffness.diameter",
+            "is not a known diameter",
+            diameter,
+            " or ".join(DIAMETERS),
+            "use one of them",
+        )
     z1, z2 = pair.gear1.z, pair.gear2.z
     d_1 = pair.gear1.d if diameter == "reference" else 2.0 * pair.a_w * z1 / (z1 + z2)
     tangent = math.cos(pair.gear1.alpha_t) * math.tan(pair.alpha_wt) / (2.0 * math.cos(pair.gear1.beta_b))
@@ -77,13 +83,13 @@ def hertz_constant(
 
     Notes
     -----
-    K = (4/3) sqrt(R) E*, 1/E* = sum of (1 - nu^2)/E: two spheres of the curvature of the flanks (H. Hertz,
-    1881), as used for whole tooth pairs in a study of a mining shovel's crawler gearbox, eq. 3. The face
-    width does not occur in it.
+    K = (4/3) sqrt(R) E*, 1/E* = sum of (1 - nu^2)/E: two spheres with the curvature of the flanks (H. Hertz,
+    1881), as used for whole tooth pairs in a study of a mining shovel's crawler gearbox, eq. 3. K is
+    independent of the face width.
 
     Examples
     --------
-    The same stage, pinion 210 GPa, wheel 175 GPa [1e5 N/mm^1.5]; Table 4 of that study has 8.102:
+    Same stage, pinion 210 GPa, wheel 175 GPa [1e5 N/mm^1.5]; Table 4 of that study gives 8.102:
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> beta = math.radians(12.0)
@@ -111,7 +117,7 @@ def hertz(
     exponent: float = 1.5,
     T_R: float = 0.0,
 ) -> PairShape:
-    """Tooth pair with the force K delta^exponent normal to its flanks, the same all along its path.
+    """Tooth pair with the normal force K delta^exponent, constant along the path of contact.
 
     Parameters
     ----------
@@ -120,7 +126,7 @@ def hertz(
     moduli, poisson, diameter
         See `hertz_constant`.
     constant
-        Own constant K of the pair [N/m^exponent] in place of Hertz.
+        Given constant K of the pair [N/m^exponent]; replaces the Hertzian value.
     exponent
         Exponent of the force.
     T_R
@@ -128,9 +134,9 @@ def hertz(
 
     Notes
     -----
-    K belongs to a contact line over the whole common face width and is spread evenly along it: a pair that
-    has entered with half of its line carries half. Along the base tangent F_bt = F_n cos(beta_b) and
-    delta = u_bt cos(beta_b), so the constant there is K cos(beta_b)^(1 + exponent).
+    K applies to a contact line over the whole common face width and is distributed uniformly along it: a
+    pair in contact over half of its line has K/2. Along the base tangent F_bt = F_n cos(beta_b) and delta =
+    u_bt cos(beta_b), so the constant there is K cos(beta_b)^(1 + exponent).
 
     Examples
     --------

@@ -18,18 +18,19 @@ def pair_table(
     Parameters
     ----------
     pair
-        The gear pair; not read.
+        The gear pair; not used.
     single_stiffness
-        Single tooth stiffness c' per face width [N/m^2].
+        Single stiffness c' per unit face width [N/m^2].
     values
-        Stiffness over c' at n points from A to E, both included, shape (n,), n >= 2; linear between them.
+        Stiffness relative to c' at n points from A to E, both included, shape (n,), n >= 2; linear
+        interpolation.
     tip_relief_factor
         Length of the ramps at A and E over frac(eps_alpha), T_R, in [0, 1].
 
     Raises
     ------
     ModelError
-        If c' is not positive and finite, or the table is none.
+        If c' is not positive and finite, or the table is invalid.
 
     Examples
     --------

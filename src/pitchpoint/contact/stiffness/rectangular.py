@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rectangular-wave mesh stiffness, the simplest law that varies: two values in turn, as pairs come and go.
+"""Rectangular-wave mesh stiffness: two alternating values, as the number of tooth pairs in contact changes.
 
 Derivation: docs/theory/stiffness.md, "The mesh".
 """
@@ -20,12 +20,13 @@ def rectangular(
     Parameters
     ----------
     pair
-        The gear pair; read for its contact ratio if `duty` is not given.
+        The gear pair; gives the contact ratio if `duty` is omitted.
     high, low
-        Stiffness while one more pair carries (from psi = 0 on) and for the rest of the period [N/m].
+        Stiffness with the larger number of pairs in contact (from psi = 0) and for the rest of the period
+        [N/m].
     duty
-        Share of the period with `high`, in (0, 1); default frac(eps_alpha), the share of the time with the
-        larger number of pairs.
+        Fraction of the period with `high`, in (0, 1); default frac(eps_alpha), the fraction with the larger
+        number of pairs in contact.
 
     Raises
     ------
@@ -34,8 +35,8 @@ def rectangular(
 
     Notes
     -----
-    The wave of Meissner's stability problem; with high : low = 3 : 2 that of a camshaft drive study for two
-    and three pairs in turn. The mean is high duty + low (1 - duty).
+    Rectangular wave of the Meissner equation; with high : low = 3 : 2, that of a camshaft drive study with
+    alternately three and two pairs in contact. The mean is high duty + low (1 - duty).
 
     Examples
     --------
@@ -53,7 +54,7 @@ def rectangular(
         duty = pair.eps_alpha - math.floor(pair.eps_alpha)
     if not 0.0 < duty < 1.0:
         raise refuse(
-            "stiffness.duty", "leaves no wave", duty, "0 < duty < 1", "give a share inside the period"
+            "stiffness.duty", "is not a duty cycle", duty, "0 < duty < 1", "give the share of the high value"
         )
     mean = high * duty + low * (1.0 - duty)
     return PhaseStiffness(mean=mean, rectangular=(high / mean, low / mean, duty))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compliance that a crack at the root adds to a tooth, by the same energy method as `tooth_compliance`."""
+"""Additional compliance of a tooth with a root crack, by the energy method of `tooth_compliance`."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def root_half_thickness(form: ToothForm) -> float:
     Parameters
     ----------
     form
-        Exact tooth.
+        Exact tooth form.
 
     Examples
     --------
@@ -37,12 +37,12 @@ def root_half_thickness(form: ToothForm) -> float:
 
 
 def largest_crack(form: ToothForm, angle: float) -> float:
-    """Depth of a crack that reaches the centre line of a tooth [m], the end of the range of the formula.
+    """Depth of a crack that reaches the tooth centre line [m], the limit of validity of the formula.
 
     Parameters
     ----------
     form
-        Exact tooth.
+        Exact tooth form.
     angle
         Angle between crack and centre line of the tooth [rad], in (0, π/2].
 
@@ -59,17 +59,17 @@ def largest_crack(form: ToothForm, angle: float) -> float:
 def crack_compliance(
     form: ToothForm, rho: Array, depth: Array, *, angle: float, beta: float, E: float, nu: float
 ) -> Array:
-    """Compliance that a root crack adds for forces that open it, per unit face width along the base tangent.
+    """Additional compliance of a root crack under opening load, per unit face width along the base tangent.
 
     Parameters
     ----------
     form
-        Exact tooth.
+        Exact tooth form.
     rho
         Monotone radii of curvature of the contact points [m], shape (n,).
     depth
-        Lengths of the crack in the transverse section [m], shape (m,), from where the fillet meets the root
-        circle; one for every slice of the face.
+        Crack lengths in the transverse section [m], shape (m,), one per slice of the face width, measured
+        from the intersection of fillet and root circle.
     angle
         Angle between crack and centre line of the tooth [rad], in (0, π/2].
     beta
@@ -85,17 +85,17 @@ def crack_compliance(
     Raises
     ------
     GeometryError
-        If a crack reaches the centre line.
+        If a crack extends beyond the centre line or a depth is negative.
 
     Notes
     -----
-    The crack ends at h_c = x_0 − depth sin(angle) from the centre line, x_0 the half thickness at the root.
-    What lies farther out than h_c on the side of the crack carries nothing (limit line parallel to the centre
-    line): sections of half thickness x > h_c have the thickness x + h_c instead of 2 x, hence
-    I = (x + h_c)³/12 and A = x + h_c in the bending and shear of `tooth_compliance`. Compression, contact
-    and gear body stay. X. Tian, M. J. Zuo and K. R. Fyfe, "Analysis of the vibration response of a gearbox
-    with gear tooth faults", ASME IMECE (2004); Z. Chen and Y. Shao, Eng. Fail. Anal. 18 (2011) 2149. Slices
-    along the face bend on their own.
+    The crack tip is at the distance h_c = x_0 − depth sin(angle) from the centre line, with x_0 the half
+    thickness at the root. Material farther out than h_c on the cracked side carries no load (limit line
+    parallel to the centre line): sections of half thickness x > h_c have the thickness x + h_c instead of 2
+    x, hence I = (x + h_c)³/12 and A = x + h_c in the bending and shear terms of `tooth_compliance`.
+    Compression, contact and gear body are unchanged. X. Tian, M. J. Zuo and K. R. Fyfe, "Analysis of the
+    vibration response of a gearbox with gear tooth faults", ASME IMECE (2004); Z. Chen and Y. Shao, Eng.
+    Fail. Anal. 18 (2011) 2149. Slices along the face width are not coupled.
 
     Examples
     --------
@@ -138,24 +138,24 @@ def crack_compliance(
 
 
 def crack_depth(z: Array, depth: float, length: float | None, face_width: float, at: str) -> Array:
-    """Depth of a crack along the face [m].
+    """Crack depth along the face width [m], shape (n,).
 
     Parameters
     ----------
     z
         Positions along the face width [m], −b/2 to b/2, shape (n,).
     depth
-        Largest depth [m].
+        Maximum depth [m].
     length
-        Length along the face [m]; None for a crack of the same depth along the whole face.
+        Crack length along the face width [m]; None for constant depth over the whole face width.
     face_width
         Face width b [m].
     at
-        End of the face where it is deepest: "start" (z = −b/2) or "end".
+        End of the face width with the maximum depth: "start" (z = −b/2) or "end".
 
     Notes
     -----
-    depth √(1 − ζ/length), ζ from that end: a parabola as in Chen and Shao (2011).
+    depth √(1 − ζ/length) with ζ measured from that end: a parabola as in Chen and Shao (2011).
 
     Examples
     --------
@@ -169,7 +169,7 @@ def crack_depth(z: Array, depth: float, length: float | None, face_width: float,
 
 
 def _added(x: Array, eta: Array, h_c: Array) -> Array:
-    """What 1/I, eta/I, eta^2/I and 1/A per unit width grow by, shape (4, m, ...)."""
+    """Increase of 1/I, eta/I, eta^2/I and 1/A per unit width due to the crack, shape (4, m, ...)."""
     h = h_c[(..., *(None,) * x.ndim)]
     lost = x > h
     flexibility = np.where(lost, 12.0 / (x + h) ** 3 - 1.5 / x**3, 0.0)

@@ -15,10 +15,10 @@ def table(pair: GearPair | None, *, values: ArrayLike) -> PhaseStiffness:
     Parameters
     ----------
     pair
-        The gear pair; not read.
+        The gear pair; not used.
     values
-        Stiffness along the base tangent [N/m], shape (n,), at psi = i/n, n >= 2; linear between them, the
-        first value follows the last.
+        Stiffness along the base tangent [N/m], shape (n,), at psi = i/n, n >= 2; periodic with linear
+        interpolation.
 
     Raises
     ------
@@ -32,5 +32,5 @@ def table(pair: GearPair | None, *, values: ArrayLike) -> PhaseStiffness:
     (400000000.0, [1.0, 1.0])
     """
     array = frozen_array("stiffness.values", values, 2)
-    mean = float(array.mean())  # also the integral mean of the periodic straight-line interpolation
+    mean = float(array.mean())  # also the integral mean of the periodic linear interpolation
     return require_positive("stiffness.values", PhaseStiffness(mean=mean, table=array / mean))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compliance of one tooth under a force on its flank: bending, shear, compression, and the gear body.
+"""Compliance of one tooth under a force on its flank: bending, shear, compression and gear body.
 
-The tooth is a cantilever from its root circle with the true section of `geometry.tooth_form`. All integrals
-over the height run cumulatively from the root, so that every point of the path of contact costs one step.
+The tooth is a cantilever clamped at the root circle with the exact section of `geometry.tooth_form`. All
+integrals over the height are cumulative from the root, so each point of the path of contact costs one step.
 
 Source: Ma, Song, Pang, Wen, Eng. Fail. Anal. 44 (2014) 179; gear body Sainsot, Velex, Duverger, J. Mech. Des.
 126 (2004) 748.
@@ -35,7 +35,7 @@ BODY = np.array(
 THETA_RANGE = (0.01, 0.12)
 RATIO_RANGE = (1.4, 7.0)
 
-#: Ratio for a gear without bore: the fit needs a clamped circle, so it is put at half the root radius.
+#: Ratio for a gear without bore: the fit requires a clamped circle, assumed at half the root radius.
 SOLID_RATIO = 2.0
 
 _FILLET = leggauss(40)
@@ -45,7 +45,10 @@ _STEP = leggauss(3)
 
 @dataclass(frozen=True)
 class ToothCompliance:
-    """Compliances of one tooth per unit face width along the base tangent, shape (n,) each [m^2/N]."""
+    """Compliances of one tooth per unit face width along the base tangent, shape (n,) each [m^2/N].
+
+    `depth` is the distance from the contact point to the centre line along the line of action [m].
+    """
 
     bending: Array
     shear: Array
@@ -55,23 +58,23 @@ class ToothCompliance:
 
     @property
     def total(self) -> Array:
-        """Sum of the four compliances [m^2/N], shape (n,) (`depth` is a length and not included)."""
+        """Sum of the four compliances [m^2/N], shape (n,)."""
         return self.bending + self.shear + self.axial + self.body
 
 
 def section(form: ToothForm, roll: Array) -> tuple[Array, Array, Array]:
-    """Half thickness, height above the tooth's root [m], its derivative by the roll angle, shape (n,) each.
+    """Half thickness, height above the tooth root [m], its derivative by the roll angle, shape (n,) each.
 
     Parameters
     ----------
     form
-        Exact tooth.
+        Exact tooth form.
     roll
-        Roll angles of points of the flank [rad], shape (n,).
+        Roll angles of flank points [rad], shape (n,).
 
     Examples
     --------
-    On the reference circle half of a tooth without profile shift spans pi/(2 z) there:
+    On the reference circle half a tooth without profile shift spans the angle pi/(2 z):
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> from pitchpoint.geometry.tooth_form import tooth_form
@@ -94,20 +97,20 @@ def _root_height(form: ToothForm) -> float:
 
 
 def _integrands(x: Array, eta: Array) -> Array:
-    """1/I, eta/I, eta^2/I per unit width and 1/A per unit width, shape (4, ...)."""
+    """1/I, eta/I, eta^2/I and 1/A per unit width, shape (4, ...)."""
     flexibility = 1.5 / x**3
     return np.stack([flexibility, eta * flexibility, eta * eta * flexibility, 0.5 / x])
 
 
 def fillet_section(form: ToothForm, theta: Array) -> tuple[Array, Array, Array]:
-    """The same as `section` for points of the fillet, with the derivative by their parameter.
+    """Same as `section` for points of the fillet, with the derivative by the fillet parameter.
 
     Parameters
     ----------
     form
-        Exact tooth.
+        Exact tooth form.
     theta
-        Parameters of the fillet [rad], shape (n,).
+        Fillet parameters [rad], shape (n,).
 
     Examples
     --------
@@ -123,7 +126,7 @@ def fillet_section(form: ToothForm, theta: Array) -> tuple[Array, Array, Array]:
     h = 0.5e-5 * abs(form.theta_form - form.fillet.theta_root)
 
     def point(t: Array) -> tuple[Array, Array]:
-        """Half thickness and height over the root of the fillet at its parameter, shapes of t [m]."""
+        """Half thickness and height above the root at fillet parameters t, shapes of t [m]."""
         r, angle = form.fillet_polar(t)
         return r * np.sin(angle), form.sign * (r * np.cos(angle) - _root_height(form))
 
@@ -144,7 +147,7 @@ def _cumulative_integrals(form: ToothForm, roll: Array) -> Array:
     """Integrals from the root up to each roll angle (ordered from root to tip), shape (4, n)."""
 
     def pieces(lower: Array, upper: Array, rule: tuple[Array, Array]) -> Array:
-        """Integrals over the pieces from `lower` to `upper`, shapes (n,), by one Gauss rule."""
+        """Integrals over the intervals from `lower` to `upper`, shapes (n,), by a Gauss rule."""
         half = 0.5 * (upper - lower)
         t = (0.5 * (upper + lower))[:, None] + half[:, None] * rule[0]
         x, eta, slope = section(form, t)
@@ -157,21 +160,21 @@ def _cumulative_integrals(form: ToothForm, roll: Array) -> Array:
 
 
 def body_coefficients(theta_f: float, radius_ratio: float) -> tuple[float, float, float, float]:
-    """Coefficients L*, M*, P*, Q* of the gear body's share of the tooth deflection.
+    """Coefficients L*, M*, P*, Q* of the tooth deflection due to the gear body.
 
     Parameters
     ----------
     theta_f
         Half tooth angle at the root circle [rad]; fitted for 0.01 to 0.12.
     radius_ratio
-        Root radius over bore radius, h = r_f/r_int; fitted for 1.4 to 7. The disc is clamped at the bore, so
-        that a smaller bore means a softer body.
+        Root radius over bore radius, h = r_f/r_int; fitted for 1.4 to 7. The disc is clamped at the bore: a
+        smaller bore gives a more compliant body.
 
     Notes
     -----
     X* = A/theta_f^2 + B h^2 + C h/theta_f + D/theta_f + E h + F. P. Sainsot, P. Velex and O. Duverger,
     "Contribution of gear body to tooth deflections", J. Mech. Des. 126 (2004) 748. A ValidityWarning reports
-    arguments outside their range.
+    arguments outside the range of the fit.
 
     Examples
     --------
@@ -193,12 +196,12 @@ def body_coefficients(theta_f: float, radius_ratio: float) -> tuple[float, float
 
 
 def _body_compliance(form: ToothForm, c: Array, height: Array, bore: float | None) -> Array:
-    """Compliance of the gear body times E, for the load angles' cosines c.
+    """Compliance of the gear body times E; c is the cosine of the load angle a1.
 
-    cos^2 a1 [L* (u/s_f)^2 + M* u/s_f + P* (1 + Q* tan^2 a1)], s_f = 2 r_f theta_f, u = height - r_f. Sainsot,
-    Velex and Duverger measure u up to where the line of load crosses the tooth's centre line, at r_b/cos a1
-    ("load_line"); some programs take the height of the contact point instead ("contact_point"), which makes
-    the body softer.
+    cos^2 a1 [L* (u/s_f)^2 + M* u/s_f + P* (1 + Q* tan^2 a1)], s_f = 2 r_f theta_f, u = height - r_f.
+    Sainsot, Velex and Duverger measure u to the intersection of the line of action with the tooth centre
+    line, at r_b/cos a1 ("load_line"). Some programs use the height of the contact point instead
+    ("contact_point"), which makes the body more compliant.
     """
     theta_f = form.root_half_angle
     L, M, P, Q = body_coefficients(theta_f, 2.0 * form.r_f / bore if bore else SOLID_RATIO)
@@ -214,33 +217,33 @@ def tooth_compliance(
     Parameters
     ----------
     form
-        Exact tooth.
+        Exact tooth form.
     rho
-        Equally or unequally spaced, monotone distances of the contact points from the base circle's tangent
-        point (radii of curvature in the transverse section), positive [m], shape (n,).
+        Transverse radii of curvature at the contact points (distances from the tangent point on the base
+        circle), positive and monotone [m], shape (n,).
     beta
         Helix angle [rad]; the sign does not matter.
     E, nu
         Young's modulus [Pa], Poisson's ratio.
     bore
-        Bore diameter [m]; None for a solid gear, taken as held at half its root radius.
+        Bore diameter [m]; None for a solid gear, assumed clamped at half its root radius.
     body
-        "load_line" or "contact_point": the reading of u_f, see `_body_compliance`; "rigid": none. An internal
-        gear's ring is always taken as rigid, the fit holds for discs.
+        "load_line" or "contact_point": definition of u, see `_body_compliance`; "rigid": no body compliance.
+        An internal gear is always rigid because the fit applies to discs.
 
     Notes
     -----
-    Per unit face width, F along the base tangent, alpha_1 its angle against the perpendicular to the tooth's
-    centre line, x the half thickness, eta the height above the root circle:
+    Per unit face width, with F along the base tangent, a1 its angle to the perpendicular to the tooth centre
+    line, x the half thickness and eta the height above the root circle:
 
     * bending: int [cos a1 (eta_c - eta) - x_c sin a1]^2/(E I) d eta, I = 2 x^3/3
     * shear: 1.2 cos^2 a1 int 1/(G A) d eta, A = 2 x; axial: sin^2 a1 int 1/(E A) d eta
     * body: see `_body_compliance`
 
-    H. Ma, R. Song, X. Pang and B. Wen, Eng. Fail. Anal. 44 (2014) 179. A helical tooth bends across its
-    trace: in the normal section the thickness is x cos(beta), the tangential force and the lengths of the
-    trace grow with 1/cos(beta), which multiplies bending by 1/cos^4(beta) (moment of the radial force by a
-    further cos^2(beta)) and shear by 1/cos^2(beta).
+    H. Ma, R. Song, X. Pang and B. Wen, Eng. Fail. Anal. 44 (2014) 179. A helical tooth bends perpendicular
+    to its trace: in the normal section the thickness is x cos(beta), while the tangential force and the
+    length of the trace increase with 1/cos(beta). This multiplies bending by 1/cos^4(beta) (the moment of
+    the radial force by a further cos^2(beta)) and shear by 1/cos^2(beta).
 
     Examples
     --------

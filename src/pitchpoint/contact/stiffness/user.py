@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mesh stiffness from a user's own Python function of the mesh phase."""
+"""Mesh stiffness from a user-defined Python function of the mesh phase."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from pitchpoint.geometry.gear_pair import GearPair
 
 
 def user(pair: GearPair | None, *, function: Callable[[float], float], points: int = 1024) -> PhaseStiffness:
-    """Describe a mesh stiffness by a function k(psi) of one period.
+    """Describe a mesh stiffness by a function k(psi) over one period.
 
     Parameters
     ----------
     pair
-        The gear pair; not read.
+        The gear pair; not used.
     function
-        Takes the phase in [0, 1) and returns the stiffness along the base tangent [N/m]. It is called
-        `points` times here and never in the time loop.
+        Returns the stiffness along the base tangent [N/m] at a phase in [0, 1). It is called `points` times
+        here and never during time integration.
     points
-        Number of equal steps of the table that replaces the function; the straight lines between them err
-        by at most max|k''|/(8 points^2), and a jump is drawn over one step.
+        Number of equal steps of the table that replaces the function. The error of the linear interpolation
+        is at most max|k''|/(8 points^2); a jump is spread over one step.
 
     Raises
     ------

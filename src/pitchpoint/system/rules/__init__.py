@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One rule per component: from what the user describes to the records of the elements."""
+"""Rules that convert model components to element records, one module per component."""

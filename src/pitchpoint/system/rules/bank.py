@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a rule hands to the assembler: the records of one kind, their names, their tables, their user laws."""
+"""Result of a rule: records of one kind with names, table pool and user laws."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Bank:
 
 
 def pack(kind: str, dtype: np.dtype[Any], rows: list[np.void], names: list[str], **more: Any) -> Bank:
-    """Gather rows into a bank."""
+    """Combine rows to a bank."""
     records = np.zeros(len(rows), dtype)
     for k, row in enumerate(rows):
         records[k] = row

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Beams between places as stations, bodies with six coordinates, and the pieces between them.
+"""Beams as stations (bodies with six coordinates) and the beam elements between them.
 
-Stations hang on the body of the first end: a beam that turns with a hub starts with the right speed, and its
-coordinates are how far it bends.
+The stations are children of the body at the first end: a beam on a rotating hub starts with the correct
+speed, and its coordinates are deflections relative to that body.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 BARE = 1e-9
-"""Mass and inertia of a station per mass and inertia of the beam: a body needs some."""
+"""Mass and inertia of a station relative to those of a beam element; a body must not be massless."""
 
 
 def beam_stations(model: Model, places: Places) -> list[Body]:
@@ -55,7 +55,7 @@ def beam_stations(model: Model, places: Places) -> list[Body]:
 
 
 def beam_bank(places: Places) -> Bank:
-    """Pieces of all beams."""
+    """Elements of all beams."""
     model, first = places.model, places.first_station
     rows, names, station = [np.zeros(0, RECORD)], [], first
     for name, part in model.beams.items():
@@ -84,15 +84,15 @@ def beam_bank(places: Places) -> Bank:
 
 
 def _line(model: Model, part: BeamPart) -> tuple[Array, Array, Array]:
-    """Both ends in the world with all coordinates zero [m], and the axes of the section, columns."""
+    """End points in world axes with all coordinates zero [m], and the section axes as columns."""
     root, tip = (place_of(model, e) for e in part.ends)
-    assert root is not None and tip is not None  # a model places all its bodies
+    assert root is not None and tip is not None  # all bodies of a model have a position
     way = tip - root
     return root, tip, frame(Axes(z=tuple(way), x=part.axis))
 
 
 def _clamped(model: Model, places: Places, end: str, axes: Array) -> tuple[int, Array, Array]:
-    """Number of the body at an end, the node and the axes of the section in the frame of that body."""
+    """Number of the body at an end; node and section axes in the frame of that body."""
     number, node, own = places.end(end)
     return number, node, own @ axes_of(model, end).T @ axes
 
@@ -109,7 +109,7 @@ def _piece(part: BeamPart, length: float) -> Beam:
 
 
 def section_of(part: BeamPart, nu: float) -> Section:
-    """Section of a beam from whichever shape it is given by; nu is Poisson's ratio [-]."""
+    """Cross-section of a beam from its shape or its section properties; nu is Poisson's ratio [-]."""
     s = part.section
     if s.diameter is not None:
         return tube(s.diameter, s.bore, nu)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bearings and couplings of a model as records of the six-direction spring."""
+"""Bearings and couplings of a model as records of the six-component spring."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 
 
 def bearing_bank(places: Places) -> Bank:
-    """All bearings that sit tight (body to ground or housing) and couplings (body to body).
+    """All bearings without fit clearance (body to ground or housing) and all couplings (body to body).
 
-    The markers lie on the spin axes, so that the springs do not turn with the gears; a model has no x and y
-    in their positions. The springs act along the axes of the (first) body.
+    The markers are on the spin axes (x = y = 0), so that the springs do not rotate with the gears. The
+    springs act along the axes of the (first) body.
     """
     model = places.model
     rows, names = [], []
@@ -62,18 +62,18 @@ def bearing_bank(places: Places) -> Bank:
 
 
 def housed(model: Model) -> list[str]:
-    """Bearings that sit in housings."""
+    """Names of the bearings with a housing."""
     return [n for n, b in model.bearings.items() if b.housing not in (None, GROUND)]
 
 
 def housing_numbers(model: Model) -> dict[str, int]:
-    """Number of the body that every housed bearing sits in: they are numbered after all others."""
+    """Number of the housing seat of each bearing with a housing; numbered after all other bodies."""
     first = 1 + sum(count_of(model, name) for name in model.mechanism.seats)
     return {name: first + k for k, name in enumerate(housed(model))}
 
 
 def housing_seats(model: Model) -> list[Body]:
-    """Bodies without mass, fixed to housings where bearings sit, along the axes of what runs in them."""
+    """Massless bodies fixed to the housings at the bearings, with the axes of the supported bodies."""
     found = []
     for name in housed(model):
         part = model.bearings[name]
@@ -87,7 +87,7 @@ def housing_seats(model: Model) -> list[Body]:
 
 
 def damping_matrix(model: Model, part: Bearing | Coupling, ends: tuple[str, ...]) -> NDArray[np.float64]:
-    """Damping matrix; a ratio is that of critical damping of the (reduced) inertia on the spring."""
+    """Damping matrix; a ratio refers to critical damping of the (reduced) inertia on the spring."""
     if part.damping is None:
         return np.zeros((6, 6))
     if part.damping.ratio is None:
@@ -98,7 +98,7 @@ def damping_matrix(model: Model, part: Bearing | Coupling, ends: tuple[str, ...]
         masses = (*3 * (part_of.mass,), *2 * (part_of.transverse,), part_of.polar)
         inverse += np.array([1.0 / v if v > 0.0 else 0.0 for v in masses])
     K = np.array(part.stiffness.matrix6())
-    # a full matrix is damped along its own directions: square root of M^(-1/2) K M^(-1/2), scaled back
+    # damping along the principal directions: matrix square root of M^(-1/2) K M^(-1/2), scaled back
     scale = np.where(inverse > 0.0, np.sqrt(inverse), 0.0)
     values, vectors = np.linalg.eigh(scale[:, None] * K * scale[None, :])
     root = vectors * np.sqrt(np.maximum(values, 0.0)) @ vectors.T

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Faults of rolling bearings as the rows that their element reads."""
+"""Faults of rolling bearings as rows of the bearing element."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from pitchpoint.model.components.rolling_bearing import RollingBearing
 
 
 def put_faults(row: Any, part: RollingBearing, pool: Pool) -> None:
-    """Fill the fault fields of the record of one bearing; healthy ones take no notice of this."""
+    """Set the fault fields of a bearing record; the record of a healthy bearing is unchanged."""
     spalls = [fault for fault in part.faults.values() if not isinstance(fault, CageFault | LooseBearing)]
     rows = [one for fault in spalls for one in _spall(part, fault)]
     if rows:
         row["faults"] = pool.add(rows)
-        # spalls of zero severity keep their rows, which are not read: the bearing is as fast as a healthy one
+        # rows of zero severity are stored but not read: no extra computing time
         row["n_faults"] = len(rows) if any(drop > 0.0 for *_, drop in rows) else 0
     if any(isinstance(fault, CageFault) for fault in part.faults.values()):
         even = 2.0 * math.pi / part.elements * np.arange(part.elements)
@@ -30,7 +30,7 @@ def put_faults(row: Any, part: RollingBearing, pool: Pool) -> None:
 
 
 def _spall(part: RollingBearing, fault: SpallFault) -> list[tuple[float, ...]]:
-    """One spall as rows of `elements.bearing_fault`: one race, or the two that an element meets."""
+    """Rows of `elements.bearing_fault` for a spall: one on a race, two (both races) on a rolling element."""
     if not isinstance(fault, ElementFault):
         inner = fault.form == "inner_race"
         return [_row(part, fault, INNER if inner else OUTER, inner, fault.angle)]

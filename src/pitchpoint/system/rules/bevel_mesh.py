@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a pair of bevel gears and its laws to the record of the compiled bevel mesh."""
+"""Records of bevel meshes from bevel gear pairs and their laws."""
 
 from __future__ import annotations
 
@@ -40,19 +40,19 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """Places of the two gears of a bevel mesh when all coordinates are zero.
+    """Position of the two gears of a bevel mesh with all coordinates zero.
 
     Parameters
     ----------
     axes1, axes2
-        Frames of the bodies in the world, columns; both gears turn about the third axis of theirs.
+        Body frames in world axes, columns; each gear rotates about its third axis.
     apexes
-        Places of the apexes along these axes, from the origins of the bodies [m].
+        Positions of the apexes along these axes, from the body origins [m].
     sides
         +1 for a pitch cone that opens towards +z of the body, -1 towards -z.
     angles
-        Angles of the centres of tooth 0 at spin 0 about +z of the bodies, from their x axes [rad]; None puts
-        a tooth of gear 1 and a space of gear 2 on the pitch ray.
+        Angles of the centre of tooth 0 at spin 0 about +z of the bodies, from their x axes [rad]; None: a
+        tooth of gear 1 and a space of gear 2 are on the pitch ray.
     """
 
     axes1: Array = field(default_factory=lambda: np.eye(3))
@@ -63,18 +63,18 @@ class Placement:
 
 
 def pitch_rays(place: Placement) -> tuple[float, float]:
-    """Angles of the pitch ray about +z of both bodies at rest, from their x axes [rad]."""
+    """Angles of the pitch ray about +z of both bodies at zero spin, from their x axes [rad]."""
     one, two = place.sides[0] * place.axes1[:, 2], place.sides[1] * place.axes2[:, 2]
     return pitch_ray(place.axes1, one, two), pitch_ray(place.axes2, two, one)
 
 
 def square_mean(pair: BevelPair) -> float:
-    """Integral of (R/R_m)^2 over the common face [m]: a slice at R counts by its lever squared."""
+    """Integral of (R/R_m)^2 over the common face width [m]: slices are weighted by lever arm squared."""
     return (pair.R_e**3 - pair.R_i**3) / (3.0 * pair.R_m**2)
 
 
 def mean_stiffness(pair: BevelPair, stiffness: Description) -> float:
-    """Mean total stiffness of a bevel mesh along the base tangent at R_m [N/m], over one mesh cycle."""
+    """Mean total stiffness of a bevel mesh over a mesh cycle, along the base tangent at R_m [N/m]."""
     if isinstance(stiffness, PhaseStiffness):
         return stiffness.mean
     return pair_cycle(stiffness, pair.eps_alpha, n=2).mean * stiffness.c_prime * square_mean(pair)
@@ -85,7 +85,7 @@ def _cones(row: Any, pair: BevelPair, place: Placement) -> None:
     row["side"], row["apex"] = place.sides, place.apexes
     row["z1"], row["z2"] = (int(s * g.z) for s, g in zip(place.sides, (g1, g2), strict=True))
     row["R_m"] = R = pair.R_m
-    # teeth go by one by one: rounded angles of a drawing must not let one gear gain on the other
+    # ratio from the numbers of teeth: rounded cone angles must not cause a drift between the gears
     base = math.sin(g1.delta_b)
     row["base"] = base, base * g2.z / g1.z
     row["tip"] = g1.sigma_a, g2.sigma_a
@@ -98,7 +98,7 @@ def _cones(row: Any, pair: BevelPair, place: Placement) -> None:
 
 
 def _assembly(row: Any, pair: BevelPair, place: Placement, backlash: float) -> None:
-    """Backlash and initial phase: a tooth of gear 1 and a space of gear 2 next to the pitch ray."""
+    """Set backlash and initial phase from a tooth of gear 1 and a space of gear 2 next to the pitch ray."""
     gears = (pair.gear1, pair.gear2)
     half = [pair.R_m * math.sin(g.delta_b) * g.psi_b for g in gears]
     rolls = sum(pair.R_m * math.sin(g.delta_b) * spherical_involute(g.sigma_w, g.delta_b) for g in gears)
@@ -134,18 +134,18 @@ def _stiffness(row: Any, pair: BevelPair, stiffness: Description) -> None:
 
 
 def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float | None = None) -> np.void:
-    """Fill one record of the bevel mesh (body and block indices and outputs stay for the assembler).
+    """Record of one bevel mesh; body indices, block indices and outputs are set by `assemble`.
 
     Parameters
     ----------
     pair
-        The gears; their apexes coincide at the place of rest.
+        The gear pair; the apexes coincide with all coordinates zero.
     place
-        Their places.
+        Position of the gears.
     laws
         Stiffness (a parabola, or a constant total one), damping and friction.
     backlash
-        Total gap along the base tangent at the mean cone distance [m]; None takes that of the geometry.
+        Total gap along the base tangent at the mean cone distance [m]; None: backlash of the geometry.
 
     Returns
     -------
@@ -162,7 +162,7 @@ def bevel_row(pair: BevelPair, place: Placement, laws: MeshLaws, backlash: float
 
 
 def bevel_single_stiffness(model: Model, name: str) -> SingleStiffness:
-    """Single and mesh stiffness of a bevel mesh by DIN 3990 for its virtual cylindrical gears."""
+    """Single and mesh stiffness of a bevel mesh to DIN 3990 for its virtual cylindrical gears."""
     pair = model.bevel_pairs[name]
     one, two = (
         VirtualTooth(g.z_vn, g.x_hm, g.rack.h_fP_star, g.alpha_n, g.beta_m) for g in (pair.gear1, pair.gear2)
@@ -173,7 +173,7 @@ def bevel_single_stiffness(model: Model, name: str) -> SingleStiffness:
 
 
 def bevel_stiffness(model: Model, name: str) -> Description:
-    """Stiffness description of a bevel mesh, by the law that its model names."""
+    """Stiffness description of a bevel mesh by the law in the model."""
     law = model.bevel_meshes[name].stiffness
     if isinstance(law, ConstantStiffness):
         return PhaseStiffness(mean=law.value)
@@ -186,7 +186,7 @@ def bevel_stiffness(model: Model, name: str) -> Description:
 
 
 def bevel_laws(model: Model, name: str) -> MeshLaws:
-    """Stiffness, damping and friction of one bevel mesh; ratios become damping rates."""
+    """Stiffness, damping and friction of one bevel mesh; damping ratios are converted to coefficients."""
     mesh, pair = model.bevel_meshes[name], model.bevel_pairs[name]
     stiffness = bevel_stiffness(model, name)
     k = mean_stiffness(pair, stiffness)
@@ -197,15 +197,12 @@ def bevel_laws(model: Model, name: str) -> MeshLaws:
 
 
 def _seat(model: Model, gear: str, R_m: float) -> tuple[int, float, float, Array]:
-    """Number of the frame that carries a gear, place of the apex along it [m], and its axes.
-
-    Before the axes the angle of tooth 0 in it, at rest and R_m [rad].
-    """
+    """Body number of a gear, axial position of the apex [m], angle of tooth 0 at R_m [rad], body axes."""
     body = str(model.body_of(gear))
     axes = seat_frame(model, model.mechanism.seats[body])[1]
     at = model.bodies[body].bevel_gears[gear]
     middle = middle_of(model.bevel_gears[gear], at) if body in model.shafts else at
-    number, apex = seat_at(model, body, middle)  # on an elastic shaft it sits where its teeth are
+    number, apex = seat_at(model, body, middle)  # on an elastic shaft: station at mid-face
     apex += at - middle
     x, y, _ = axes.T @ body_frame(model, body)[1][:, 0]
     angle = model.bevel_angles[gear] + turned_to(model, gear, R_m)
@@ -213,23 +210,23 @@ def _seat(model: Model, gear: str, R_m: float) -> tuple[int, float, float, Array
 
 
 def own_teeth(row: Any, pair: BevelPair, gears: Sequence[BevelGear], keep: Callable[[Array], int]) -> None:
-    """Fill what single teeth of a mesh have of their own; nothing to do for two sound gears.
+    """Set the fields of individual teeth of a mesh record; unchanged for gears without faults.
 
     Parameters
     ----------
     row
-        A record of the mesh.
+        Record of the mesh.
     pair
-        The gears of the mesh.
+        Geometry of the gear pair.
     gears
-        The same as in the model.
+        The gears in the model.
     keep
-        Puts an array into the pool of the kind and gives its offset.
+        Stores an array in the pool of the kind and returns its offset.
 
     Notes
     -----
-    A tooth displaced by a on the pitch cone at its R_m has turned by a/(R_m sin δ), so that its flanks are
-    sin δ_b times that times R ahead along the base tangent: exact at every cone distance R.
+    A tooth displaced by a on the pitch cone at R_m is rotated by a/(R_m sin δ). Its flanks are displaced by
+    this angle times R sin δ_b along the base tangent, exact at every cone distance R.
     """
     for k, gear in enumerate(gears):
         if not gear.faults:
@@ -266,10 +263,10 @@ def bevel_bank(places: Places) -> Bank:
         )
         row = bevel_row(model.bevel_pairs[name], place, bevel_laws(model, name), model.backlash(name))
         row["i"], row["j"] = one[0], two[0]
-        if row["source"] == layout.PROFILE:  # a constant total stiffness knows no tooth pairs
+        if row["source"] == layout.PROFILE:  # not with a constant total stiffness (no tooth pairs)
             gears = [model.bevel_gears[g] for g in mesh.gears]
             own_teeth(row, model.bevel_pairs[name], gears, pool.add)
-        # the checks of the model have found out that some gear rides on a carrier, or none
+        # the model checks guarantee that at most one gear is on a carrier
         row["carried"] = carrying(model, *(str(model.body_of(g)) for g in mesh.gears)) or 0
         rows.append(row)
         names.append(name)

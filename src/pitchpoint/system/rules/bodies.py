@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bodies of a model as bodies of the multibody layer, and where their places lie in the frames of those.
+"""Bodies of a model as bodies of the multibody layer, and positions in their frames.
 
-The frame of a body that a joint carries sits at the joint, with its axes; everything that a model gives along
-the axes of the body is brought over here, once.
+The frame of a body on a joint has its origin at the joint and the axes of the joint. All model data given in
+body axes are transformed here.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-#: Codes of the types of joints.
+#: Codes of the joint types.
 CODES = {
     "fixed": joints.FIXED,
     "planar": joints.PLANAR,
@@ -49,11 +49,11 @@ CODES = {
 }
 UNITS = {"length": "m", "angle": "rad"}
 ROUND = 1e-12
-"""Share of its moments of inertia, and of the place of its mass, up to which a body is round."""
+"""Relative tolerance of moments of inertia and centre of mass below which a body is round."""
 
 
 def bodies(model: Model) -> list[Body]:
-    """All bodies, parents first, shafts as their stations; body k of the list is k + 1 in the records."""
+    """All bodies, parents first, shafts as stations; body k of the list has number k + 1 in the records."""
     number = body_numbers(model)
     found: dict[str, Body] = {}
     for n, seat in model.mechanism.seats.items():
@@ -71,46 +71,45 @@ def bodies(model: Model) -> list[Body]:
             continue
         body, place = found[part.body], point_on(model, part.body, part.position)
         if model.bodies[part.body].moves == "torsion" and body.inertia is None:
-            # it only spins: what it has across its axis has no effect, but some mass must be able to have it
+            # the body only spins: the transverse inertia has no effect but must be physical
             body = replace(body, transverse_inertia=max(body.transverse_inertia, body.polar_inertia))
         found[part.body] = with_point_mass(body, part.mass, place)
     return list(found.values())
 
 
 def body_numbers(model: Model) -> dict[str, int]:
-    """Number of every body in the records; ground is 0, and a shaft has that of its start."""
+    """Number of each body in the records; ground is 0, a shaft has the number of its first station."""
     known, found = _LAST.get("model", (None, {}))
-    if known is None or known() is not model:  # rules ask once per component
+    if known is None or known() is not model:  # cached, as rules call this once per component
         found, k = {GROUND: 0}, 1
         for name in model.mechanism.seats:
             found[name] = k
             k += count_of(model, name)
-        if not model.elastic_bodies:  # of those their files decide, which may change
+        if not model.elastic_bodies:  # their number of bodies depends on files, which may change
             _LAST["model"] = weakref.ref(model), found
     return found
 
 
 _LAST: dict[str, tuple[weakref.ref[Model], dict[str, int]]] = {}
-"""Numbers of the model that was used last."""
+"""Body numbers of the last model."""
 
 
 def count_of(model: Model, body: str) -> int:
-    """How many bodies of the records a body of the model is: stations of a shaft, frame and nodes of an
-    elastic body."""
+    """Number of records of a body: stations of a shaft; frame, modes and nodes of an elastic body."""
     if body in model.elastic_bodies:
         return elastic_count(model, body)
     return len(model.stations.get(body, (0.0,)))
 
 
 def _parent(model: Model, seat: Seat) -> int:
-    """Number of the body that another one hangs on: of a shaft, the station where the joint sits."""
+    """Number of the parent body; for a shaft that of the station at the joint."""
     if seat.joint is None:
         return body_numbers(model)[seat.parent]
     return frame_at(model, seat.parent, joint_place(model, model.joints[seat.joint]))[0]
 
 
 def _spinner(model: Model, seat: Seat) -> int:
-    """Number of the body whose spin counts for a fixed one: of a shaft, the station where it hangs."""
+    """Number of the body whose spin a fixed body takes over; for a shaft that of the station."""
     name = spinner_of(model, model.mechanism, seat.body)
     if name is None:
         return 0
@@ -143,7 +142,7 @@ def _body(model: Model, seat: Seat, parent: int) -> Body:
     )
     if not _is_round(com, about):
         return replace(body, com=com, inertia=about)
-    if joint is None:  # to the last bit as the model has it
+    if joint is None:  # bit-identical to the model
         i_p, i_t, c = inertia.polar, inertia.central, inertia.center
     else:
         i_p, i_t, c = float(about[2, 2]), 0.5 * float(about[0, 0] + about[1, 1]), float(com[2])
@@ -151,7 +150,7 @@ def _body(model: Model, seat: Seat, parent: int) -> Body:
 
 
 def _is_round(com: Array, about: Array) -> bool:
-    """Whether a mass lies round about the z axis."""
+    """Whether mass and inertia are axisymmetric about the z axis."""
     size = float(np.abs(about).max(initial=0.0))
     beside = max(abs(about[0, 0] - about[1, 1]), abs(about[0, 1]), abs(about[1, 2]), abs(about[2, 0]))
     on_axis = np.abs(com[:2]).max() <= ROUND * np.abs(com).max()
@@ -159,7 +158,7 @@ def _is_round(com: Array, about: Array) -> bool:
 
 
 def _start(joint: Joint | None, seat: Seat) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Start values of the coordinates of a body and of their rates, in the order of the engine."""
+    """Start values of the joint coordinates of a body and of their rates, in the order of `AXES`."""
     if joint is None or not (joint.start or joint.speed) or (seat.turned and seat.kind in ONE_WAY):
         return (), ()
     return (
@@ -170,14 +169,14 @@ def _start(joint: Joint | None, seat: Seat) -> tuple[tuple[float, ...], tuple[fl
 
 # --- places on bodies ---------------------------------------------------------------------------------------
 def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
-    """Place that a component names as ground, BODY or BODY.MARKER, as elements want it.
+    """Body, point and axes of an end given as ground, BODY or BODY.MARKER.
 
     Parameters
     ----------
     model
         The model.
     end
-        The name.
+        Name of the end.
 
     Returns
     -------
@@ -193,7 +192,7 @@ def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
 
 
 def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, Array]:
-    """Number, origin [m] and axes of the frame of a body; of a shaft, of the station nearest to a place.
+    """Number, origin [m] and axes of the frame of a body; for a shaft of the station nearest to `place`.
 
     Parameters
     ----------
@@ -202,7 +201,7 @@ def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, 
     body
         Name of the body, or ground.
     place
-        In the world with all coordinates zero [m]; None takes the start of a shaft.
+        Position in world axes with all coordinates zero [m]; None: first station of a shaft.
     """
     if body == GROUND:
         return 0, np.zeros(3), np.eye(3)
@@ -219,7 +218,7 @@ def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, 
 
 
 def point_on(model: Model, body: str, position: Sequence[float]) -> Array:
-    """Point of a body from the origin of the frame that it moves in, axes of that frame S [m].
+    """Point of a body relative to the origin of its joint frame, in the axes S of that frame [m].
 
     Parameters
     ----------
@@ -228,7 +227,7 @@ def point_on(model: Model, body: str, position: Sequence[float]) -> Array:
     body
         Name of the body.
     position
-        From its origin along its own axes [m].
+        Position from the body origin in body axes [m].
     """
     place, axes = seat_frame(model, model.mechanism.seats[body])
     origin, own = body_frame(model, body)
@@ -236,13 +235,13 @@ def point_on(model: Model, body: str, position: Sequence[float]) -> Array:
 
 
 def world_place(model: Model, end: str) -> Array:
-    """Place that a component names, in the world with all coordinates zero [m]."""
+    """Position of a named end in world axes with all coordinates zero [m]."""
     place = place_of(model, end)
     return np.zeros(3) if place is None else place
 
 
 def seat_at(model: Model, body: str, z: float) -> tuple[int, float]:
-    """Number of what sits at an axial position on a body, and the position from its frame [m].
+    """Body number at an axial position on a body, and the position relative to its frame [m].
 
     Parameters
     ----------
@@ -251,7 +250,7 @@ def seat_at(model: Model, body: str, z: float) -> tuple[int, float]:
     body
         Name of the body.
     z
-        From the origin of the body along its z axis [m].
+        Position from the body origin along the z axis [m].
     """
     number = body_numbers(model)[body]
     if body in model.shafts:

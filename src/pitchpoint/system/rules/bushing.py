@@ -12,7 +12,7 @@ from pitchpoint.system.rules.places import Places
 
 
 def bushing_bank(places: Places) -> Bank:
-    """All bushings; on ground they end where their other end is drawn."""
+    """All bushings; an end on ground coincides with the other end with all coordinates zero."""
     bushings = places.model.bushings
     rows = []
     for part in bushings.values():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Joints that close loops, and rods, as constraint rows."""
+"""Loop-closing joints and rods as constraint rows."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def closure_bank(places: Places) -> Bank:
-    """Rows of all cut joints and rods, named JOINT.x, JOINT.xy and the like by what they hold fast."""
+    """Rows of all cut joints and rods, named by the constrained direction as JOINT.x, JOINT.xy etc."""
     model = places.model
     tree = bodies(model) if model.mechanism.cut or model.rods else []
     records, names = [np.zeros(0, element.RECORD)], []
@@ -29,7 +29,7 @@ def closure_bank(places: Places) -> Bank:
         joint = model.joints[name]
         place = joint_place(model, joint)
         if place is None:
-            raise CompileError(f"joints.{name}: has no place")
+            raise CompileError(f"joints.{name}: has no position")
         base, moved = (frame_at(model, split(e)[0], place)[0] for e in joint.bodies)
         lead = (joint.lead or 0.0) / math.tau
         axes = joint_axes(model, joint)

@@ -38,12 +38,12 @@ from pitchpoint.system.rules.places import Places
 
 Array = NDArray[np.float64]
 
-#: Of ground, BODY or BODY.MARKER: number of the body, point and axes in the frame that is fixed to the body.
+#: Function of an end (ground, BODY or BODY.MARKER): body number, point and axes in the body-fixed frame.
 End: TypeAlias = Callable[[str], tuple[int, Array, Array]]
 
 
 def cam_banks(places: Places) -> tuple[Bank, Bank]:
-    """Cams and followers: those with a force, and those that never part (a constraint)."""
+    """Cams and followers: force contacts, and permanent contacts (constraints)."""
     pool, rows, names = Pool(), [], []
     held_pool, held, held_names = Pool(), [], []
     for name, part in places.model.cam_contacts.items():
@@ -69,7 +69,7 @@ def cam_banks(places: Places) -> tuple[Bank, Bank]:
 
 
 def curve_banks(places: Places) -> tuple[Bank, Bank]:
-    """Curves against curves: those with a force, and those that never part."""
+    """Contacts of two curves: force contacts, and permanent contacts (constraints)."""
     pools, rows, names = (Pool(), Pool()), ([], []), ([], [])  # type: ignore[var-annotated]
     for name, part in places.model.curve_contacts.items():
         where = f"curve_contacts.{name}"
@@ -91,12 +91,12 @@ def curve_banks(places: Places) -> tuple[Bank, Bank]:
 
 def _law_of(part: CamContact | CurveContact | SurfaceContact, where: str) -> ContactLaw:
     if part.law is None:
-        raise CompileError(f"{where}: bodies that may part need a law; add `law` or `permanent: true`")
+        raise CompileError(f"{where}: a contact that may open requires a law; add `law` or `permanent: true`")
     return part.law
 
 
 def surface_banks(places: Places) -> tuple[Bank, Bank, Bank]:
-    """Surfaces against surfaces: those with a sphere, all others, and spheres that never part."""
+    """Contacts of two surfaces: with a sphere, all others, and spheres in permanent contact."""
     pools, rows, names = (Pool(), Pool()), ([], [], []), ([], [], [])  # type: ignore[var-annotated]
     for name, part in places.model.surface_contacts.items():
         where = f"surface_contacts.{name}"
@@ -121,14 +121,14 @@ def surface_banks(places: Places) -> tuple[Bank, Bank, Bank]:
 
 
 def curve_of(part: ContactCurve, where: str) -> curves.Curve:
-    """Curve of a description.
+    """Curve from its description in the model.
 
     Parameters
     ----------
     part
-        The description.
+        Description of the curve.
     where
-        Its place in the model, for messages.
+        Path in the model, for messages.
 
     Raises
     ------
@@ -141,13 +141,13 @@ def curve_of(part: ContactCurve, where: str) -> curves.Curve:
             return curves.circle(_needed(part.radius, "radius", where), center, part.hollow)
         if part.shape == "involute":
             if len(part.roll) != 2:
-                raise CompileError(f"{where}.roll: an involute has two angles of roll")
+                raise CompileError(f"{where}.roll: an involute requires two roll angles")
             hand = 1 if part.hand == "left" else -1
             r_b = _needed(part.radius, "radius", where)
             return curves.chain([curves.involute_piece(r_b, part.phase, part.roll, hand)], False)
         if len(part.x) != len(part.y) or len(part.x) < (3 if part.closed else 2):
             raise CompileError(
-                f"{where}: x and y need the same number of points, at least three of a closed curve"
+                f"{where}: x and y need the same number of points, at least two, or three for a closed curve"
             )
         points = np.column_stack([part.x, part.y])
         if part.shape == "spline":
@@ -163,7 +163,7 @@ def _first(values: tuple[float, ...]) -> float:
 
 def _needed(value: float | None, name: str, where: str) -> float:
     if value is None:
-        raise CompileError(f"{where}.{name}: this shape needs it")
+        raise CompileError(f"{where}.{name}: is required for this shape")
     return value
 
 
@@ -172,7 +172,7 @@ def _is_ball(part: ContactSurface) -> bool:
 
 
 def _marked(ends: tuple[str, str], end: End) -> np.void:
-    """Fresh record with bodies and markers."""
+    """New record with bodies and markers."""
     row: np.void = element.new_records(1)[0]
     for letter, name in zip("ij", ends, strict=True):
         row[letter], point, axes = end(name)
@@ -181,7 +181,7 @@ def _marked(ends: tuple[str, str], end: End) -> np.void:
 
 
 def _forces(row: np.void, law: ContactLaw, friction: ContactFriction | None, where: str) -> None:
-    """Law and friction of a record."""
+    """Set law and friction of a record."""
     k = law.force / law.depth**law.exponent
     if law.restitution is None:
         impact.set_impact(row, k, law.exponent, law.damping, law.full_damping)
@@ -199,9 +199,9 @@ def _forces(row: np.void, law: ContactLaw, friction: ContactFriction | None, whe
 
 
 def _triangles(part: ContactSurface, where: str) -> TriangleSurface:
-    """Triangles of a file."""
+    """Triangle surface from a file."""
     if part.file is None:
-        raise CompileError(f"{where}.file: triangles come from a file")
+        raise CompileError(f"{where}.file: a triangle surface requires a file")
     try:
         found = placed_triangles(read_triangles(part.file), part.unit or 1.0, part.hollow)
         return TriangleSurface.from_triangles(found)
@@ -210,7 +210,7 @@ def _triangles(part: ContactSurface, where: str) -> TriangleSurface:
 
 
 def _sizes(part: ContactSurface, where: str) -> list[float]:
-    """Sizes of a simple shape; of a cylinder with its length, if it has one."""
+    """Dimensions of a simple shape; for a cylinder including its length, if given."""
     names = {"plane": (), "cone": ("half_angle",), "torus": ("radius", "tube")}.get(part.shape, ("radius",))
     sizes = [_needed(getattr(part, name), name, where) for name in names]
     return [*sizes, part.length] if part.shape == "cylinder" and part.length is not None else sizes
@@ -219,9 +219,9 @@ def _sizes(part: ContactSurface, where: str) -> list[float]:
 def _ball(
     row: np.void, pool: Pool, ball: ContactSurface, other: ContactSurface, part: SurfaceContact, where: str
 ) -> None:
-    """A sphere against a surface."""
+    """Set a contact of a sphere with a surface."""
     if not _is_ball(ball) or (part.permanent and other.shape == "triangles"):
-        raise CompileError(f"{where}.permanent: only a sphere stays, and only on smooth surfaces")
+        raise CompileError(f"{where}.permanent: requires a sphere on a smooth surface")
     radius = _needed(ball.radius, "radius", where)
     if other.shape == "triangles":
         point_surface.set_mesh(row, pool, _triangles(other, where), radius, part.depth)
@@ -236,7 +236,7 @@ def _ball(
 def _pair(
     row: np.void, pool: Pool, one: ContactSurface, two: ContactSurface, part: SurfaceContact, where: str
 ) -> None:
-    """Two surfaces none of which is a sphere."""
+    """Set a contact of two surfaces without a sphere."""
     shapes = one.shape, two.shape
     if "triangles" in shapes:
         _on_triangles(row, pool, one, two, part, where)
@@ -255,14 +255,14 @@ def _pair(
             surface_surface.set_crossed_cylinders(row, radii, lengths)
     else:
         raise CompileError(
-            f"{where}: a {shapes[0]} against a {shapes[1]} is not known; describe both by triangles"
+            f"{where}: contact of {shapes[0]} and {shapes[1]} is not supported; describe both by triangles"
         )
 
 
 def _on_triangles(
     row: np.void, pool: Pool, one: ContactSurface, two: ContactSurface, part: SurfaceContact, where: str
 ) -> None:
-    """Triangles on triangles or on a simple shape."""
+    """Set a contact of a triangle surface with triangles or a simple shape."""
     surface = _triangles(one, where)
     if two.shape == "triangles":
         surface_surface.set_meshes(row, pool, (surface, _triangles(two, where)), part.depth)
@@ -276,9 +276,9 @@ def _on_triangles(
 
 
 def _in_order(first: ContactSurface, second: ContactSurface) -> bool:
-    """Whether the kinds take the surfaces in this order.
+    """Whether the surfaces are in the order that the element kinds require.
 
-    Balls come first, planes last, triangles before simple shapes, what is in a bore before the bore, the
+    Spheres first, planes last, triangles before simple shapes, the inner cylinder before the bore, the
     shorter of two cylinders before the longer one.
     """
     if _is_ball(first) or _is_ball(second):

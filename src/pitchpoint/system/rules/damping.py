@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Room for Rayleigh and modal damping: a block for every pair of moving bodies, filled when a run starts."""
+"""Records of Rayleigh and modal damping: one block per pair of moving bodies, set at the start of a run."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def damping_bank(model: Model) -> Bank:
-    """Empty records; the matrix belongs to an operating point, which only a solver knows."""
+    """Empty records; a solver computes the damping matrix at its operating point."""
     number = body_numbers(model)
     moving = [
         number[name] + k

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def drive_bank(model: Model, scenario: Scenario) -> Bank:
-    """Rows for every driven and every held body of a scenario."""
+    """Constraint rows of all driven and held bodies of a scenario."""
     number = body_numbers(model)
     pool = Pool()
     rows, names = [], []
@@ -57,7 +57,7 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
 
 
 def _start(model: Model, body: str, place: int) -> float:
-    """Value that the joint of a body gives a coordinate at the start [rad, m]."""
+    """Start value of a joint coordinate of a body [rad, m]."""
     seat = model.mechanism.seats[body]
     if seat.joint is None:
         return 0.0
@@ -86,20 +86,25 @@ def _prescribe(row: Any, pool: Pool, drive: Drive, duration: float, where: str) 
         element.set_speed_pieces(row, pool, pieces)
         row["angle"] = value.values[0] - pieces.angles()[0]
     else:
-        raise CompileError("a prescribed angle is a value, a formula of t or a table over time")
+        raise CompileError("a prescribed angle must be a value, a formula of t or a table over time")
 
 
 def speed_pieces(law: Law, duration: float, where: str = "drive.speed") -> SpeedPieces:
-    """Speed over time in pieces; one that cannot be followed raises a CompileError.
+    """Piecewise polynomial approximation of a prescribed speed over time.
 
     Parameters
     ----------
     law
-        The speed [rad/s] over time.
+        Speed [rad/s] over time.
     duration
-        Time up to which a formula or function is followed [s].
+        Time up to which a formula or function is approximated [s].
     where
-        Place in the scenario that names it, for messages.
+        Path in the scenario, for messages.
+
+    Raises
+    ------
+    CompileError
+        If the type of law is not supported.
     """
     if isinstance(law, TableLaw):
         return straight_pieces(law.abscissa, law.values)
@@ -115,7 +120,7 @@ def speed_pieces(law: Law, duration: float, where: str = "drive.speed") -> Speed
 
 
 def value_of_law(law: UserLaw, t: float) -> float:
-    """Speed by a user's law; one that fails is a failed computation, not a wrong file."""
+    """Value of a user law at time t; a failure raises a SolverError, since the model file itself is valid."""
     try:
         value = law(t, 0.0)
     except Exception:  # noqa: BLE001 - a user's code may raise anything; diagnose reports it

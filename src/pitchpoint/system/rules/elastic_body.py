@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""An elastic body from finite-element matrices: the floating frame, its modal coordinates, its nodes."""
+"""Elastic bodies from finite-element matrices: floating frame, modal coordinates and nodes."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 NEAR = 1e-3
-"""Distance of a node from the place that names it, per size of the body."""
+"""Maximum distance of a node from the given position, relative to the size of the body."""
 
 
 @dataclass(frozen=True)
@@ -51,11 +51,11 @@ class ElasticParts:
     Parameters
     ----------
     bodies
-        The floating frame, the hidden bodies of the modal coordinates, the bodies of the nodes.
+        Floating frame, hidden bodies of the modal coordinates, bodies of the nodes.
     flexible, guides
         Records of the kinds flexible_body and guide.
     nodes
-        Number of the body that goes with each named node.
+        Number of the body of each named node.
     coordinates
         Names of the modal coordinates.
     """
@@ -80,31 +80,32 @@ def elastic_parts(
     stiffening: Sequence[Any] | None = None,
     gravity: ArrayLike = (0.0, 0.0, 0.0),
 ) -> ElasticParts:
-    """Put an elastic body into a system.
+    """Bodies and records of an elastic body.
 
     Parameters
     ----------
     name
-        Name of the body; its frame has this name, too.
+        Name of the body and of its frame.
     structure, modes
-        Its matrices and at most thirty modes: of `craig_bampton`, or with the nodes held that a joint holds.
+        Matrices of the body and at most `MOST` modes, from `craig_bampton` or with the nodes at a joint
+        fixed.
     nodes
         Nodes for joints, forces and constraints, by name.
     first
         Number of its first body in the records.
     frame
-        Its floating frame: joint, parent, place and axes in the world, no mass. None is a body that flies,
-        with the axes of the structure.
+        Massless floating frame with joint, parent, and position and axes in the world. None: free body with
+        the axes of the structure.
     pose
-        Origin and axes (columns) of the structure in the world with all coordinates zero; None is the world.
+        Origin and axes (columns) of the structure in the world with all coordinates zero; None: world frame.
     damping_ratio
-        Of every mode [-].
+        Damping ratio of all modes [-].
     stiffening
-        Stiffness of the displacements of the structure by each of nine loads, sparse or dense or None: the
-        components of the acceleration of the frame, and the products xx, yy, zz, xy, yz, zx of those of its
-        angular velocity.
+        Stress stiffness of the structure per unit of each of nine loads, sparse or dense or None: the three
+        components of the frame acceleration, and the products xx, yy, zz, xy, yz, zx of the angular velocity
+        components.
     gravity
-        World axes [m/s^2].
+        Gravity in world axes [m/s^2].
 
     Raises
     ------
@@ -113,7 +114,7 @@ def elastic_parts(
     """
     n = modes.frequency.size
     if not 0 < n <= MOST:
-        raise CompileError(f"{name}: {n} modes (limit 1 to {MOST}); choose some with Modes.select")
+        raise CompileError(f"{name}: {n} modes (limit 1 to {MOST}); select modes with Modes.select")
     place, world = (np.asarray(x, float) for x in pose or (np.zeros(3), np.eye(3)))
     base = _massless(
         frame or Body(motion=FLOATING, position=place, axes=world, inertia=np.zeros((3, 3)), name=name), name
@@ -152,14 +153,14 @@ def elastic_parts(
 
 
 def _massless(frame: Body, name: str) -> Body:
-    """The frame, if it has no mass of its own."""
+    """The frame, checked to be massless."""
     if frame.mass or frame.polar_inertia or np.any(frame.tensor()):
-        raise CompileError(f"{name}: its frame has a mass; that of the elastic body is in its matrices")
+        raise CompileError(f"{name}: its frame has a mass; the mass must be in the matrices only")
     return frame
 
 
 def _modal_stiffening(modes: Modes, stiffening: Sequence[Any], Q: NDArray[np.float64]) -> Any:
-    """Stiffness of the modal coordinates by nine loads along the axes of the frame, the columns of Q."""
+    """Modal stress stiffness per unit of nine loads along the frame axes, the columns of Q."""
     nothing = np.zeros((modes.frequency.size, modes.frequency.size))
     loads = [nothing if k is None else modes.shape.T @ (k @ modes.shape) for k in stiffening]
     return turned_stiffening(loads, Q)
@@ -185,7 +186,7 @@ def elastic_of(model: Model, name: str, first: int) -> ElasticParts:
 
 
 def _spinning_frame(model: Model, name: str) -> Body:
-    """Floating frame of a rotor: its spin is a coordinate whose turns are counted."""
+    """Floating frame of a rotor, whose spin is a coordinate with counted revolutions."""
     origin = model.bodies[name].origin or (0.0, 0.0, 0.0)
     return Body(motion=FREE, position=origin, axes=axes_of(model, name), inertia=np.zeros((3, 3)), name=name)
 
@@ -198,13 +199,13 @@ def elastic_bank(places: Places) -> Bank:
 
 
 def elastic_count(model: Model, name: str) -> int:
-    """How many bodies of the records an elastic body is: its frame, one for every three modes, its nodes."""
+    """Number of body records of an elastic body: frame, hidden bodies (`GROUP` modes each), nodes."""
     modes = _reduced(model, name)[1].frequency.size
     return 1 - (-modes // GROUP) + interface_count(modes) * len(model.elastic_bodies[name].nodes)
 
 
 def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
-    """Number of the nearest named node from the frame of its body, and its place in the world [m]."""
+    """Body number of the nearest named node relative to the frame, and its position in the world [m]."""
     body = model.bodies[name]
     structure, modes, nodes = _reduced(model, name)
     origin, axes = np.array(body.origin or (0.0, 0.0, 0.0)), axes_of(model, name)
@@ -215,12 +216,12 @@ def node_at(model: Model, name: str, place: NDArray[np.float64]) -> tuple[int, N
 
 
 def file_nodes(model: Model, name: str) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Nodes of the file of an elastic body in the axes of its frame.
+    """All nodes of the file of an elastic body, in frame axes.
 
     Returns
     -------
     places, shape
-        From the origin of the frame (k, 3) [m], and translations per modal coordinate, (k, 3, n).
+        Positions from the origin of the frame (k, 3) [m]; translations per modal coordinate (k, 3, n).
     """
     structure, modes, _ = _reduced(model, name)
     shape = np.zeros((len(structure.places), 3, modes.frequency.size))
@@ -230,7 +231,7 @@ def file_nodes(model: Model, name: str) -> tuple[NDArray[np.float64], NDArray[np
 
 
 def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]]:
-    """Matrices, modes and numbers of the named nodes of an elastic body; read and reduced once."""
+    """Matrices, modes and named nodes of an elastic body; cached."""
     part = model.elastic_bodies[name]
     places = tuple((n, m.position) for n, m in part.nodes.items())
     try:
@@ -241,7 +242,7 @@ def _reduced(model: Model, name: str) -> tuple[Structure, Modes, tuple[int, ...]
 
 
 def _message(name: str, part: ElasticBody, fault: Exception) -> Message:
-    """What is wrong with the files of an elastic body, as a problem of the model that names them."""
+    """Convert an error in the files of an elastic body to a problem of the model."""
     at = f"elastic_bodies.{name}"
     if isinstance(fault, ModelError):
         found = fault.problems[0]
@@ -255,18 +256,18 @@ def _message(name: str, part: ElasticBody, fault: Exception) -> Message:
         return Message(at, str(fault))
     return Message(
         at,
-        f"has matrices without modes that can be found ({fault})",
-        remedy="K must have no negative eigenvalue, and M none that is not positive",
+        f"has matrices whose modes cannot be computed ({fault})",
+        remedy="K must be positive semidefinite and M positive definite",
     )
 
 
 def elastic_facts(model: Model) -> dict[str, tuple[float, NDArray[np.float64]]]:
-    """Mass [kg] and natural frequencies [Hz] of every elastic body, unsupported.
+    """Mass [kg] and free-free natural frequencies [Hz] of each elastic body.
 
     Raises
     ------
     ModelError
-        With what is wrong with the files of all of them.
+        If files of elastic bodies are invalid; lists the problems of all of them.
     """
     found = {}
     problems: list[Message] = []
@@ -292,7 +293,7 @@ def _read(
     below: float | None,
     static_shapes: bool,
 ) -> tuple[Structure, Modes, tuple[int, ...]]:
-    """Read files and reduce them; `stamps` are their times of change."""
+    """Read and reduce the files; `stamps` are their modification times and part of the cache key."""
     if len(files) >= 3:
         structure = read_parts(*files)
     elif Path(files[0]).suffix == ".npz":
@@ -309,7 +310,7 @@ def _read(
         modes = craig_bampton(structure, nodes, 2 * (count or MOST)).select(count=count)
     if below is not None and not 0 < modes.frequency.size <= MOST:
         raise CompileError(
-            f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MOST}); give modes instead"
+            f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MOST}); use `modes` instead"
         )
     if modes.frequency.size:
         check_speed(structure, float(modes.frequency[0]))
@@ -317,24 +318,24 @@ def _read(
 
 
 def _static(structure: Structure, nodes: tuple[int, ...], count: int) -> Modes:
-    """All static shapes of the nodes, and modes with the nodes held up to a number of both."""
+    """All static shapes of the nodes, filled up to `count` with fixed-interface modes."""
     needed = int(np.isin(structure.node, nodes).sum()) - 6
     if needed > count:
         raise CompileError(
             f"static_shapes: the nodes can deflect in {needed} shapes, and {count} modes are requested "
-            f"(limit {MOST}); name fewer nodes, or omit static_shapes"
+            f"(limit {MOST}); use fewer nodes, or omit static_shapes"
         )
     return craig_bampton(structure, nodes, count - needed)
 
 
 def _node(structure: Structure, word: str, place: NDArray[np.float64]) -> int:
-    """Node of the file at a place."""
+    """Node of the file at a position."""
     apart = np.linalg.norm(structure.places - place, axis=1)
     size = float(np.linalg.norm(np.ptp(structure.places, axis=0)))
     k = int(np.argmin(apart))
     if apart[k] > NEAR * size:
         near = ", ".join(f"{1e3 * x:.6g}" for x in structure.places[k])
         raise CompileError(
-            f"nodes.{word}: there is no node of the file at this place; the nearest is at [{near}] mm"
+            f"nodes.{word}: the file has no node at this position; the nearest is at [{near}] mm"
         )
     return k

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a pair of gears and its laws to the record of the compiled mesh element."""
+"""Records of cylindrical gear meshes from gear pairs and their laws."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-#: Puts an array into the pool of the kind and gives its offset there.
+#: Stores an array in the pool of the kind and returns its offset.
 Keep = Callable[[Array], int]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Placement:
-    """Places of the two gears of a mesh when all coordinates are zero.
+    """Position of the two gears of a mesh with all coordinates zero.
 
     Parameters
     ----------
@@ -57,13 +57,13 @@ class Placement:
     phi1, phi2
         Angles of the centre of tooth 0 at spin 0 about the z axis of `axes`, from its x axis [rad].
     turn1, turn2
-        Angles of the frames of the bodies, likewise [rad].
+        Angles of the body frames, likewise [rad].
     axes
-        Frame that angles count in, columns, shape (3, 3); both gears turn about its third axis.
+        Reference frame of the angles, columns, shape (3, 3); both gears rotate about its third axis.
     fixed
-        Both bodies can only spin, and nothing reads what their joints carry.
+        Whether both bodies can only spin and their joint loads are not used.
     widths
-        Face widths of both gears [m]; None takes those of the pair, which knows only the part that meets.
+        Face widths of both gears [m]; None: those of the pair, which has only the common face width.
     """
 
     origin1: Array
@@ -85,7 +85,7 @@ def _wrap(value: float, period: float) -> tuple[float, int]:
 
 
 def _widths(row: Any, b1: float, b2: float) -> None:
-    """Face widths; the shared width goes with the narrower gear, with the mean of two equal ones."""
+    """Set the face widths; the common width moves with the narrower gear, or with the mean of equal ones."""
     row["b1"], row["b2"] = b1, b2
     row["w_z"] = (0.5 if b1 == b2 else 0.0 if b1 < b2 else 1.0) - row["w1"]
 
@@ -103,13 +103,13 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     gamma = math.atan2(line[1], line[0])
     row["cos1"], row["sin1"] = math.cos(gamma - place.turn1), math.sin(gamma - place.turn1)
     row["cos2"], row["sin2"] = math.cos(gamma - place.turn2), math.sin(gamma - place.turn2)
-    # angles of a tooth of gear 1 and of a space of gear 2 from the pitch point
+    # angles of a tooth of gear 1 and of a space of gear 2 relative to the pitch point
     towards2 = gamma + (math.pi if g2.z > 0 else 0.0)
     tooth = place.phi1 - gamma
     space = place.phi2 + math.pi / g2.z - towards2
     z1, z2 = (float(place.axes[:, 2] @ origin) for origin in (place.origin1, place.origin2))
     dz = z2 + place.offset2 - z1 - place.offset1
-    # both angles from their nearest tooth and space; the sum of what is left is the assembly offset
+    # angles of the nearest tooth and space; the sum of the remainders is the assembly offset
     n = _wrap(row["r_b1"] * tooth, p_bt)[1]
     row["t1_0"] = -n
     tooth -= n * p_bt / row["r_b1"]
@@ -146,20 +146,20 @@ def _stiffness(row: Any, stiffness: Description, keep: Keep) -> None:
 def mesh_row(
     pair: GearPair, place: Placement, laws: MeshLaws, keep: Keep, backlash: float | None = None
 ) -> np.void:
-    """Fill one record of the mesh element (body and block indices and outputs stay for the assembler).
+    """Record of one mesh; body indices, block indices and outputs are set by `assemble`.
 
     Parameters
     ----------
     pair
-        The gears at their working centre distance; signs of ISO 21771.
+        The gear pair at its working centre distance; signs of ISO 21771.
     place
-        Their places.
+        Position of the gears.
     laws
         Stiffness, damping, friction, excitation.
     keep
-        Puts an array into the pool of the kind and gives its offset.
+        Stores an array in the pool of the kind and returns its offset.
     backlash
-        Total gap along the base tangent at the working centre distance [m]; None takes that of the geometry.
+        Total gap along the base tangent at the working centre distance [m]; None: backlash of the geometry.
 
     Returns
     -------
@@ -190,7 +190,7 @@ def mesh_row(
 
 
 def mesh_bank(places: Places) -> Bank:
-    """All meshes whose gears sit on bodies."""
+    """All meshes whose gears are mounted on bodies."""
     model = places.model
     pool = Pool()
     rows, names, laws = [], [], []
@@ -222,7 +222,7 @@ def mesh_bank(places: Places) -> Bank:
         law_of_mesh = mesh_laws(model, name)
         row = mesh_row(pair, place, law_of_mesh, pool.add, model.backlash(name))
         row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
-        if row["source"] == layout.PROFILE:  # a prescribed total stiffness knows no tooth pairs
+        if row["source"] == layout.PROFILE:  # not with a prescribed total stiffness (no tooth pairs)
             row["n_pair"] = math.ceil(pair.eps_gamma) + 1
             worn = worn_flanks(pair, law_of_mesh.stiffness, gears, (mesh.offset1, mesh.offset2))
             separation_grids(row, gears, pool.add, worn)
@@ -236,7 +236,7 @@ def mesh_bank(places: Places) -> Bank:
 
 
 def _seat(model: Model, body: str, gear: str) -> tuple[int, float, Array, Array]:
-    """Number of what carries a gear, its mid-face from that frame [m], origin and axes of the frame."""
+    """Number of the body of a gear, mid-face position in its frame [m], origin and axes of the frame."""
     at, axes = seat_frame(model, model.mechanism.seats[body])
     z = model.bodies[body].gears[gear]
     number, rest = seat_at(model, body, z)
@@ -246,10 +246,10 @@ def _seat(model: Model, body: str, gear: str) -> tuple[int, float, Array, Array]
 
 
 def _only_spins(model: Model, body: str) -> bool:
-    """Whether a body on ground at most spins, and nothing reads the load of its joint.
+    """Whether a body is on ground, can only spin or is fixed, and its joint load is not used.
 
-    The short cut of such gears gives torques alone: the joint takes the rest of the mesh force, which
-    friction of the joint and load sensors must see.
+    The fast path of such gears computes torques only. Joint friction and load sensors need the full mesh
+    force.
     """
     seat = model.mechanism.seats[body]
     rubs = seat.joint is not None and model.joints[seat.joint].friction is not None
@@ -258,12 +258,12 @@ def _only_spins(model: Model, body: str) -> bool:
 
 
 def _turn(axes: Array) -> float:
-    """Angle of a frame about the z axis, which is its own too [rad]."""
+    """Angle about the z axis of a frame whose z axis is parallel [rad]."""
     return math.atan2(axes[1, 0], axes[0, 0])
 
 
 def _freeze(row: Any, place: Placement) -> None:
-    """Fill the line of action once, for gears that only spin: one call of the element with it loose."""
+    """Compute the constant line of action of gears that only spin by one call of the element."""
     frames = np.zeros(2, FRAME)
     frames["r"] = place.origin1, place.origin2
     for k, angle in enumerate((place.turn1, place.turn2)):
@@ -272,9 +272,9 @@ def _freeze(row: Any, place: Placement) -> None:
     rows = np.zeros(1, layout.RECORD)
     rows[0] = row
     for name in ("source", "n_pair", "n_e", "n_e1", "n_e2", "n_sep", "i"):
-        rows[name] = 0  # geometry alone
+        rows[name] = 0  # geometry only
     rows["j"] = 1
-    # a gap so wide that no flank is looked at, for internal gears too
+    # a gap so large that no flank is in contact, also for internal gears
     rows["inv_w0"] = -math.copysign(1e9, row["r_b1"] + row["r_b2"])
     ctl = np.zeros(1, CTL)
     ctl["fr"], ctl["nb"] = frames.ctypes.data, 2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Eccentric and wobbling gears as the places on their bodies that the mesh element reads."""
+"""Eccentric and wobbling gears: position and tilt of the gears on their bodies for the mesh element."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def sits_off(gear: Gear) -> bool:
-    """Whether a gear has a fault of its seat that is there at all."""
+    """Whether a gear has eccentricity or wobble above zero."""
     seats = (fault for fault in gear.faults.values() if isinstance(fault, Eccentricity | Wobble))
     return any(fault.severity * fault.amount > 0.0 for fault in seats)
 
@@ -26,9 +26,9 @@ def sits_off(gear: Gear) -> bool:
 def put_seats(
     row: Any, gears: Sequence[Gear], tooth_0: Sequence[float], keep: Callable[[NDArray[np.float64]], int]
 ) -> None:
-    """Fill the fields of displaced gears of a mesh record; nothing to do for gears that sit well.
+    """Set the fields of displaced gears of a mesh record; unchanged for ideally mounted gears.
 
-    `tooth_0`: angles of the centres of their teeth 0 at spin 0, from the x axes of their bodies [rad].
+    `tooth_0`: angles of the centres of teeth 0 at spin 0, from the x axes of the bodies [rad].
     """
     if any(sits_off(gear) for gear in gears):
         places = np.array([_place(g, angle) for g, angle in zip(gears, tooth_0, strict=True)])
@@ -36,7 +36,7 @@ def put_seats(
 
 
 def _place(gear: Gear, tooth_0: float) -> NDArray[np.float64]:
-    """Displacement x, y [m] of the centre of a gear and tilt of its axis as its x, y, axes of the body."""
+    """Displacement x, y [m] of the gear centre, and x, y of the gear axis (unit vector), in body axes."""
     shift, lean = 0j, 0j
     for fault in gear.faults.values():
         if not isinstance(fault, Eccentricity | Wobble):

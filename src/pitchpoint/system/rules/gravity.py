@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Weight of all bodies."""
+"""Gravity forces of all bodies."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def gravity_bank(model: Model) -> Bank:
-    """One record per body with a mass; none without gravity."""
+    """One record per body with mass; empty without gravity."""
     if model.gravity is None or not any(model.gravity):
         return Bank("gravity", np.zeros(0, element.RECORD), ())
     tree = bodies(model)

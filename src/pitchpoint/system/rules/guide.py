@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Joints made of functions: moved frames and joints with coordinates of a user."""
+"""Guided joints: moved frames and joints with user-defined coordinates."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def guide_bank(places: Places) -> Bank:
-    """Functions of all joints that have some; Python functions are followed over the scenario's duration."""
+    """Functions of all guided joints; Python functions are approximated over the scenario duration."""
     model, scenario = places.model, places.scenario
     number = body_numbers(model)
     duration = (scenario.duration if scenario is not None else None) or 1.0
@@ -53,7 +53,7 @@ def guide_bank(places: Places) -> Bank:
 
 
 def _follow(row: Any, pool: Pool, joint: Joint, law: Law, duration: float, where: str) -> None:
-    """Write one function into its record."""
+    """Write one function to its record."""
     own = list(joint.coordinates)
     row["k"] = element.TIME
     if isinstance(law, Constant):
@@ -75,4 +75,4 @@ def _follow(row: Any, pool: Pool, joint: Joint, law: Law, duration: float, where
             duration,
         )
     else:
-        raise CompileError(f"{where}: a displacement cannot follow {type(law).__name__}")
+        raise CompileError(f"{where}: a displacement cannot be prescribed by {type(law).__name__}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Friction of joints as records: in the tree by the bodies beyond, of cut joints by their rows."""
+"""Joint friction as records; loads of tree joints from outboard bodies, of cut joints from their rows."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ if TYPE_CHECKING:
 
 
 def friction_bank(places: Places) -> Bank:
-    """Friction of all joints that have some."""
+    """Friction of all joints with friction."""
     model, bodies = places.model, places.tree
     number = body_numbers(model)
     pool = Pool()
     rows, names = [], []
-    first = {}  # record of the closures that each cut joint begins with
+    first = {}  # first closure record of each cut joint
     count = 0
     for name in model.mechanism.cut:
         first[name] = count
@@ -52,7 +52,7 @@ def friction_bank(places: Places) -> Bank:
 
 
 def _place(row: Any, model: Model, joint: Joint, seat: Seat | None) -> None:
-    """Place and axis of the joint in the frames of both bodies."""
+    """Set position and axis of the joint in the frames of both bodies."""
     place = joint_place(model, joint)
     axis = joint_axes(model, joint)[:, 2] if seat is None else seat_frame(model, seat)[1][:, 2]
     ends = [split(e)[0] for e in joint.bodies] if seat is None else [seat.parent, seat.body]
@@ -64,7 +64,7 @@ def _place(row: Any, model: Model, joint: Joint, seat: Seat | None) -> None:
 
 
 def _law(row: Any, joint: Joint) -> None:
-    """Levers and coefficients: of a pin per radius, of a slide as they are."""
+    """Set lever arms and coefficients; those of a pin refer to its radius, those of a slide to travel."""
     part = joint.friction
     if part is None:
         return

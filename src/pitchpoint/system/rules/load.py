@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Torques and forces of a model as records; a torque that balances the others starts at zero."""
+"""Torques and forces of a model as records; a balancing torque starts at zero."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ OVER = {
     "elongation": sig.OVER_ANGLE,
     "rate": sig.OVER_SPEED,
 }
-"""Abscissa of a table in the terms of elements: an elongation along a line is passed as an angle."""
+"""Abscissa codes of a table; an elongation along a line is passed as an angle."""
 
 
 def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:
-    """Write a law into the signal fields of a record; returns the function of a Python law, else None."""
+    """Write a law to the signal fields of a record; returns the function of a Python law, else None."""
     if isinstance(law, Constant):
         sig.set_constant(record, law.value)
     elif isinstance(law, Balance):
@@ -52,7 +52,7 @@ def set_signal(record: Any, pool: sig.Pool, law: Law, where: str) -> Any:
         sig.set_law(record, pool, law.parameters, sig.OVER_ANGLE)
         return user_law(law, where).function
     else:
-        raise CompileError(f"a law of type {type(law).__name__} cannot be computed")
+        raise CompileError(f"a law of type {type(law).__name__} is not supported")
     return None
 
 
@@ -92,13 +92,13 @@ def _forces(model: Model) -> Bank:
 
 
 def _ends(model: Model, load: Load) -> tuple[int, int]:
-    """Numbers of the bodies that a load and its reaction act on; on shafts, of the stations there."""
+    """Body numbers of a load and its reaction; on shafts those of the stations at the load."""
     there = place_of_load(model, load)
     return tuple(frame_at(model, body, there)[0] for body in (load.body, load.reaction or GROUND))  # type: ignore[return-value]
 
 
 def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
-    """Write where a force acts and in which direction."""
+    """Set point of application and direction of a force."""
     if load.marker is not None:
         _, row["p"], axes = end_of(model, f"{load.body}.{load.marker}")
         along = load.along == "marker"
@@ -106,7 +106,7 @@ def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
         row["F"][:3] = axes[:, axis] if along else np.eye(3)[axis]
         return
     row["F"][axis] = 1.0
-    # the arm off the spin axis: the load is applied to the housing side of the body, it does not spin
+    # lever arm off the spin axis: the point of application does not rotate with the spin
     arm = body_frame(model, load.body)[1] @ np.array((*load.position[:2], 0.0))
     row["F"][3:] = np.cross(arm, np.eye(3)[axis])
     row["z"] = seat_at(model, load.body, load.position[2])[1]

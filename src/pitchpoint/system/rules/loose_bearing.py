@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Linear bearings whose ring is loose in its seat, as records."""
+"""Linear bearings with a loose ring as records."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     pass
 
 SEAT = 0.1
-"""Share of the radial play over which the seat yields before it reaches its full stiffness."""
+"""Fraction of the radial play over which the seat stiffness increases to its full value."""
 TILTS = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
-"""Axial displacement and turns about x and y, over axial displacement and x, y of the axis of the shaft."""
+"""Maps axial displacement and x, y of the shaft axis to axial displacement and rotations about x and y."""
 
 
 def loose_bearing_bank(places: Places) -> Bank:
-    """All bearings with play in their seat; those without are linear, see `bearing_bank`."""
+    """All bearings with play in the seat; bearings without play are linear, see `bearing_bank`."""
     model = places.model
     rows, names = [], []
     seats = housing_numbers(model)

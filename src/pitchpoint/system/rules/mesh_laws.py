@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Everything of a mesh that is not geometry: stiffness, damping, friction, excitation."""
+"""Stiffness, damping, friction and excitation of meshes."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 HEAVY_LOAD = 0.01
-"""Penetration over module of heavily loaded teeth, at which a nonlinear law has its usual slope."""
+"""Penetration over module of heavily loaded teeth, at which a nonlinear law is linearised."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class MeshLaws:
-    """Everything of a mesh that is not geometry; damping in N s/m along the base tangent.
+    """Stiffness, damping, friction and excitation of a mesh; damping in N s/m along the base tangent.
 
-    `user` holds the parameters of a user's stiffness law; the law itself is linked by the system.
+    `user` are the parameters of a user-defined stiffness law; the law itself is linked by the system.
     """
 
     stiffness: Description
@@ -59,21 +59,21 @@ class MeshLaws:
 
 
 def mean_stiffness(pair: GearPair, stiffness: Description) -> float:
-    """Mean total stiffness of a mesh along the base tangent [N/m^power], over one mesh cycle."""
+    """Mean total stiffness of a mesh over one mesh cycle, along the base tangent [N/m^power]."""
     if isinstance(stiffness, PhaseStiffness):
         return stiffness.mean
     return pair_cycle(stiffness, pair.eps_alpha, n=2).mean * stiffness.c_prime * pair.b_w
 
 
 def usual_slope(pair: GearPair, stiffness: Description) -> float:
-    """Slope of the force of a heavily loaded mesh along the base tangent [N/m], mean over a cycle."""
+    """Mean tangent stiffness of a heavily loaded mesh over one mesh cycle, along the base tangent [N/m]."""
     if isinstance(stiffness, PhaseStiffness):
         return stiffness.mean
     return mean_stiffness(pair, stiffness) / stiffness.c_prime * stiffness.slope(HEAVY_LOAD * pair.gear1.m_n)
 
 
 def mesh_laws(model: Model, name: str) -> MeshLaws:
-    """Stiffness, damping, friction and excitation of one mesh; ratios become damping rates."""
+    """Stiffness, damping, friction and excitation of one mesh; damping ratios become coefficients."""
     mesh = model.meshes[name]
     stiffness = describe_stiffness(model, name)
     pair = model.pairs[name]
@@ -95,9 +95,9 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
 def flank_losses(
     model: Model, mesh: Mesh | BevelMesh, radii: Sequence[float], flanks: tuple[float, float | None, float]
 ) -> dict[str, Any]:
-    """Damping and friction of a mesh whose gears have these base radii [m].
+    """Damping and friction of a mesh of gears with the given base radii [m].
 
-    `flanks`: cos(beta_b), stiffness of a pair that touches over the whole width (None without pairs), and
+    `flanks`: cos(beta_b), stiffness of a pair in contact over the whole face width (None without pairs), and
     mean mesh stiffness, both along the base tangent [N/m].
     """
     cos_b, whole, k = flanks
@@ -115,14 +115,14 @@ def flank_losses(
 
 
 def put_losses(row: Any, laws: MeshLaws) -> None:
-    """Fill damping and friction of the record of a mesh, which knows its geometry.
+    """Set damping and friction of a mesh record; the geometry must be set.
 
     Parameters
     ----------
     row
         Record of a mesh of cylindrical or bevel gears.
     laws
-        Its laws.
+        Laws of the mesh.
     """
     contact = row["contact"]
     for name in ("d_in", "d_out", "s_0", "smooth", "chi", "mu", "v_eps"):
@@ -137,7 +137,7 @@ def put_losses(row: Any, laws: MeshLaws) -> None:
 def contact_damping(
     damping: ContactDamping, pair: GearPair, stiffness: Description, k: float, critical: float
 ) -> dict[str, Any]:
-    """Damping of touching flanks of cylindrical gears; see `flank_damping`."""
+    """Contact damping of cylindrical gears; see `flank_damping`."""
     whole = stiffness.c_prime * pair.b_w if isinstance(stiffness, PairShape) else None
     return flank_damping(damping, math.cos(pair.gear1.beta_b), whole, k, critical)
 
@@ -145,10 +145,11 @@ def contact_damping(
 def flank_damping(
     damping: ContactDamping, cos_b: float, whole: float | None, k: float, critical: float
 ) -> dict[str, Any]:
-    """Damping of touching flanks along the base tangent, at the mean stiffness k.
+    """Contact damping along the base tangent at the mean stiffness k.
 
-    Along the base tangent a force is cos(beta_b) of that normal to the flanks and an overlap 1/cos(beta_b).
-    `whole`: stiffness of one pair that touches over the whole width; None without pairs [N/m].
+    Forces along the base tangent are those normal to the flanks times cos(beta_b), overlaps those divided by
+    cos(beta_b). `whole`: stiffness of one pair in contact over the whole face width [N/m]; None without
+    pairs.
     """
     if damping.restitution is not None:
         return {"chi": restitution_factor(damping.restitution) / damping.speed * cos_b}
@@ -177,7 +178,7 @@ def _excitation(error: TransmissionError) -> dict[str, Array]:
 
 
 def _reduced_mass(model: Model, gears: Sequence[str], radii: Sequence[float]) -> float:
-    """Mass that both bodies of a mesh, and what hangs on them, put on its line of action, spins only [kg].
+    """Reduced mass of a mesh on its line of action [kg] due to the spins of both gears and attached bodies.
 
     Zero without bodies.
     """

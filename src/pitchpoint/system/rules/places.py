@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What rules read: the model, where its names are found in records, and hidden bodies that hold states."""
+"""Context of the rules: model, mapping of names to records, and hidden bodies of element states."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Places:
-    """How the names of a model are found in its records.
+    """Mapping of names in a model to its records.
 
     Parameters
     ----------
     end
-        Of ground, BODY or BODY.MARKER: number of the body, point from its origin [m] and axes (columns), both
-        in the frame that is fixed to the body.
+        Function of ground, BODY or BODY.MARKER: body number, point from the body origin [m] and axes
+        (columns), both in the body-fixed frame.
     world
-        Of the same: the place in the world with all coordinates zero [m].
+        Function of the same names: position in the world with all coordinates zero [m].
     axes
-        Of the same: the axes in the world then, columns.
+        Function of the same names: axes in the world with all coordinates zero, columns.
     state
-        Of an element with a state: number of its hidden body.
+        Function of the name of an element with a state: number of its hidden body.
     model, scenario
-        What is compiled.
+        Model and scenario to compile.
     numbers
-        Number of every body of the model.
+        Number of each body of the model.
     tree
         Bodies of the model and stations of its beams, in the order of their numbers, from 1.
     first_station
-        Number of the first station of beams.
+        Number of the first beam station.
     """
 
     end: Callable[[str], tuple[int, Array, Array]]
@@ -54,20 +54,20 @@ class Places:
     first_station: int = 0
 
     def mark(self, row: Any, ends: Iterable[str]) -> None:
-        """Write bodies, points and, where the record has them, axes of two ends."""
+        """Set bodies, points and, if the record has them, axes of two ends."""
         for letter, name in zip("ij", ends, strict=True):
             row[letter], row["p_" + letter], axes = self.end(name)
             if "A_" + letter in row.dtype.names:
                 row["A_" + letter] = axes
 
     def pair(self, row: Any, bodies: tuple[str, ...]) -> None:
-        """Write the numbers of one or two bodies; the second of one is ground."""
+        """Set the numbers of one or two bodies; the second is ground if omitted."""
         row["i"] = self.end(bodies[0])[0]
         row["j"] = self.end(bodies[1])[0] if len(bodies) == 2 else 0
 
 
 def hidden_bodies(elements: Iterable[str]) -> list[Body]:
-    """Bodies whose spin rates are the states of elements, numbered after all others.
+    """Hidden bodies whose spin rates are the states of elements, numbered after all others.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def ratio_bank(places: Places) -> Bank:
-    """All ratios; each keeps the value that its sum has at the start values of the joints."""
+    """All ratios; the weighted sum of coordinates keeps its value at the start values of the joints."""
     model = places.model
     number = body_numbers(model)
     rows, names = [], []

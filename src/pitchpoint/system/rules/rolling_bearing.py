@@ -43,9 +43,9 @@ def rolling_bearing_bank(places: Places) -> Bank:
 
 
 def _untwisted(inner: Array, outer: Array) -> Array:
-    """Turn of the inner marker about its own axis that leaves no twist against the outer one as assembled.
+    """Rotation of the inner marker about its axis that removes its assembled twist to the outer marker.
 
-    Whole turns are counted from there; with markers twisted by half a turn the count would be ambiguous.
+    Whole turns are counted from this position; a twist of half a turn would make the count ambiguous.
     """
     B = outer.T @ inner
     twist = math.atan2(B[1, 0] - B[0, 1], B[0, 0] + B[1, 1])
@@ -54,7 +54,7 @@ def _untwisted(inner: Array, outer: Array) -> Array:
 
 
 def _stiffness(name: str, part: RollingBearing) -> float:
-    """Constant of one element between both raceways."""
+    """Constant K of one rolling element between both raceways."""
     if part.stiffness is not None:
         return part.stiffness
     own = part.material if isinstance(part.material, Material) else material(part.material)

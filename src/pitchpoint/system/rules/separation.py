@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the teeth of both gears of a mesh have of their own, as the grids that the element reads."""
+"""Deviations and faults of individual teeth as grids for the mesh element."""
 
 from __future__ import annotations
 
@@ -19,23 +19,24 @@ Array = NDArray[np.float64]
 #: Stations of a grid over the face width and over the length of roll.
 N_WIDTH, N_ROLL = 33, 129
 
-#: Stations of gaps and compliances that one piece of a contact line spans. Four pieces over the face, of
-#: three points each, integrate wear and cracks to 2e-5 of the force; lines between 33 stations leave 2e-4.
+#: Stations of gaps and compliances per segment of a contact line. Four segments over the face width with
+#: three points each integrate wear and cracks to 2e-5 of the force; the interpolation error of 33 stations
+#: is 2e-4.
 STRIDE = 8
 
-#: Gap that wear leaves [m], of (front 0 or back 1, "left" or "right", z, roll), shape (n_z, n_roll).
+#: Gap due to wear [m] as a function of (front 0 or back 1, "left" or "right", z, roll), shape (n_z, n_roll).
 Worn: TypeAlias = Callable[[int, str, Array, Array], Array] | None
 
 GAP, SOFT, LEVEL = 0, 1, 2
-"""Layers, in the order of their columns in the table of a gear; gap and soft share a stack of grids."""
+"""Layers in the order of their columns in the table of a gear; GAP and SOFT share a stack of grids."""
 
 
 def separation_grids(
     row: Any, gears: Sequence[Gear], keep: Callable[[Array], int], worn: Sequence[Worn] = (None, None)
 ) -> None:
-    """Fill the separation fields of a mesh record; nothing to do for two perfect gears.
+    """Set the separation fields of a mesh record; unchanged for ideal gears.
 
-    `worn` holds for both gears the depth of wear of their flanks in this mesh.
+    `worn` gives the wear of the flanks of both gears in this mesh.
     """
     if not any(g.is_modified or g.tooth_faults for g in gears):
         return
@@ -54,14 +55,14 @@ def separation_grids(
 
 
 class OwnTeeth:
-    """Grids of the teeth of one gear that differ from the involute.
+    """Grids of the deviations of the teeth of one gear from the involute.
 
     Parameters
     ----------
     teeth
-        Number of teeth that are distinguished.
+        Number of distinguished teeth.
     span
-        Lengths of roll that the grids span [m].
+        Range of roll length of the grids [m].
     """
 
     def __init__(self, teeth: int, span: tuple[float, float]) -> None:
@@ -73,7 +74,7 @@ class OwnTeeth:
         self.rows = np.full((2, teeth, 3), -1, dtype=np.int64)
 
     def add(self, layer: int, grid: Array) -> int:
-        """Keep a grid of shape (n_z, n_roll); returns its row, -1 where it is zero."""
+        """Add a grid of shape (n_z, n_roll) to its stack; returns its row, -1 for a zero grid."""
         if not (np.any(grid > 0.0) if layer == LEVEL else np.any(grid)):
             return -1
         stack = self.levels if layer == LEVEL else self.smooth
@@ -84,7 +85,7 @@ class OwnTeeth:
         return len(stack) - 1
 
     def table(self, helical: bool) -> Array:
-        """What the element knows of every flank and tooth, shape (2, teeth, N_ROW)."""
+        """Table of grid rows and changing stations for each flank and tooth, shape (2, teeth, N_ROW)."""
         out = np.full((2, self.teeth, N_ROW), -1.0)
         out[:, :, :3] = self.rows
         found: dict[tuple[int, int], tuple[int, int]] = {}
@@ -105,16 +106,17 @@ class OwnTeeth:
         return out
 
     def least(self) -> float:
-        """Smallest gap of all flanks [m]."""
+        """Minimum gap over all flanks [m]."""
         gaps = [self.smooth[k].min() if k >= 0 else 0.0 for k in np.unique(self.rows[:, :, GAP])]
         return float(min(gaps))
 
 
 def changing(grid: Array, helical: bool, level: bool) -> tuple[int, int]:
-    """First and last station over the width between which a grid changes; (0, 0) if it does not.
+    """First and last station over the face width between which a grid changes; (0, 0) if it is constant.
 
-    Contact lines of helical gears cross the lengths of roll: there every cell that is not even counts. Of a
-    level only cells count that it reaches into; edges along the whole width are found without stations.
+    Contact lines of helical gears cross the roll lengths, so that cells that change over the roll length are
+    included. For a level only cells with positive values are included; edges along the whole face width need
+    no stations.
     """
     across = np.asarray(np.abs(np.diff(grid, axis=0)).max(axis=1) > 0.0)
     if helical:
@@ -130,9 +132,9 @@ def changing(grid: Array, helical: bool, level: bool) -> tuple[int, int]:
 def own_teeth(gear: Gear, mate: bool, worn: Worn = None) -> OwnTeeth:
     """Grids of one gear.
 
-    The first index of its rows is 0 for the flanks that touch at the front (gear 1 pushing counter-
-    clockwise), 1 for the back. On an internal mate the front flanks are the right ones: the side towards
-    which the teeth are counted is the other side of the mesh there.
+    The first index of its rows is 0 for front flanks (in contact if gear 1 drives counter-clockwise), 1 for
+    back flanks. On an internal mating gear the front flanks are the right ones, because its teeth are
+    numbered towards the other side of the mesh.
     """
     from pitchpoint.geometry.modifications import flank_range
 
@@ -155,9 +157,9 @@ def own_teeth(gear: Gear, mate: bool, worn: Worn = None) -> OwnTeeth:
 
 
 def _gaps(gear: Gear, flank: str, z: Array, roll: Array, wear: Array | None) -> dict[int, Array]:
-    """Gaps [m] of the teeth that are out of their nominal shape or place, shape (n_z, n_roll) each.
+    """Gaps [m] of the teeth with modified or displaced flanks, shape (n_z, n_roll) each.
 
-    What only wear has changed is one and the same array for all teeth.
+    Teeth with wear only share the same array.
     """
     from pitchpoint.geometry.deviations import separation
     from pitchpoint.geometry.tooth_faults import displaced_gap
@@ -188,7 +190,7 @@ def _gaps(gear: Gear, flank: str, z: Array, roll: Array, wear: Array | None) -> 
 
 
 def _softenings(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
-    """Compliance that cracks add to teeth [m^2/N], shape (n_z, n_roll) each."""
+    """Additional compliance of cracked teeth [m^2/N], shape (n_z, n_roll) each."""
     from pitchpoint.contact.stiffness.root_crack import crack_compliance, crack_depth
     from pitchpoint.geometry.tooth_form import tooth_form
     from pitchpoint.model.components.tooth_faults import RootCrack
@@ -213,7 +215,7 @@ def _softenings(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Arra
 
 
 def _level_stations(gear: Gear) -> tuple[int, int]:
-    """Stations over width and roll that resolve the smallest pit; those of all grids without any."""
+    """Stations over face width and roll length that resolve the smallest pit; the default without pits."""
     from pitchpoint.geometry.pits import stations
     from pitchpoint.model.components.tooth_faults import Pitting
 
@@ -222,7 +224,7 @@ def _level_stations(gear: Gear) -> tuple[int, int]:
 
 
 def _levels(gear: Gear, flank: str, z: Array, roll: Array) -> dict[int, Array]:
-    """Levels [m] of the teeth that miss something, shape (n_z, n_roll) each."""
+    """Levels [m] of the teeth with missing material, shape (n_z, n_roll) each."""
     from pitchpoint.geometry.pits import pit_level
     from pitchpoint.geometry.tooth_faults import break_level, tooth_height
     from pitchpoint.model.components.tooth_faults import BrokenTooth, Pitting

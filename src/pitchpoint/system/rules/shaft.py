@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic shafts as stations, bodies with six coordinates, and the beams between them.
+"""Elastic shafts as stations (bodies with six coordinates) and the beam elements between them.
 
-There is a station wherever something sits on the shaft, at every step of the diameter, at both ends, and in
-between so that no piece is too long. The beams carry the mass of the shaft; what sits on it adds its own to
-its station.
+Stations are at every mounted part, every diameter step, both ends, and in between to limit the element
+length. The beam elements include the mass of the shaft; mounted parts add their mass to their station.
 """
 
 from __future__ import annotations
@@ -30,20 +29,20 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 BARE = 1e-9
-"""Mass and inertia of a station where nothing sits, per mass and inertia of the shaft: a body needs some."""
+"""Mass and inertia of a station without parts relative to those of the shaft; a body must not be massless."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Rider:
-    """Something that sits on a shaft: a gear, a bearing, a load.
+    """Part mounted on a shaft: gear, bearing or load.
 
     Parameters
     ----------
     place
-        From the start of the shaft [m].
+        Position from the start of the shaft [m].
     mass, polar, central, center
-        Mass [kg], inertia about the spin axis and about a diameter through its centre of mass [kg m^2], and
-        that centre from its place [m]; all zero for what only acts there.
+        Mass [kg], inertia about the spin axis and about a diameter through the centre of mass [kg m^2], and
+        position of the centre of mass relative to `place` [m]; all zero for massless parts.
     """
 
     place: float
@@ -66,9 +65,9 @@ class ShaftParts:
     names
         Names of the beams.
     stations
-        Number of the body that each rider sits on, in the records.
+        Body number of the station of each rider in the records.
     places
-        Places of the stations from the start of the shaft [m].
+        Positions of the stations from the start of the shaft [m].
     """
 
     bodies: tuple[Body, ...]
@@ -90,33 +89,33 @@ def shaft_parts(
     angle: float = 0.0,
     stations: Sequence[float] | None = None,
 ) -> ShaftParts:
-    """Cut a shaft into stations and beams.
+    """Divide a shaft into stations and beam elements.
 
     Parameters
     ----------
     name
         Name of the shaft.
     shaft
-        Its sections.
+        Sections of the shaft.
     riders
-        What sits on it, by name; things at one place share a station.
+        Mounted parts by name; parts at the same position share a station.
     first
         Number of its first body in the records.
     origin
         Start of the shaft in the world [m].
     axes
-        Its frame, columns, shape (3, 3): it lies along the third; None takes that of the world.
+        Frame of the shaft, columns, shape (3, 3), the third along the shaft; None: world frame.
     gravity
-        On the mass of the shaft [m/s^2]; what sits on it is a matter of the bodies.
+        Gravity acting on the beam elements [m/s^2]; mounted parts are included in the bodies.
     angle
-        Initial spin of all stations [rad].
+        Initial spin angle of all stations [rad].
     stations
-        Places of the stations from the start of the shaft [m]; None cuts it where the riders sit.
+        Positions of the stations from the start of the shaft [m]; None: determined from the riders.
 
     Raises
     ------
     CompileError
-        If a rider does not sit on the shaft.
+        If a rider is not on the shaft.
     """
     off = [f"{r} at {x.place:g} m" for r, x in riders.items() if not on_shaft(shaft, x.place)]
     if off:
@@ -152,7 +151,7 @@ def shaft_parts(
 
 
 def shaft_of(model: Model, name: str, first: int) -> ShaftParts:
-    """Bodies and beams of a shaft of a model, with its gears; `first` is the number of its start."""
+    """Bodies and beams of a shaft in a model, with its gears; `first` is the number of its first station."""
     shaft, body = model.shafts[name], model.bodies[name]
     riders = {}
     for gear, place in body.gears.items():
@@ -176,7 +175,7 @@ def shaft_of(model: Model, name: str, first: int) -> ShaftParts:
 
 
 def shaft_bank(places: Places) -> Bank:
-    """Pieces of all shafts between their stations."""
+    """Beam elements of all shafts."""
     model, numbers = places.model, places.numbers
     parts = [shaft_of(model, name, numbers[name]) for name in model.shafts]
     records = [np.zeros(0, RECORD), *(p.beams for p in parts)]
@@ -198,7 +197,7 @@ def _beam(shaft: Shaft, a: float, b: float) -> Beam:
 def _station(
     name: str, pose: tuple[Array, Array], sat: list[Rider], mass: float, inertia: float, angle: float
 ) -> Body:
-    """Body with a place and a frame, and the mass of all that sits on it."""
+    """Station with position, frame, and the mass of the parts mounted on it."""
     heavy = mass + sum(r.mass for r in sat)
     center = sum(r.mass * r.center for r in sat) / heavy
     central = inertia + sum(r.central + r.mass * (r.center - center) ** 2 for r in sat)

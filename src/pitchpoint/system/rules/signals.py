@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sensors, blocks, actuators and controllers of a model as a net of signals."""
+"""Sensors, blocks, actuators and controllers of a model as a signal network."""
 
 from __future__ import annotations
 
@@ -58,14 +58,14 @@ def net_of_model(
     model
         The model.
     bodies
-        Bodies of its system, hidden ones of elements among them.
+        Bodies of its system, including hidden bodies of elements.
     places
-        How ends and markers are found.
+        Mapping of ends and markers to records.
     """
     number = body_numbers(model)
 
     def coordinate(name: str) -> tuple[int, int]:
-        """Numbers of body and coordinate that a sensor reads."""
+        """Numbers of body and coordinate of a sensor."""
         found = mechanism.coordinate(model.mechanism, model, name)
         if isinstance(found, str):
             raise CompileError(f"the sensor of {name} {found}")
@@ -90,18 +90,18 @@ def net_of_model(
 
 @dataclass(frozen=True)
 class Machine:
-    """How the rule finds what signals name.
+    """Mapping of the names used in signals to the system.
 
     Parameters
     ----------
     bodies
-        All bodies of the system so far, hidden ones of other elements among them.
+        All bodies of the system so far, including hidden bodies of other elements.
     places
-        How ends and markers are found.
+        Mapping of ends and markers to records.
     coordinate
-        Of JOINT.COORDINATE, or a body for its spin: number of the body and which of its coordinates it is.
+        Function of JOINT.COORDINATE, or of a body for its spin: body number and index of the coordinate.
     functions
-        Python functions by the place that names them: "blocks.NAME.function", "controllers.NAME.function".
+        Python functions by their path in the model: "blocks.NAME.function", "controllers.NAME.function".
     """
 
     bodies: Sequence[Body]
@@ -122,9 +122,9 @@ def signal_net(
     Parameters
     ----------
     machine
-        What the signals sense and act on.
+        Mapping of names to bodies, coordinates and functions.
     sensors, blocks, actuators, controllers
-        Components by name; the names of sensors and blocks are those of their signals.
+        Components by name; sensors and blocks give their names to their signals.
     """
     net = SignalNet(machine.bodies)
     for name, sensor in sensors.items():
@@ -140,7 +140,7 @@ def signal_net(
 
 
 def _unit_of(net: SignalNet, name: str, blocks: Mapping[str, bl.Block]) -> str:
-    """Unit of a signal; what is limited or filtered keeps the unit that it had."""
+    """Unit of a signal; limits and filters have the unit of their input."""
     seen: set[str] = set()
     while name in blocks and name not in seen:
         block = blocks[name]
@@ -157,7 +157,7 @@ def _sense(net: SignalNet, name: str, part: Sensor, machine: Machine) -> None:
         (i, p_i, _), (j, p_j, axes) = (places.end(end) for end in part.ends)
         k = AXES.index(part.axis)
         across: dict[str, Any] = {}
-        if part.quantity == "angle":  # from marker to marker, both about the axis of the second
+        if part.quantity == "angle":  # between the markers, about the axis of the second
             own = places.end(part.ends[0])[2]
             across = {"direction_i": own[:, (k + 1) % 3], "direction_j": axes[:, (k + 1) % 3]}
         net.sensor(name, QUANTITY[part.quantity], i, j, axis=axes[:, k], point_i=p_i, point_j=p_j, **across)

@@ -19,7 +19,7 @@ TURN = 2.0 * np.pi
 
 
 def spring_bank(places: Places) -> Bank:
-    """Springs and dampers along lines; without a free length as long as they are placed."""
+    """Springs and dampers along lines; the default free length is the distance as assembled."""
     springs = places.model.springs
     pool, rows = sig.Pool(), []
     laws: list[Function | None] = []
@@ -37,8 +37,7 @@ def spring_bank(places: Places) -> Bank:
 
 
 def _further(row: Any, pool: sig.Pool, law: Law | None, where: str) -> Function | None:
-    """Write the law in parallel with stiffness and damping; a Python function gets the rate after its
-    parameters."""
+    """Set the law in parallel with stiffness and damping; a Python function is also passed the rate."""
     function = None if law is None else set_signal(row, pool, law, where)
     if row["form"] == sig.LAW:
         row["over"] = sig.OVER_BOTH
@@ -59,7 +58,7 @@ def maxwell_bank(places: Places) -> Bank:
 
 
 def torsion_spring_bank(places: Places) -> Bank:
-    """Torsion springs and dampers; only a table over a whole turn repeats, others are constant beyond it."""
+    """Torsion springs and dampers; only tables over 2 pi are periodic, others are constant at their ends."""
     springs = places.model.torsion_springs
     pool, rows, laws = sig.Pool(), [], []
     for name, part in springs.items():

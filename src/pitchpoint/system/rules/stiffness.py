@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From the stiffness law of a model file to a stiffness description."""
+"""Stiffness descriptions from the stiffness laws of a model."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 N_TRIES = 1024
-"""Mesh phases at which a user's stiffness law is called once before anything is computed with it."""
+"""Number of mesh phases at which a user-defined stiffness law is tested before it is used."""
 
 
 def single_stiffness_of(model: Model, mesh: str) -> SingleStiffness:
-    """Single and mesh stiffness of a mesh by DIN 3990 / ISO 6336-1, with the factors of its gears."""
+    """Single and mesh stiffness of a mesh to DIN 3990 / ISO 6336-1, with the factors of its gears."""
     from pitchpoint.contact.stiffness.din3990 import single_stiffness
 
     part = model.meshes[mesh]
@@ -31,7 +31,7 @@ def single_stiffness_of(model: Model, mesh: str) -> SingleStiffness:
 
 
 def describe_stiffness(model: Model, mesh: str) -> Description:
-    """Stiffness description of a mesh, by the law that its model names."""
+    """Stiffness description of a mesh by the law in the model."""
     part = model.meshes[mesh]
     options = part.stiffness.options([model.gears[g] for g in part.gears])
     if isinstance(part.stiffness, UserStiffness):  # the only law that runs code
@@ -43,7 +43,7 @@ def describe_stiffness(model: Model, mesh: str) -> Description:
 
 
 def _try(law: UserLaw) -> None:
-    """Go once through the mesh cycle: a law that fails is a failed computation, not a wrong file."""
+    """Test the law over one mesh cycle; a failure raises a SolverError, since the model file is valid."""
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.status import NOT_FINITE, REFUSED
 
@@ -54,25 +54,25 @@ def _try(law: UserLaw) -> None:
         value = law(0.0, k / N_TRIES)
         if value <= 0.0:
             raise SolverError(
-                f"{law.source} gives {value:.6g} N/m (mesh phase {k / N_TRIES:.4f}); a stiffness is > 0",
+                f"{law.source} gives {value:.6g} N/m (mesh phase {k / N_TRIES:.4f}; limit > 0)",
                 REFUSED,
             )
 
 
 def user_law(law: PythonLaw, where: str) -> UserLaw:
-    """Load a user's Python law; the loader of the model has checked the permission already.
+    """Load a user-defined Python law; permission has already been checked when the model was loaded.
 
     Parameters
     ----------
     law
         File, function and parameters.
     where
-        Place in the model that names it, for messages.
+        Path in the model, for messages.
 
     Raises
     ------
     ModelError
-        If there is no such file or function, or it takes other arguments.
+        If the file or function does not exist, or has other arguments.
     """
     from pitchpoint.core.user_law import load_user_law
 

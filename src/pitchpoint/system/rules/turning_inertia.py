@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What turns with a gear: its body, what that is fixed to, and everything that hangs on these."""
+"""Moment of inertia that rotates with a gear: its body, the body it is fixed to, and all attached bodies."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 def turning_inertia(model: Model, body: str) -> float:
-    """Moment of inertia about the axis of a body that carries a gear [kg m^2]; infinite if it cannot turn.
+    """Moment of inertia about the spin axis of a body with a gear [kg m^2]; infinite if it cannot rotate.
 
-    Bodies on joints count as if these were held where the model is drawn (all coordinates zero): the diagonal
-    of the mass matrix at the spin. Elastic bodies that hang on it do not count.
+    Bodies on joints are included with their joints locked at zero coordinates: the diagonal entry of the
+    mass matrix for the spin. Attached elastic bodies are not included.
 
     Parameters
     ----------

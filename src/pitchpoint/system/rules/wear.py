@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From the wear that a model states to the gaps it leaves on the flanks of a mesh."""
+"""Flank gaps of a mesh from the wear in a model."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ Array = NDArray[np.float64]
 def worn_flanks(
     pair: GearPair, stiffness: Description, gears: Sequence[Gear], offsets: tuple[float, float]
 ) -> tuple[Worn, Worn]:
-    """What wear takes off the flanks of both gears in one mesh; None for a gear without wear.
+    """Gaps due to wear on the flanks of both gears in one mesh; None for a gear without wear.
 
     Parameters
     ----------
     pair
-        The pair at its centre distance.
+        The gear pair at its working centre distance.
     stiffness
-        How the pairs share the load.
+        Stiffness description, which determines the load sharing.
     gears
         Gear 1 and gear 2.
     offsets
-        Places of the middle of the common face width, from the mid-faces of both gears [m].
+        Positions of the middle of the common face width relative to the mid-faces of both gears [m].
     """
     first, second = (_worn(pair, stiffness, gears[k], k, offsets[k]) for k in range(2))
     return first, second
@@ -49,7 +49,7 @@ def _worn(pair: GearPair, stiffness: Description, gear: Gear, number: int, offse
         return None
 
     def gap(front: int, flank: str, z: Array, roll: Array) -> Array:
-        """What all wear of the gear takes off a flank, along the base tangent [m]."""
+        """Total wear of a flank along the base tangent [m]."""
         helix = math.tan(pair.gear1.beta_b) / pair.p_et * (1.0 if front == 0 else -1.0)
         pattern = wear_pattern(pair, stiffness, gear=number + 1, z=z - offset, roll=roll, helix=helix)
         depth = np.zeros_like(pattern)
@@ -62,7 +62,7 @@ def _worn(pair: GearPair, stiffness: Description, gear: Gear, number: int, offse
 
 
 def _scale(fault: Wear, pattern: Array, pair: GearPair, number: int) -> float:
-    """Depth over pattern: to the largest depth, or k N F/b with F/b = T/(r_b b)."""
+    """Scale of the wear pattern: from the given maximum depth, or k N F/b with F/b = T/(r_b b)."""
     if fault.depth is not None:
         return fault.depth / float(pattern.max())
     assert fault.coefficient is not None and fault.cycles is not None and fault.torque is not None
