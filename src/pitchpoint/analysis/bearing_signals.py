@@ -37,8 +37,7 @@ def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -
     References
     ----------
     .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
-    Systems
-       and Signal Processing 21(1), 2007, 108-124.
+       Systems and Signal Processing 21(1), 2007, 108-124.
 
     Examples
     --------

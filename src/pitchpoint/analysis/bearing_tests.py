@@ -36,12 +36,10 @@ NOTHING = 1e-9
 """Share of a signal below which a residual is round-off."""
 FEWEST_SAMPLES = 1024
 
-FROM_SHAFTS = (
-    "{} cannot be distinguished from the turns of a shaft: the record does not resolve their harmonics"
-)
+FROM_SHAFTS = "{} cannot be distinguished from shaft orders: the record does not resolve their harmonics"
 FROM_MESHES = (
-    "{}: lines in the envelope that few lines of the signal make: meshes that passing balls modulate do "
-    "that, impacts do not"
+    "{}: envelope lines that are due to a few lines of the signal: typical of meshes modulated by ball "
+    "passage, not of impacts"
 )
 
 Row = tuple[str, str, Measured]
@@ -134,8 +132,7 @@ def bearing_evidence(
     References
     ----------
     .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
-    Systems
-       and Signal Processing 21(1), 2007, 108-124.
+       Systems and Signal Processing 21(1), 2007, 108-124.
     .. [2] R. B. Randall, J. Antoni, Rolling element bearing diagnostics - a tutorial, Mechanical Systems and
        Signal Processing 25(2), 2011, 485-520.
 

@@ -68,8 +68,7 @@ def campbell_crossings(
     References
     ----------
     .. [1] W. E. Campbell, The protection of steam-turbine disk wheels from axial vibration, Transactions of
-    the ASME
-       46, 1924, 31-160.
+       the ASME 46, 1924, 31-160.
 
     Examples
     --------

@@ -84,8 +84,7 @@ def real_cepstrum(
     References
     ----------
     .. [1] R. B. Randall, A history of cepstrum analysis and its application to mechanical problems,
-    Mechanical
-       Systems and Signal Processing 97, 2017, 3-19.
+       Mechanical Systems and Signal Processing 97, 2017, 3-19.
 
     Examples
     --------

@@ -2,8 +2,8 @@
 """Detection in noise: detection rates of fault indicators at a given false alarm rate.
 
 A detector is any function from a signal to one number that increases with the fault. Its threshold follows
-from healthy signals with the same noise and from the allowed false alarm rate; a second set of healthy signals
-verifies the rate. Indicators of all kinds can thus be compared.
+from healthy signals with the same noise and from the allowed false alarm rate; a second set of healthy
+signals verifies the rate. Indicators of all kinds can thus be compared.
 """
 
 from __future__ import annotations

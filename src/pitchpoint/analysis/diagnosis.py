@@ -135,8 +135,7 @@ def diagnose(
     .. [2] R. B. Randall, A new method of modeling gear faults, Journal of Mechanical Design 104(2), 1982,
        259-267.
     .. [3] Z. Šidák, Rectangular confidence regions for the means of multivariate normal distributions,
-    Journal
-       of the American Statistical Association 62, 1967, 626-633.
+       Journal of the American Statistical Association 62, 1967, 626-633.
 
     Examples
     --------

@@ -62,8 +62,7 @@ def band_envelope(
     References
     ----------
     .. [1] D. Ho, R. B. Randall, Optimisation of bearing diagnostic techniques using simulated and actual
-    bearing
-       fault signals, Mechanical Systems and Signal Processing 14(5), 2000, 763-788.
+       bearing fault signals, Mechanical Systems and Signal Processing 14(5), 2000, 763-788.
 
     Examples
     --------

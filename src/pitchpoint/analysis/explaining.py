@@ -214,7 +214,7 @@ def _vanishes(
 
 def _explained(e: Evidence, cause: str, notes: list[Note]) -> Evidence:
     """The test marked as explained; appends a note."""
-    notes.append(Note(f"explained by {cause}, without whose lines nothing of it stands out: {{}}", _what(e)))
+    notes.append(Note(f"explained by {cause}, without whose lines it is not significant: {{}}", _what(e)))
     return replace(e, found=False, explained=cause)
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Characteristic frequencies of gear pairs and gear trains from numbers of teeth and speeds.
 
-Speeds are signed, in rad/s, counter-clockwise positive; frequencies are nonnegative, in Hz. A damaged tooth is
-in mesh once per revolution relative to the line of centres, which is fixed to ground for ordinary gears and
-to the carrier for planets. Purely kinematic, without slip. See `planet_frequencies` and `bearing_frequencies`
-for planetary gear sets and rolling bearings.
+Speeds are signed, in rad/s, counter-clockwise positive; frequencies are nonnegative, in Hz. A damaged tooth
+is in mesh once per revolution relative to the line of centres, which is fixed to ground for ordinary gears
+and to the carrier for planets. Purely kinematic, without slip. See `planet_frequencies` for planetary gear
+sets and `bearing_frequencies` for rolling bearings.
 """
 
 from __future__ import annotations

@@ -192,7 +192,7 @@ def findings_of(
             best = combs[0]
             seen = [views[e.channel, shaft.name] for e in combs]
             others = _like_bearings(parts, seen, best.threshold)
-            # a damaged tooth modulates the meshes of all gears of its shaft: the lines do not identify the gear
+            # a damaged tooth modulates the meshes of all gears of its shaft: lines do not identify the gear
             gears = tuple(parts.gears_of(shaft.name))
             found.append(Finding("local fault", shaft.name, gears, best.channel, best.probability, others))
         elif bands:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Channels that hold the pulses of a tacho: two levels, steep edges, even intervals.
+"""Identification of tacho channels: two levels, steep edges, even intervals.
 
 Derivation: docs/theory/signals.md, "Angle".
 """
@@ -13,15 +13,15 @@ from pitchpoint.analysis.sampled import as_signal
 from pitchpoint.analysis.tacho import FEWEST_PULSES, rising_edges
 
 LEVEL = 0.15
-"""Distance from a level, over the range, up to which a sample lies on it: filtered edges overshoot by 9 %."""
+"""Tolerance of a level over the range; filtered edges overshoot by 9 %."""
 FLAT = 0.8
-"""Share of the samples above, and of those below, the middle that lie on their level."""
+"""Minimum share of the samples above, and of those below, the middle that are on their level."""
 EVEN = 1.25
-"""Ratio of successive intervals up to which they are alike; a shaft changes its speed slowly."""
+"""Maximum ratio of successive intervals that are even; the speed of a shaft changes slowly."""
 
 
 def is_pulse_train(values: ArrayLike, time: ArrayLike) -> bool:
-    """Whether a channel shows pulses of a tacho, not a vibration.
+    """Whether a channel is a tacho pulse train and not a vibration signal.
 
     Parameters
     ----------
@@ -35,8 +35,8 @@ def is_pulse_train(values: ArrayLike, time: ArrayLike) -> bool:
 
     Notes
     -----
-    Vibration has no flat levels: of a sine half the samples lie farther than 15 % of the range from both
-    extremes, of impacts the peaks decay.
+    Vibration has no flat levels: half the samples of a sine are farther than 15 % of the range from both
+    extremes, and the peaks of impacts decay.
 
     Examples
     --------

@@ -276,7 +276,7 @@ class Pieces:
         return np.arange(self.count - len(points), self.count)
 
     def quads(self, first: IntArray, second: IntArray) -> None:
-        """Add triangles between two lines with equal numbers of points, given by their indices (n,)."""
+        """Add triangles between two lines with equal numbers of points; indices, shapes (n,)."""
         a, b, c, d = first[:-1], first[1:], second[1:], second[:-1]
         self.faces += [np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]
 

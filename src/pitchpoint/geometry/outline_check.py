@@ -154,7 +154,7 @@ def one_pitch(
 
 
 def sides(plane: ComplexArray) -> tuple[IntArray, IntArray]:
-    """Indices of the points of the right and the left side, each from root to tip; n in total."""
+    """Indices of the points of the right and the left side, root to tip; shapes add up to (n,)."""
     split = int(np.argmax(np.angle(plane) >= 0.0))
     return np.arange(split), np.arange(plane.size - 1, split - 1, -1)
 

@@ -137,7 +137,7 @@ def test_a_bearing_on_a_harmonic_of_a_shaft_is_named_with_the_gear(passes: float
     findings, untested = _of_struck(passes, passes)
     assert findings == [("local fault", "shaft 1", ("Z1",), ("outer ring of left",))]
     assert any(
-        text.startswith("outer ring of left cannot be distinguished from the turns") for text in untested
+        text.startswith("outer ring of left cannot be distinguished from shaft orders") for text in untested
     )
 
 
@@ -149,7 +149,7 @@ def test_a_difference_that_the_record_does_not_resolve_is_told() -> None:
     # 0.4 lines of a record of 100 turns
     findings, untested = _of_struck(3.004, 3.004)
     assert all(finding[0] != "bearing" for finding in findings)
-    assert any("cannot be distinguished from the turns of a shaft" in text for text in untested)
+    assert any("cannot be distinguished from shaft orders" in text for text in untested)
 
 
 def test_passing_balls_of_a_healthy_bearing_are_neither_sidebands_nor_damage() -> None:
