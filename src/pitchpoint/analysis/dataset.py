@@ -231,12 +231,12 @@ def _source(dataset: xr.Dataset, name: str, channel: str, angle: str | None) -> 
         raise SignalError(f"{variable.dims[0]}: {axis.size} samples (limit 2 or more); use a longer record")
     if name in ("samples_per_revolution", "average"):
         if variable.dims != ("angle",):
-            raise SignalError(f"runs over time and not over an angle; make it with {_MAKERS[name]}")
+            raise SignalError(f"is over time, not over an angle; create it with {_MAKERS[name]}")
         if name == "average":
             return np.asarray(variable.values, dtype=np.float64)
         return 2.0 * np.pi * sample_rate_of(np.sign(axis[-1] - axis[0]) * axis)
     if variable.dims != ("time",):
-        raise SignalError("runs over an angle and not over time; use a tool for signals over an angle")
+        raise SignalError("is over an angle, not over time; use a tool for signals over an angle")
     if name == "angle":
         return _angle(dataset, axis, angle)
     if name == "sample_rate":
@@ -303,10 +303,10 @@ def _joined(results: Sequence[xr.Dataset], names: Sequence[str], tool: str) -> x
             or first.sizes != other.sizes
         ):
             raise SignalError(
-                f"{tool}: the axes of {name} differ from those of {names[0]}; analyse them one by one"
+                f"{tool}: the axes of {name} differ from those of {names[0]}; analyse them separately"
             )
     units = {v: {str(r[v].attrs["units"]) for r in results} for v in first.data_vars}
     mixed = [str(v) for v, found in units.items() if len(found) > 1]
     if mixed:
-        raise SignalError(f"{tool}: channels have different units ({mixed[0]}); analyse them one by one")
+        raise SignalError(f"{tool}: channels have different units ({mixed[0]}); analyse them separately")
     return xr.concat(list(results), dim=xr.Variable("channel", list(names)), combine_attrs="override")

@@ -177,7 +177,7 @@ def diagnose(
     unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
     untested += [note for note in unseen if note.subject not in named]
     few = [
-        Note(f"too few turns of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
+        Note(f"too few revolutions of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
         for shaft, count in turns.items()
         if count < FEWEST_TURNS
     ]

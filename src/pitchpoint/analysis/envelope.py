@@ -83,7 +83,7 @@ def band_envelope(
     inside = (frequency >= low * (1.0 - 1e-12)) & (frequency <= high * (1.0 + 1e-12))
     if not inside.any():
         raise SignalError(
-            f"band: {low:g} to {high:g} Hz holds no line (they lie {rate / x.size:.3g} Hz apart); "
+            f"band: {low:g} to {high:g} Hz contains no line (line spacing {rate / x.size:.3g} Hz); "
             "widen it or use a longer record"
         )
     analytic = np.zeros(x.size, dtype=np.complex128)

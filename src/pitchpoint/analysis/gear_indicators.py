@@ -124,7 +124,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
     mesh = float(lines[z::z].sum())
     largest = float(np.abs(x).max())
     if mesh <= ROUND_OFF * largest:
-        raise SignalError(f"average: holds no harmonic of {z} teeth; check tooth count and shaft")
+        raise SignalError(f"average: has no harmonic of {z} teeth; check number of teeth and shaft")
     _not_empty(parts.residual, largest, "residual")
     _not_empty(parts.difference, largest, "difference")
     return GearIndicators(
@@ -319,4 +319,4 @@ def nb4(averages: Sequence[ArrayLike], *, teeth: int, harmonic: int = 1) -> Runn
 def _not_empty(signal: Array, largest: float, name: str) -> None:
     """Raise if a part of an average is only round-off."""
     if float(np.abs(signal).max()) <= ROUND_OFF * largest:
-        raise SignalError(f"average: its {name} signal is empty but for round-off; its shape means nothing")
+        raise SignalError(f"average: its {name} signal is only round-off, so that its shape is undefined")

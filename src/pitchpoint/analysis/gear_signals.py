@@ -155,7 +155,7 @@ def mesh_envelope(
     if not (int(harmonic) >= 1 and 0 <= width < center and 2 * (center + width) < x.size):
         raise SignalError(
             f"harmonic: orders {center - width} to {center + width} (limit 1 to below {x.size / 2:g}); "
-            "choose a lower harmonic or more samples per turn"
+            "choose a lower harmonic or more samples per revolution"
         )
     lines = np.zeros(x.size, dtype=np.complex128)
     band = slice(center - width, center + width + 1)
@@ -187,7 +187,7 @@ def tooth_counts(teeth: int | Sequence[int], samples: int) -> tuple[int, ...]:
     for z in counts:
         if 2 * z >= samples:
             raise SignalError(
-                f"teeth: {samples} samples per turn lose every harmonic of {z} teeth (limit above {2 * z}); "
-                "raise the sample rate or the samples per turn"
+                f"teeth: {samples} samples per revolution are too few for {z} teeth (limit above {2 * z}); "
+                "raise the sample rate or the samples per revolution"
             )
     return tuple(counts)

@@ -128,7 +128,7 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     outside = np.flatnonzero((wanted <= 0.0) | (wanted >= top))
     if outside.size:
         raise SignalError(
-            f"expected: {wanted[outside[0]]:g} Hz lies outside the spectrum (limit 0 to {top:g} Hz, half the "
+            f"expected: {wanted[outside[0]]:g} Hz is outside the spectrum (limit 0 to {top:g} Hz, half the "
             "sample rate); increase the sampling rate or request fewer"
         )
     far = np.broadcast_to(np.asarray(reach, dtype=np.float64), wanted.shape)
@@ -226,7 +226,7 @@ def kept_harmonics(fundamental: float, sample_rate: float, harmonics: int) -> tu
     kept = min(wanted, int(np.ceil(0.5 * sample_rate / fundamental)) - 1)
     if kept < 1:
         raise SignalError(
-            f"sample_rate: {sample_rate:g} Hz loses all harmonics of {fundamental:g} Hz "
+            f"sample_rate: {sample_rate:g} Hz is too low for any harmonic of {fundamental:g} Hz "
             f"(limit > {2.0 * fundamental:g} Hz); sample faster"
         )
     return np.arange(1.0, kept + 1.0), wanted - kept
@@ -251,7 +251,7 @@ def apart_enough(distance: float, resolution: float, name: str) -> None:
     """
     if distance < APART * resolution:
         raise SignalError(
-            f"{name}: {distance:g} Hz, and the lines of this record lie {resolution:.3g} Hz apart (limit "
+            f"{name}: {distance:g} Hz is not resolved by the line spacing of {resolution:.3g} Hz (limit "
             f"{APART} lines); use a record of {APART / distance:.3g} s or longer"
         )
 

@@ -240,7 +240,7 @@ def _checked(frequency: ArrayLike, level: ArrayLike) -> tuple[Array, Array]:
     if np.any(a < 0.0):
         raise SignalError("level: is negative; pass the rms of the alternating part")
     if np.any(np.diff(f if f[-1] > f[0] else -f) <= 0.0):
-        raise SignalError("frequency: turns back; pass each direction of the sweep by itself")
+        raise SignalError("frequency: is not monotonic; pass each direction of the sweep separately")
     # levels of zero would give infinite steps
     return f, np.log(np.maximum(a, max(1e-12 * float(a.max()), np.finfo(np.float64).tiny)))
 

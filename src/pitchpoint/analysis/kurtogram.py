@@ -136,7 +136,7 @@ def kurtogram(
         slack = 0.5 * rate / lines.size
         allowed = (lows >= band[0] - slack) & (highs <= band[1] + slack)
         if not allowed.any():
-            raise SignalError(f"band: {band[0]:g} to {band[1]:g} Hz holds no band of the kurtogram; widen it")
+            raise SignalError(f"band: {band[0]:g} to {band[1]:g} Hz contains no kurtogram band; widen it")
     best = int(np.argmax(np.where(allowed, kurtosis, -np.inf)))
     return Kurtogram(
         level=level_of,

@@ -116,7 +116,7 @@ def mean_turn(
     wanted = 2 * int(max(resolved, 8.0) // 2)
     if 2 * teeth >= wanted:
         raise SignalError(
-            f"teeth: {wanted} samples per turn lose every harmonic of {teeth} teeth "
+            f"teeth: {wanted} samples per revolution are too few for {teeth} teeth "
             f"(limit above {2 * teeth}); use a higher sample rate"
         )
     # meshes of other shafts at whole orders of this shaft remain in its average

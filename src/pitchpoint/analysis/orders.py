@@ -131,7 +131,7 @@ def resample_over_angle(
     n = int(np.floor(span * rate / (2.0 * np.pi) * (1.0 + 1e-12))) + 1
     if n < 4:
         raise SignalError(
-            f"angle: turns {span:.3g} rad, less than three steps; use a longer record or a finer grid"
+            f"angle: covers {span:.3g} rad, less than three steps; use a longer record or a finer grid"
         )
     fine = phi[0] + np.arange((n - 1) * factor + 1) * (2.0 * np.pi / (rate * factor))
     data = CubicSpline(phi, x)(np.minimum(fine, phi[-1]))
@@ -290,7 +290,7 @@ def order_map(
     if signal.values.size < length:
         turned = (signal.values.size - 1) / signal.samples_per_revolution
         raise SignalError(
-            f"angle: turns {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames"
+            f"angle: covers {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames"
         )
     count = min(max(1, int(frames)), signal.values.size - length + 1)
     starts = np.unique(np.linspace(0, signal.values.size - length, count).round().astype(np.int64))
@@ -332,7 +332,7 @@ def one_way(angle: ArrayLike) -> Array:
     stop = np.flatnonzero(np.diff(phi) <= 0.0)
     if stop.size:
         raise SignalError(
-            f"angle: the shaft stops or turns back after sample {stop[0]}; "
+            f"angle: the shaft stops or reverses after sample {stop[0]}; "
             "cut the record there, or unwrap the angle"
         )
     return phi

@@ -170,15 +170,15 @@ def synchronous_average(
     turns = (last - first + 1) // fine
     if turns < 1:
         raise SignalError(
-            f"angle: the shaft turns {(phi[-1] - phi[0]) / (2.0 * np.pi):.3g} revolutions "
-            "(limit 1 whole turn); use a longer record"
+            f"angle: covers {(phi[-1] - phi[0]) / (2.0 * np.pi):.3g} revolutions of the averaged shaft "
+            "(limit 1 revolution); use a longer record"
         )
     total, squares = np.zeros(fine), 0.0
     together = max(AT_ONCE // fine, 1)
     for turn in range(turns):
         grid = np.arange(first + turn * fine, first + (turn + 1) * fine) * (2.0 * np.pi / fine)
         grid = np.clip(grid, phi[0], phi[-1])
-        if turn % together == 0:  # a spline through the samples of the next turns and some around them
+        if turn % together == 0:  # a spline through the samples of the next revolutions and some around them
             end = grid[0] + 2.0 * np.pi * min(together, turns - turn)
             begin, stop = np.searchsorted(phi, [grid[0], end])
             near = slice(max(begin - AROUND, 0), stop + AROUND)

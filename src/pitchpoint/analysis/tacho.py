@@ -196,7 +196,7 @@ def tacho_angle(
     clock = as_increasing(time, "time")
     inside = np.flatnonzero((clock >= pulses[0]) & (clock <= pulses[-1]))
     if inside.size < 2:
-        raise SignalError("tacho: fewer than two samples lie between its pulses; raise the sample rate")
+        raise SignalError("tacho: has fewer than two samples between its pulses; raise the sample rate")
     angle, speed = angle_between(pulses, pulse_angle, clock[inside], uncertainty=uncertainty)
     return ShaftAngle(
         time=clock[inside],
@@ -249,7 +249,7 @@ def angle_channel(angle: ArrayLike, time: ArrayLike) -> ShaftAngle:
     same_length(phi, clock, "angle, time")
     span = float(np.ptp(phi))
     if span == 0.0:
-        raise SignalError(f"angle: is constant at {phi[0]:g} rad; the shaft does not turn")
+        raise SignalError(f"angle: is constant at {phi[0]:g} rad; the shaft does not rotate")
     # unwrapping a record within one revolution changes a sawtooth only
     if span <= 2.0 * np.pi * (1.0 + 1e-9):
         phi = np.unwrap(phi)
@@ -295,10 +295,10 @@ def pulse_train(angle: ArrayLike, *, pulses_per_revolution: int) -> Array:
     ppr = whole(pulses_per_revolution, "pulses_per_revolution")
     steps = np.diff(phi)
     if np.any(steps * np.sign(phi[-1] - phi[0]) <= 0.0):
-        raise SignalError("angle: the shaft stops or turns back; cut the record there, or unwrap the angle")
+        raise SignalError("angle: the shaft stops or reverses; cut the record there, or unwrap the angle")
     if float(np.abs(steps).max()) * ppr > np.pi:
         raise SignalError(
-            f"angle: turns more than half a pitch of {ppr} pulses per revolution within one sample; "
+            f"angle: rotates more than half a pitch of {ppr} pulses per revolution within one sample; "
             "raise the sample rate or use fewer pulses"
         )
     half = 0.5 * steps
@@ -375,7 +375,7 @@ def _refuse_no_train(pulses: Array, share: Array, edges: int) -> None:
     wrong = edges - pulses.size + int(np.count_nonzero(np.abs(share - 1.0) > 1.0 - SHORT))
     if wrong > max(1.0, LARGEST_MISFIT * edges) or pulses.size < FEWEST_PULSES - 1:
         raise SignalError(
-            f"tacho: {wrong} of {edges} pulses are missing, doubled or out of place "
+            f"tacho: {wrong} of {edges} pulses are missing, doubled or displaced "
             f"(limit {LARGEST_MISFIT:.0%}): this is not an even train of pulses; check channel and threshold"
         )
     gap = int(np.argmax(share))

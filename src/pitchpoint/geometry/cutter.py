@@ -178,7 +178,7 @@ def generating_position(
     """
     if not z_0 < z:
         raise GeometryError(
-            "teeth of the cutter are too many for this internal gear",
+            "cutter teeth are too many for this internal gear",
             where="cutter.number_of_teeth",
             value=f"{z_0}",
             limit=f"below {z}",

@@ -87,7 +87,7 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
         raise OutlineError(
             part,
             None,
-            "points do not describe it" if plane.size < least else "points are more than one tooth needs",
+            "points are too few" if plane.size < least else "points are too many",
             value=f"{plane.size}",
             limit=f"{least} to {MOST_POINTS}",
             remedy="give more points" if plane.size < least else "omit points",
@@ -145,7 +145,7 @@ def one_pitch(
         raise OutlineError(
             part,
             int(index[-1]),
-            "is not closed: it ends off the radius where it begins",
+            "is not closed: the radii at its start and end differ",
             value=f"{1e3 * step:.4g} mm",
             limit=f"{1e3 * OFF_INVOLUTE * gear.m_n:.4g} mm, {OFF_INVOLUTE:g} m_n",
             remedy="give the points from root to root",
@@ -269,7 +269,7 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
         raise OutlineError(
             part,
             int(index[back[0] + 1]),
-            "turns back towards the root on the flank",
+            "reverses towards the root on the flank",
             remedy="put the points in order from root to tip, or omit those that scatter",
         )
     if path.size < LEAST_FLANK:

@@ -292,7 +292,7 @@ def _words(pair: GearPair) -> Words:
         heights=f"{closer} the centre distance, or change tip_diameter or dedendum",
         shifts="increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre "
         "distance",
-        lengths="bring the axes closer together or lengthen the teeth",
+        lengths="reduce the distance of the axes or lengthen the teeth",
     )
 
 

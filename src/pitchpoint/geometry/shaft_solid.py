@@ -123,7 +123,7 @@ def shaft_outline(sections: Sequence[Section]) -> list[tuple[float, float]]:
             )
         if k and not max(bore, sections[k - 1][2]) < min(outer, sections[k - 1][1]):
             raise GeometryError(
-                "touches the section before it nowhere",
+                "does not touch the preceding section",
                 where=f"sections.{k}",
                 value=f"bores and diameters {1e3 * bore:g}/{1e3 * outer:g} mm and "
                 f"{1e3 * sections[k - 1][2]:g}/{1e3 * sections[k - 1][1]:g} mm",
@@ -165,7 +165,7 @@ def shaft_solid(sections: Sequence[Section], n_round: int = ROUND) -> FloatArray
     (24, 3, 3)
     """
     if n_round < 3:
-        raise GeometryError("make no circle", where="n_round", value=f"{n_round}", limit="at least 3")
+        raise GeometryError("corners are too few", where="n_round", value=f"{n_round}", limit="at least 3")
     corners = shaft_outline(sections)
     angle = 2.0 * math.pi / n_round * np.arange(n_round)
     x, y = np.cos(angle), np.sin(angle)

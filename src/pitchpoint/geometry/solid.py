@@ -184,7 +184,7 @@ def gear_solid(
     if n_slices is None:
         n_slices = max(1, math.ceil(abs(twist_rate * gear.b) / _TWIST_STEP)) if beta != 0.0 else 1
     if n_slices < 1:
-        raise GeometryError("slices make no solid", where="n_slices", value=f"{n_slices}", limit="at least 1")
+        raise GeometryError("slices are too few", where="n_slices", value=f"{n_slices}", limit="at least 1")
     profile = even_profile(gear, n_flank)
     flat = around(profile, abs(gear.z))
     n_outline, z, n_foot = flat.size, abs(gear.z), max(2, n_flank // 4)

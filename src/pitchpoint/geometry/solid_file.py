@@ -61,7 +61,7 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
     kind = path.suffix.lower()
     if kind not in STEP + STL:
         raise GeometryError(
-            "is not a kind of solid that is read",
+            "is not a supported file type",
             where="file",
             value=f"'{path.name}'",
             limit=", ".join(STEP + STL),

@@ -212,7 +212,7 @@ def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
         low, high = (moments[1] - moments[0]) / largest, (moments[2] - moments[1]) / largest
         uneven, apart = float(min(low, high)), float(max(low, high))
         if uneven > UNEVEN:
-            raise _not_round(moments, "give axes: {z: [0, 0, 1]} if it turns about an axis all the same")
+            raise _not_round(moments, "give axes: {z: [0, 0, 1]} if it nevertheless rotates about an axis")
         if apart < max(APART, 5.0 * uneven):
             raise GeometryError(
                 "does not define an axis: its principal moments of inertia are about equal",

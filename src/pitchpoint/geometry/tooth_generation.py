@@ -121,7 +121,7 @@ class ToothForm:
         """
         if n_flank < _MIN_FLANK:
             raise GeometryError(
-                "points do not show a flank",
+                "points are too few for a flank",
                 where="drawing_resolution",
                 value=f"{n_flank}",
                 limit=f"at least {_MIN_FLANK}",
@@ -174,7 +174,7 @@ def external_tooth_form(
     lowest = r - 0.5 * (math.pi * m_n - s_n) / math.tan(alpha_n)
     if not max(0.0, lowest) < r_f < r_a:
         raise GeometryError(
-            "leaves no tool tooth that could make this root",
+            "is not possible with a rack-type tool",
             where="root_diameter",
             value=f"{2e3 * r_f:.4f} mm",
             limit=f"above {2e3 * lowest:.4f} mm, below the tip",

@@ -156,7 +156,7 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
         raise OutlineError(
             part,
             int(back[0]),
-            "goes back over the centre line of the tooth",
+            "crosses the centre line of the tooth again",
             remedy="put the points in order",
         )
     check_height(gear, plane, index, part)

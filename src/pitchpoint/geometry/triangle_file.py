@@ -270,9 +270,9 @@ def _of_triangles(found: Triangles) -> list[Message]:
         faults.append(
             Message(
                 "",
-                f"run against their normals, the first is number {_first(against)}",
+                f"are opposite to their normals, the first is number {_first(against)}",
                 f"{int(against.sum())} of {len(corners)} triangles",
-                remedy="let the program that made it correct the normals: corners run counter-clockwise "
+                remedy="correct the normals in the program that created it: corners are counter-clockwise "
                 "seen from outside",
             )
         )
@@ -291,10 +291,10 @@ def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Messa
         return [
             Message(
                 "",
-                "are walked the same way by two triangles",
+                "are used in the same direction by two triangles",
                 f"{twice} edges",
                 "0",
-                "turn the flipped triangles round, and let no more than two meet at an edge",
+                "reverse the flipped triangles; no more than two triangles may share an edge",
             )
         ]
     back = (walked % many) * many + walked // many
@@ -311,8 +311,8 @@ def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Messa
         ]
     volume = float(np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))) / 6.0
     if not border and volume < 0.0:
-        more = "; hollow: true turns it round a second time" if hollow else ""
-        return [Message("", "is inside out", None, None, f"turn its triangles round{more}")]
+        more = "; hollow: true reverses them a second time" if hollow else ""
+        return [Message("", "is inside out", None, None, f"reverse its triangles{more}")]
     return []
 
 
