@@ -31,6 +31,6 @@ def test_the_page_names_the_third_shaft_and_its_gears(
     # Z4 and Z5 turn together: nothing is said about a tooth of one of them, but where on the shaft it is
     assert re.search(r"\d+° after t = 3 s", text) and "pitches" not in text
     assert "FM4" in printed
-    assert "too few turns of output or output_right (0.9" in text
+    assert "too few revolutions of output or output_right (0.9" in text
     for frequency in ("135.7 Hz", "20.1 Hz", "3.251 Hz"):
         assert frequency in text

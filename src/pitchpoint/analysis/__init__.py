@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From signals to numbers, measured or simulated: spectra, orders, jumps, amplification."""
+"""Signal analysis of measured and simulated records: spectra, orders, indicators, diagnosis."""

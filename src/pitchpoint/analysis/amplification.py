@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dynamic amplification: what vibration adds to the static load."""
+"""Dynamic amplification: ratio of dynamic to static load."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_signal
 
 @dataclass(frozen=True)
 class LoadFactors:
-    """Dynamic load of a mesh.
+    """Dynamic load factors of a mesh.
 
     Attributes
     ----------
     dynamic_factor
-        Largest force over the static force [-] (K_v of ISO 6336-1 when the static force is the nominal one).
+        Maximum force over the static force [-] (K_v of ISO 6336-1 if the static force is the nominal one).
     alternating_ratio
-        Rms of the alternating part over the static force [-].
+        RMS of the alternating part over the static force [-].
     """
 
     dynamic_factor: float
@@ -49,8 +49,8 @@ def amplification_factor(frequency_ratio: ArrayLike, damping_ratio: float) -> Ar
 
     Notes
     -----
-    V = 1/√((1 - η²)² + (2ζη)²) [1]_. Valid for the linear system: a gear mesh follows it only as long as the
-    flanks stay in contact, which ends where V times the alternating force reaches the mean force.
+    V = 1/√((1 - η²)² + (2ζη)²) [1]_. Valid for the linear system: for a gear mesh only without contact loss,
+    that is, while V times the alternating force is below the mean force.
 
     References
     ----------
@@ -69,15 +69,14 @@ def amplification_factor(frequency_ratio: ArrayLike, damping_ratio: float) -> Ar
 
 
 def load_factors(force: ArrayLike, static_force: float | None = None) -> LoadFactors:
-    """Dynamic factor and alternating share of a mesh force.
+    """Dynamic factor and alternating ratio of a mesh force.
 
     Parameters
     ----------
     force
         Mesh force over whole mesh periods at equal steps [N], shape (n,).
     static_force
-        Force without vibration [N], not zero; default the mean of `force`, right where the mean torque is
-        constant.
+        Force without vibration [N], not zero; default: mean of `force`, correct for a constant mean torque.
 
     Returns
     -------
@@ -91,8 +90,8 @@ def load_factors(force: ArrayLike, static_force: float | None = None) -> LoadFac
 
     Notes
     -----
-    K = max(F sgn F_0)/|F_0|, alternating ratio = rms(F - F̄)/|F_0|; the definition of the internal dynamic
-    factor as largest over static tooth force [1]_. Valid for any record that covers the vibration.
+    K = max(F sgn F_0)/|F_0|, alternating ratio = rms(F - F̄)/|F_0|; internal dynamic factor defined as the
+    maximum over the static tooth force [1]_. Valid for any record that covers the vibration.
 
     References
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Angle and speed between the pulses of a tacho: a curve no rougher than their times are known."""
+"""Angle and speed between tacho pulses by splines that are smoothed to the accuracy of the pulse times."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_si
 def angle_between(
     pulses: ArrayLike, angle: ArrayLike, clock: ArrayLike, *, uncertainty: float = 0.0
 ) -> tuple[Array, Array]:
-    """Angle and speed of a shaft at any times between its pulses.
+    """Angle and speed of a shaft at given times between its pulses.
 
     Parameters
     ----------
     pulses, angle
-        Times [s], increasing, and angles [rad] of the pulses, shape (n,), four at least.
+        Times [s], increasing, and angles [rad] of the pulses, shape (n,), at least four.
     clock
-        Times that are requested [s], shape (m,).
+        Requested times [s], shape (m,).
     uncertainty
-        Standard deviation of the times of the pulses [s]; 0 if they are exact.
+        Standard deviation of the pulse times [s]; 0 if they are exact.
 
     Returns
     -------
@@ -37,11 +37,11 @@ def angle_between(
 
     Notes
     -----
-    Exact pulses: cubic spline through them. Else the cubic spline with the fewest knots whose mean squared
-    distance from the pulses is what their uncertainty explains [1]_. A tacho of two levels is late by up to a
-    sample, and by how much repeats with the beat of both rates: a spline through such pulses turns the shaft
-    to and fro in that beat, and every mesh line gets sidebands that no machine has. Where a spline would turn
-    back, a monotonic cubic through the pulses.
+    Exact pulses: interpolating cubic spline. Otherwise the smoothing spline with the fewest knots whose mean
+    squared deviation from the pulses agrees with their uncertainty [1]_. The edges of a two-level tacho are
+    late by up to a sample, periodic with the beat of pulse rate and sample rate: an interpolating spline
+    would modulate the angle with that beat and give every mesh line false sidebands. If the speed of the
+    spline changes sign, a monotonic cubic through the pulses is used.
 
     References
     ----------
@@ -49,7 +49,7 @@ def angle_between(
 
     Examples
     --------
-    Pulses that are read on a grid of 1 ms, of a shaft that makes 10.037 turns per second:
+    Pulses sampled on a grid of 1 ms, of a shaft at 10.037 revolutions per second:
 
     >>> exact = np.arange(500) / 100.37
     >>> read = np.ceil(exact * 1000.0) / 1000.0
@@ -71,7 +71,7 @@ def angle_between(
     if uncertainty > 0.0:
         mean_speed = (turned[-1] - turned[0]) / (at[-1] - at[0])
         weight = np.full(at.size, 1.0 / (uncertainty * mean_speed))
-        # squares of a uniform distribution: mean 1 and variance 0.8, three deviations of their sum allowed
+        # squared uniform deviations have mean 1 and variance 0.8; allow three standard deviations of the sum
         misfit = at.size + 3.0 * math.sqrt(0.8 * at.size)
         curve = UnivariateSpline(at, turned, w=weight, k=3, s=misfit)
         found, speed = curve(asked), curve(asked, 1)
@@ -85,22 +85,22 @@ def angle_between(
 
 
 def edge_uncertainty(before: ArrayLike, after: ArrayLike, low: float, high: float, step: float) -> float:
-    """How far the times of edges may be off that a straight line between two samples gives.
+    """Standard deviation of edge times from linear interpolation between two samples.
 
     Parameters
     ----------
     before, after
-        Last sample below and first sample above the middle at every edge, shape (n,), any unit.
+        Last sample below and first sample above the trigger level at every edge, shape (n,), any unit.
     low, high
-        Least and largest value of the channel, same unit.
+        Minimum and maximum of the channel, same unit.
     step
-        Distance of samples [s].
+        Sampling interval [s].
 
     Returns
     -------
     float
-        Standard deviation [s]: 0 where most edges have a sample on the flank, a tenth of the range or more
-        from either end; else that of anywhere between two samples, step/sqrt(12) [1]_.
+        Standard deviation [s]: 0 if most edges have a sample on the slope, at least a tenth of the range from
+        either end; otherwise that of a uniform distribution between two samples, step/sqrt(12) [1]_.
 
     References
     ----------

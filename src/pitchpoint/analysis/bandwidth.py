@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a sample rate can show: which harmonics of mesh and shaft frequencies lie above half of it."""
+"""Bandwidth check: harmonics of mesh and shaft frequencies above half the sample rate."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pitchpoint.analysis.sampled import SignalError, positive
 
 
 def lost_harmonics(sample_rate: float, lines: Mapping[str, float], *, harmonics: int = 3) -> str:
-    """List the harmonics of lines that a record cannot represent; empty if it can represent all of them.
+    """Message about the harmonics of lines that a record cannot represent; empty if there are none.
 
     Parameters
     ----------
@@ -20,12 +20,12 @@ def lost_harmonics(sample_rate: float, lines: Mapping[str, float], *, harmonics:
     lines
         Frequencies of the first harmonics [Hz] by name, such as mesh frequencies.
     harmonics
-        How many harmonics of each are of interest [-].
+        Number of harmonics of interest of each line [-].
 
     Returns
     -------
     str
-        A sentence: where, what is lost, the limit, and the sample rate that would do.
+        Message with limit, lost harmonics and sufficient sample rate.
 
     Raises
     ------
@@ -34,9 +34,9 @@ def lost_harmonics(sample_rate: float, lines: Mapping[str, float], *, harmonics:
 
     Notes
     -----
-    Harmonic k of a line f is lost if k f ≥ f_s/2 [1]_. What is lost is worse than absent if nothing was
-    filtered before sampling: it appears as a false line at |k f - n f_s|. The rate named is 2.56 times the
-    highest harmonic, which leaves room for the slope of such a filter.
+    Harmonic k of a line f is lost if k f ≥ f_s/2 [1]_. Without an anti-aliasing filter it appears as a false
+    line at |k f - n f_s|. The sample rate in the message is 2.56 times the highest harmonic, which includes
+    the transition band of such a filter.
 
     References
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frequencies of rolling bearings from their geometry and the speeds of their rings."""
+"""Characteristic frequencies of rolling bearings from geometry and ring speeds."""
 
 from __future__ import annotations
 
@@ -11,21 +11,20 @@ from pitchpoint.analysis.sampled import SignalError, finite, positive, whole
 
 @dataclass(frozen=True)
 class BearingFrequencies:
-    """Frequencies of a rolling bearing, by their usual letters.
+    """Characteristic frequencies of a rolling bearing, by their usual abbreviations.
 
     Attributes
     ----------
     cage_speed
         Speed of the cage [rad/s].
     ftf
-        Turns of the cage per second [Hz].
+        Rotation frequency of the cage (fundamental train frequency) [Hz].
     bpfo, bpfi
-        How often rolling elements pass a place on the outer, on the inner ring [Hz].
+        Ball pass frequencies of the outer and the inner ring [Hz].
     bsf
-        Turns of a rolling element about its own axis against the cage per second: how often a spot on it
-        meets the same ring [Hz].
+        Ball spin frequency, relative to the cage: rate at which a spot on an element touches one ring [Hz].
     bsf_double
-        How often a spot on a rolling element meets either ring [Hz].
+        Twice the ball spin frequency: rate at which a spot on an element touches either ring [Hz].
     """
 
     cage_speed: float
@@ -52,10 +51,10 @@ def bearing_frequencies(
     elements
         Number Z of rolling elements of one row [-].
     element_diameter, pitch_diameter
-        Diameter d of a rolling element and D of the circle of their centres [m].
+        Diameter d of a rolling element and pitch diameter D [m].
     speed_inner, speed_outer
-        Speeds of the rings [rad/s], seen from where the load is at rest; for a planet bearing against the
-        carrier.
+        Speeds of the rings [rad/s] in a frame in which the load direction is fixed; for a planet bearing
+        relative to the carrier.
     contact_angle
         Contact angle α [rad].
 
@@ -67,13 +66,13 @@ def bearing_frequencies(
     Raises
     ------
     SignalError
-        If an element is as large as the circle of their centres, or a number is unsuitable.
+        If the element diameter is not below the pitch diameter, or a number is unsuitable.
 
     Notes
     -----
-    With γ = d cos α/D and the difference n of both rings: cage n_i (1 - γ)/2 + n_o (1 + γ)/2, BPFO = Z n (1 -
-    γ)/2, BPFI = Z n (1 + γ)/2, BSF = n (1 - γ²) D/(2 d) [1]_. Valid without slip; real bearings slip by 1 to
-    2 %.
+    With γ = d cos α/D and the relative speed n = |n_i - n_o|: cage n_i (1 - γ)/2 + n_o (1 + γ)/2,
+    BPFO = Z n (1 - γ)/2, BPFI = Z n (1 + γ)/2, BSF = n (1 - γ²) D/(2 d) [1]_. Valid without slip; real
+    bearings slip by 1 to 2 %.
 
     References
     ----------
@@ -82,7 +81,7 @@ def bearing_frequencies(
 
     Examples
     --------
-    Eight balls of 0.3125 inch on 1.319 inch, at one turn per second:
+    Eight balls of 0.3125 inch, pitch diameter 1.319 inch, one revolution per second:
 
     >>> f = bearing_frequencies(
     ...     elements=8, element_diameter=0.3125, pitch_diameter=1.319, speed_inner=2 * math.pi)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Signals in which bearings are looked for: without the lines of a healthy machine, whitened, in one band."""
+"""Signal conditioning for bearing diagnosis: removal of healthy lines, pre-whitening, choice of the band."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from pitchpoint.analysis.turning_parts import TurningParts
 
 
 def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -> tuple[float, float]:
-    """Band of the largest kurtosis among those that are wide enough for the orders of the bearings.
+    """Band of the largest kurtosis among the bands wide enough for the orders of the bearings.
 
     Parameters
     ----------
     values
         Signal over the angle, shape (n,), any unit.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     parts
-        What turns.
+        Rotating parts of the machine.
 
     Returns
     -------
@@ -31,14 +31,13 @@ def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -
 
     Notes
     -----
-    Bands of the kurtogram [1]_ from three times the highest order on; all of the signal if none is. Valid for
-    impacts that ring in one band.
+    Bands of the kurtogram [1]_ at least three times as wide as the highest order; the whole signal if there
+    is none. Valid for impacts that excite a resonance in one band.
 
     References
     ----------
     .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
-    Systems
-       and Signal Processing 21(1), 2007, 108-124.
+       Systems and Signal Processing 21(1), 2007, 108-124.
 
     Examples
     --------
@@ -61,21 +60,21 @@ def envelope_band(values: Array, samples_per_turn: float, parts: TurningParts) -
 
 
 def without_healthy_lines(values: ArrayLike, samples_per_turn: float, parts: TurningParts) -> Array:
-    """Signal without the lines of a healthy machine: mesh harmonics, passing balls, and both together.
+    """Signal without the lines of a healthy machine: mesh harmonics, ball passage, and their products.
 
     Parameters
     ----------
     values
         Signal over the angle of the reference shaft, shape (n,), any unit.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     parts
-        What turns.
+        Rotating parts of the machine.
 
     Notes
     -----
-    Five lines about each are set to zero [1]_, more where balls may slip: were only the mesh taken out, its
-    sidebands would beat with each other as often as balls pass. Valid for a steady mesh.
+    Five lines around each are set to zero [1]_, more where slip is possible. The sidebands of the meshes are
+    removed too, because they would beat with each other at the ball pass order. Valid for a steady mesh.
 
     References
     ----------
@@ -106,7 +105,7 @@ def without_healthy_lines(values: ArrayLike, samples_per_turn: float, parts: Tur
 
 
 def whitened(values: ArrayLike) -> Array:
-    """Signal with lines of one size, but with their phases.
+    """Whitened signal: spectral lines of unit amplitude with their original phases.
 
     Parameters
     ----------
@@ -115,8 +114,8 @@ def whitened(values: ArrayLike) -> Array:
 
     Notes
     -----
-    Cepstrum pre-whitening [1]_: meshes, their sidebands and what modulates them are few lines and lose their
-    weight, impacts fill a band and keep it. Valid for impacts that fill a band with many lines.
+    Cepstrum pre-whitening [1]_: meshes and their sidebands are few lines and lose their weight, impacts fill
+    a band and keep it. Valid for impacts that fill a band with many lines.
 
     References
     ----------
@@ -126,7 +125,7 @@ def whitened(values: ArrayLike) -> Array:
 
     Examples
     --------
-    A single pulse is white already:
+    A single pulse is already white:
 
     >>> pulse = np.zeros(8)
     >>> pulse[3] = 2.0

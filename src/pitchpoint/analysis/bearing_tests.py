@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evidence for damage of rolling bearings: lines of the envelope at the orders of their parts."""
+"""Evidence of rolling bearing damage: envelope lines at the orders of the bearing parts."""
 
 from __future__ import annotations
 
@@ -29,35 +29,33 @@ from pitchpoint.analysis.turning_parts import Bearing, Shaft, TurningParts
 
 HARMONICS = 3
 IMPACTS = 0.01
-"""Chance of being taken for impacts that is left to envelopes which a few lines of the signal make, over all
-parts of bearings and both tests of each."""
+"""Probability that an envelope formed by a few lines of the signal is taken for impacts, over all bearing
+parts and both tests of each."""
 FEWEST_EVENTS = 16.0
 NOTHING = 1e-9
-"""What is left of a signal, as a part of it, that is round-off."""
+"""Share of a signal below which a residual is round-off."""
 FEWEST_SAMPLES = 1024
 
-FROM_SHAFTS = (
-    "{} cannot be distinguished from the turns of a shaft: the record does not resolve their harmonics"
-)
+FROM_SHAFTS = "{} cannot be distinguished from shaft orders: the record does not resolve their harmonics"
 FROM_MESHES = (
-    "{}: lines in the envelope that few lines of the signal make: meshes that passing balls modulate do "
-    "that, impacts do not"
+    "{}: envelope lines that are due to a few lines of the signal: typical of meshes modulated by ball "
+    "passage, not of impacts"
 )
 
 Row = tuple[str, str, Measured]
 
 
 class BearingView:
-    """Envelopes of one channel in which the parts of bearings are looked for.
+    """Envelopes of one channel that are tested for bearing damage.
 
     Parameters
     ----------
     values
         Signal over the angle of the reference shaft, shape (n,), any unit.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     parts
-        What turns.
+        Rotating parts of the machine.
     """
 
     def __init__(self, values: Array, samples_per_turn: float, parts: TurningParts) -> None:
@@ -72,14 +70,14 @@ class BearingView:
                 for y in (x, whitened(values))
             ]
         self.spectra = [fine_spectrum(y, samples_per_turn) for y in self.signals]
-        # the envelope holds nothing above the width of its band, and little close to it
+        # the envelope has no content above the width of its band, and little close to it
         self.impacts = IMPACTS / (2 * max(sum(len(b.orders) for b in alike(parts.bearings)), 1))
         self.end = min(self.spectra[0].highest, 0.8 * (high - low))
 
     def part(self, order: float, known: Sequence[Array] = ()) -> tuple[Measured, bool]:
-        """Test of a part, and whether impacts may make its lines; lines that are known are taken out before.
+        """Test of a part, and whether its lines may be due to impacts; known lines are removed first.
 
-        `known` are orders, shapes (n,), for the signal, for its envelope and for that of the whitened signal.
+        `known` holds orders, shapes (n,), of the signal, of its envelope and of that of the whitened signal.
         """
         lines, envelope, white = self._without(known) if known else self.spectra
         found = _part(envelope, order, self.parts, self.end)
@@ -91,7 +89,7 @@ class BearingView:
         return found, True
 
     def resolves(self, order: float) -> bool:
-        """Whether two of the harmonics of a part are apart from the orders of all shafts."""
+        """Whether at least two harmonics of a part are resolved from the orders of all shafts."""
         harmonic = order * np.arange(1.0, HARMONICS + 1)
         return int(np.sum(_free(harmonic, self.spectra[0], self.parts))) >= 2
 
@@ -104,38 +102,37 @@ class BearingView:
 def bearing_evidence(
     values: Array, samples_per_turn: float, parts: TurningParts
 ) -> tuple[list[Row], list[Note], BearingView | None]:
-    """Lines of all parts of all bearings in the spectrum of the squared envelope.
+    """Test all bearing parts for lines in the spectrum of the squared envelope.
 
     Parameters
     ----------
     values
         Signal over the angle of the reference shaft, shape (n,), any unit.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     parts
-        What turns.
+        Rotating parts of the machine.
 
     Returns
     -------
     list of tuples
         Bearing, part, test.
     list of Note
-        What could not be tested.
+        Remarks on parts that were not tested or not resolved.
     BearingView or None
-        The envelopes, if there are any.
+        Envelopes, if there are any.
 
     Notes
     -----
-    Lines of a healthy machine are taken out, the band is the one of the largest kurtosis [1]_. The squared
-    envelope of that band is searched within 1 % about each order, as rolling elements slip [2]_: two of the
-    first three harmonics must stand out, and impacts must make them. Orders of shafts are omitted. Equal
-    bearings on one shaft are one. Valid for many events per record.
+    Lines of a healthy machine are removed; the band is that of the largest kurtosis [1]_. The squared
+    envelope of the band is searched within 1 % of each order to allow for slip [2]_: two of the first three
+    harmonics must exceed the noise and be due to impacts. Shaft orders are omitted. Equal bearings on one
+    shaft are treated as one. Valid for many events per record.
 
     References
     ----------
     .. [1] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
-    Systems
-       and Signal Processing 21(1), 2007, 108-124.
+       Systems and Signal Processing 21(1), 2007, 108-124.
     .. [2] R. B. Randall, J. Antoni, Rolling element bearing diagnostics - a tutorial, Mechanical Systems and
        Signal Processing 25(2), 2011, 485-520.
 
@@ -181,7 +178,7 @@ def bearing_evidence(
 
 
 def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
-    """Bearings of equal orders as one, with all their names.
+    """Merge bearings of equal orders into one with all their names.
 
     Parameters
     ----------
@@ -190,7 +187,7 @@ def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
 
     Notes
     -----
-    Orders count as equal within 1e-9 of their size; no record distinguishes them [1]_.
+    Orders are equal within a relative difference of 1e-9; no record distinguishes them [1]_.
 
     References
     ----------
@@ -211,17 +208,17 @@ def alike(bearings: Sequence[Bearing]) -> list[Bearing]:
 
 
 def _comb(lines: FineSpectrum, order: float, parts: TurningParts, samples_per_turn: float) -> float:
-    """Probability that noise raises all multiples of an order: what elements without slip do."""
+    """Probability that noise alone raises all multiples of an order, as damage without slip does."""
     shaft = Shaft("", Fraction(order).limit_denominator(10**9))
     view = ShaftView(lines, parts, shaft, 0.0, samples_per_turn)
     return view.comb().probability if view.testable else 1.0
 
 
 def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float) -> Measured:
-    """The second most unlikely of the first three harmonics, with the slip for which it is that.
+    """Second least probable of the first three harmonics, with the slip that makes it least probable.
 
-    Impacts have many harmonics. A single one is what other parts have in common with this one, so two of them
-    must stand out, with one slip.
+    Impacts have many harmonics. A single one may be that of another part, so that two of them must exceed the
+    noise with the same slip.
     """
     slips = np.arange(-SLIP, SLIP, min(spectrum.step / (HARMONICS * order), SLIP))
     chance, power, ratio = (np.full((HARMONICS, slips.size), fill) for fill in (1.0, 0.0, 0.0))
@@ -241,7 +238,7 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
         if not free.any() or min(side.size for side in sides) < FEWEST_NEIGHBOURS:
             continue
         held += 1
-        # the higher one of both sides, with the rank of the shorter one
+        # the higher quantile of both sides, with the rank of the side with fewer points
         points = min(side.size for side in sides)
         rank = (3 * points) // 4
         base = max(float(np.sort(side)[(3 * side.size) // 4 - 1]) for side in sides)
@@ -253,7 +250,7 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
     second = np.sort(chance, axis=0)[1]
     best = int(np.argmin(second))
     p = float(second[best])
-    # the second smallest of n equal chances
+    # distribution of the second smallest of n uniform probabilities
     both = min(1.0, p**2 if held == 2 else 3.0 * p**2 - 2.0 * p**3)
     k = int(np.argsort(chance[:, best], kind="stable")[1])
     some = float(-np.expm1(slips.size * np.log1p(-min(both, 1.0 - 1e-16))))
@@ -262,9 +259,9 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
 
 
 def _skirts(place: Array, spectrum: FineSpectrum) -> NDArray[np.bool_]:
-    """Which of rising places lie on the slope of a line outside of them: it belongs to something else.
+    """Mask of increasing orders on the slope of a line outside their range, which is due to another source.
 
-    Outside is what has its top more than half a line of the record away.
+    A line is outside if its maximum is more than half a line of the record away.
     """
     beyond = spectrum.step * np.arange(1, int(OFF * spectrum.resolution / spectrum.step) + 2)
     rise = np.diff(spectrum.power(np.concatenate([place[0] - beyond[::-1], place, place[-1] + beyond])))
@@ -274,7 +271,7 @@ def _skirts(place: Array, spectrum: FineSpectrum) -> NDArray[np.bool_]:
 
 
 def _free(place: Array, spectrum: FineSpectrum, parts: TurningParts) -> NDArray[np.bool_]:
-    """Whether points are apart from the orders of all shafts."""
+    """Mask of points that are resolved from the orders of all shafts."""
     apart = np.ones(place.size, dtype=bool)
     for shaft in parts.shafts:
         step = float(shaft.order)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Campbell data: at which speeds the mesh orders meet the natural frequencies."""
+"""Campbell diagram: speeds at which excitation orders cross natural frequencies."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from pitchpoint.analysis.sampled import SignalError, as_increasing, same_length
 
 @dataclass(frozen=True)
 class Crossing:
-    """One meeting of an excitation order and a mode.
+    """Crossing of an excitation order and a mode.
 
     Attributes
     ----------
     speed
         Speed of the reference shaft [rad/s].
     frequency
-        Common frequency [Hz].
+        Frequency at the crossing [Hz].
     order
         Excitations per revolution of the reference shaft [-]; the first mesh order of a gear is its tooth
         number.
     mode
-        Index of the mode, counted from 0 as in the columns of the data.
+        Index of the mode (column of the data), from 0.
     """
 
     speed: float
@@ -38,22 +38,22 @@ class Crossing:
 def campbell_crossings(
     speed: ArrayLike, mode_frequencies: ArrayLike, orders: Sequence[float]
 ) -> tuple[Crossing, ...]:
-    """All crossings of excitation orders with natural frequencies in a range of speeds.
+    """Crossings of excitation orders with natural frequencies in a speed range.
 
     Parameters
     ----------
     speed
         Speeds of the reference shaft [rad/s], shape (n_speed,), increasing.
     mode_frequencies
-        Natural frequencies [Hz], shape (n_speed, n_mode), or (n_mode,) where they do not depend on the speed.
-        NaN marks a mode that does not exist at a speed.
+        Natural frequencies [Hz], shape (n_speed, n_mode), or (n_mode,) if independent of speed. NaN marks a
+        mode that does not exist at a speed.
     orders
         Excitations per revolution of the reference shaft [-], each > 0.
 
     Returns
     -------
     tuple of Crossing
-        Sorted by speed, then order, then mode; each meeting once, also where it lies on a sample.
+        Sorted by speed, then order, then mode; each crossing once, also if it is at a sample.
 
     Raises
     ------
@@ -62,14 +62,13 @@ def campbell_crossings(
 
     Notes
     -----
-    Zeros of f_mode(Ω) - order·Ω/(2π) with f_mode linear between the speeds given [1]_. Valid where modes are
-    tracked through the columns; crossings between two speeds closer than the grid resolves are not seen.
+    Zeros of f_mode(Ω) - order·Ω/(2π) with f_mode linear between the given speeds [1]_. Valid if each column
+    tracks one mode; pairs of crossings closer than the speed grid are missed.
 
     References
     ----------
     .. [1] W. E. Campbell, The protection of steam-turbine disk wheels from axial vibration, Transactions of
-    the ASME
-       46, 1924, 31-160.
+       the ASME 46, 1924, 31-160.
 
     Examples
     --------
@@ -101,8 +100,7 @@ def campbell_crossings(
 
 
 def _zeros(x: np.ndarray, y: np.ndarray) -> list[float]:
-    """Zeros of a piecewise linear function; a zero on a sample counts once, stretches of zero at their
-    start."""
+    """Zeros of a piecewise linear function; an interval of zeros counts once, at its start."""
     zeros: list[float] = []
     for i in range(x.size):
         if y[i] == 0.0 and (i == 0 or y[i - 1] != 0.0):

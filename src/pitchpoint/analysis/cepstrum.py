@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cepstra: families of equally spaced lines, and echoes, as single peaks."""
+"""Cepstra, in which families of equally spaced lines and echoes appear as single peaks."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ class Rahmonics:
     Attributes
     ----------
     number
-        Shape (n,). Numbers of the rahmonics, from 1 on [-].
+        Shape (n,). Numbers of the rahmonics, from 1 [-].
     quefrency
         Shape (n,). Quefrencies found [s].
     value
         Shape (n,). Values of the cepstrum there [-].
     background
-        Shape (n,). Root mean square of the cepstrum around, the peak itself omitted [-].
+        Shape (n,). RMS of the cepstrum around the peak, without the peak [-].
     """
 
     number: Array
@@ -58,18 +58,18 @@ def real_cepstrum(
     Parameters
     ----------
     values
-        Samples, shape (n,), any unit; the mean is taken out.
+        Samples, shape (n,), any unit; the mean is removed.
     sample_rate
         Sample rate f_s [Hz].
     window_name
         See `spectra.window`; `rectangular` for echoes within the record, else `hann`.
     floor
-        Amplitudes below this part of the highest one count as that: the logarithm of nothing is not news [-].
+        Lower limit of the amplitudes relative to the highest one, for the logarithm [-].
 
     Returns
     -------
     Cepstrum
-        From quefrency 0 on; a family of lines f_0 apart is at 1/f_0 and its multiples.
+        From quefrency 0; a family of lines with a spacing of f_0 has peaks at 1/f_0 and its multiples.
 
     Raises
     ------
@@ -78,14 +78,13 @@ def real_cepstrum(
 
     Notes
     -----
-    c = F⁻¹ ln |F x| [1]_. An echo a x(t - τ) adds -(-a)^k/(2 k) at k τ. Valid for stationary signals; lines
-    of a family show if the record distinguishes them.
+    c = F⁻¹ ln |F x| [1]_. An echo a x(t - τ) adds -(-a)^k/(2 k) at k τ. Valid for stationary signals; a
+    family of lines is detected if the record resolves the lines.
 
     References
     ----------
     .. [1] R. B. Randall, A history of cepstrum analysis and its application to mechanical problems,
-    Mechanical
-       Systems and Signal Processing 97, 2017, 3-19.
+       Mechanical Systems and Signal Processing 97, 2017, 3-19.
 
     Examples
     --------
@@ -104,7 +103,7 @@ def real_cepstrum(
     top = float(size.max())
     if top <= 0.0 or float(np.ptp(x)) == 0.0:
         raise SignalError("values: are constant; the logarithm of their spectrum does not exist")
-    # without the mean line 0 holds nothing, and its logarithm would be an offset of the whole cepstrum
+    # without the mean line 0 is zero, and its logarithm would offset the whole cepstrum
     size[0] = size[1]
     cepstrum = np.fft.irfft(np.log(np.maximum(size, least * top)), x.size)[: x.size // 2 + 1]
     return Cepstrum(np.arange(cepstrum.size) / rate, cepstrum)
@@ -123,7 +122,7 @@ def power_cepstrum(
     Returns
     -------
     Cepstrum
-        Never negative; same shape as that of `real_cepstrum`.
+        Nonnegative; same shape as that of `real_cepstrum`.
 
     Raises
     ------
@@ -159,26 +158,26 @@ def rahmonics(cepstrum: Cepstrum, quefrency: float, *, count: int = 3, tolerance
     cepstrum
         A real or a power cepstrum.
     quefrency
-        Period as far as it is known [s].
+        Approximate period [s].
     count
-        How many multiples are wanted [-].
+        Number of multiples [-].
     tolerance
-        How far the quefrency may be off, as a part of it [-].
+        Relative tolerance of the quefrency [-].
 
     Returns
     -------
     Rahmonics
-        One row per multiple that lies inside the cepstrum.
+        One row per multiple within the cepstrum.
 
     Raises
     ------
     SignalError
-        If the first one does not lie inside the cepstrum.
+        If the first multiple is outside the cepstrum.
 
     Notes
     -----
-    Highest value within reach of k τ, at least one sample to either side [1]_. Valid for families with ten
-    lines or more.
+    Maximum within the tolerance of k τ, at least one sample to either side [1]_. Valid for families of ten or
+    more lines.
 
     References
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The period of a comb of lines between the steps of a search, and how well it is known."""
+"""Least-squares fit of the period of a comb of lines, and its standard deviation."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from pitchpoint.analysis.tones import fourier_blocks, overlap
 
 
 def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reach: float) -> float:
-    """The period near a trial for which sines at multiples of its frequency fit best.
+    """Period near a trial value for which sines at the multiples of its frequency fit best.
 
     Parameters
     ----------
     record
-        What `combs.record_for_combs` made.
+        Record from `combs.record_for_combs`.
     period
         Trial period T [s].
     orders
         Multiples of 1/T, shape (n_line,) [-].
     reach
-        Largest relative change of the frequency [-], some fraction of a line at the highest order.
+        Maximum relative change of the frequency [-], a fraction of a line at the highest order.
 
     Returns
     -------
@@ -32,10 +32,10 @@ def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reac
 
     Notes
     -----
-    All sines are fitted at once over the whole record, whole periods or not, next to the mean and the known
-    tones that were taken out before: nonlinear least squares, which has the smallest variance possible in
-    white noise once the lines stand out of it [1]_. Reading the lines one by one would be biased by what each
-    leaks into the others where the record holds a few periods only.
+    Nonlinear least squares: all sines are fitted simultaneously over the whole record, which need not have
+    whole periods, together with the mean and the known tones that were removed before. In white noise it has
+    minimum variance once the lines exceed the noise [1]_. Estimates from individual lines would be biased by
+    leakage if the record has few periods.
 
     References
     ----------
@@ -57,11 +57,11 @@ def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reac
     tones = record.tones[record.tones < 1.2 * record.top] / record.rate
     fixed = np.concatenate([[0.0], tones, -tones])
     inner = np.linalg.pinv(overlap(fixed, fixed, n), hermitian=True)
-    # within a block the phase changes little over the reach; sums over blocks follow any change of frequency
+    # within a block the phase changes little over the reach, so that block sums serve for any frequency
     blocks, middle = fourier_blocks(record.values, nu, max(1, n // 256))
 
     def misfit(change: float) -> float:
-        """Less the energy that the comb explains next to the known lines, all its lines moved by a share."""
+        """Negative energy explained by the comb in addition to the known lines, at a relative change."""
         right = np.sum(blocks * np.exp(-2j * np.pi * np.outer(middle, nu * (1.0 + change))), axis=0)
         right = np.concatenate([right, np.conj(right)])
         both = (1.0 + change) * np.concatenate([nu, -nu])
@@ -77,27 +77,27 @@ def fitted_period(record: Record, period: float, orders: NDArray[np.int64], reac
 
 
 def period_deviation(record: Record, period: float, comb: CombLines) -> float:
-    """Standard deviation of a period that the noise next to its lines represents.
+    """Standard deviation of a fitted period due to the noise around its lines.
 
     Parameters
     ----------
     record
-        What `combs.record_for_combs` made.
+        Record from `combs.record_for_combs`.
     period
         Period T [s].
     comb
-        Its lines.
+        Lines at the multiples of 1/T.
 
     Returns
     -------
     float
-        Standard deviation [s]; infinite if no line stands out of the noise.
+        Standard deviation [s]; infinite if no line exceeds the noise.
 
     Notes
     -----
     Cramér-Rao bound of sines at multiples k of one frequency f in noise [1]_, with the power ratio r_k of a
-    line and the noise there: σ_f = √(6/Σ k² r_k)/(2π D) over the duration D, and σ_T = T² σ_f. Valid where
-    most lines stand out of the noise.
+    line and the noise: σ_f = √(6/Σ k² r_k)/(2π D) over the duration D, and σ_T = T² σ_f. Valid if most lines
+    exceed the noise.
 
     References
     ----------

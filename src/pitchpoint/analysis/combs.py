@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Combs of lines: what a signal holds at the multiples of one frequency, against the noise next to them.
+"""Combs of lines: spectral lines at the multiples of one frequency, tested against the adjacent noise.
 
-Something that happens once per period T, however short, has lines at all multiples of 1/T. Over a stretch of
-exactly N periods these fall on every N-th line of the Fourier transform, and what lies on the N - 1 lines
-between them is not periodic in T: it measures the noise there. Each line of the comb gives an F test on its
-own. The tests are joined so that no single line can decide: a strong line is a tone, not a repeated impact.
+A short event once per period T has lines at all multiples of 1/T. Over exactly N periods these fall on every
+N-th line of the Fourier transform, and the N - 1 lines between them are not periodic in T: they measure the
+noise. Each line of the comb gives an F test. The tests are combined so that no single line decides: a single
+strong line is a tone, not a repeated impact.
 
 Source: Thomson, Proc. IEEE 70 (1982) 1055.
 """
@@ -20,21 +20,21 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.tones import multiples, without_tones
 
 NEIGHBOURS = 8
-"""Lines on either side that measure the noise at a line of the comb, where there are so many."""
+"""Maximum number of lines on either side of a comb line that are used to estimate its noise."""
 NOISE_LINES, LARGEST_GROUP = 8, 4
-"""Neighbouring lines of a comb share their noise until it is measured by so many lines, or so many share."""
+"""Adjacent comb lines share a noise estimate until it uses that many lines, or that many lines share it."""
 CLEARANCE = 0.75
 """Distance from a known tone, in lines, below which a line is omitted."""
 FEWEST_LINES = 3
-"""Fewer lines than these are tones, not a comb."""
+"""Minimum number of lines of a comb; fewer are tones."""
 OVERSAMPLING = 8.0
-"""Sample rate that a record keeps, by the highest frequency of the combs: N periods then end on a sample to
-1/16 of a period of the fastest line."""
+"""Sample rate of a record over the highest comb frequency: N periods then end on a sample to 1/16 of a period
+of the highest line."""
 
 
 @dataclass(frozen=True)
 class Record:
-    """A signal made ready for combs: without mean and known tones, and no faster than it must be.
+    """Signal prepared for comb tests: mean and known tones removed, decimated.
 
     Attributes
     ----------
@@ -43,11 +43,11 @@ class Record:
     rate
         Sample rate [Hz].
     tones
-        Shape (n_tone,). Frequencies of the known tones [Hz], rising.
+        Shape (n_tone,). Frequencies of the known tones [Hz], increasing.
     top
         Highest frequency of a line [Hz].
     floor
-        Power of round-off in one line, in the unit of the signal squared.
+        Round-off power of one line, in the unit of the signal squared.
     """
 
     values: Array
@@ -69,19 +69,19 @@ class CombLines:
     Attributes
     ----------
     orders
-        Shape (n_line,). Multiples that were used [-].
+        Shape (n_line,). Multiples used [-].
     frequency
         Shape (n_line,). Their frequencies [Hz].
     amplitude
         Shape (n_line,). Peak amplitudes, in the unit of the signal.
     noise
-        Shape (n_line,). Peak amplitude that noise alone has there (root mean square), in that unit.
+        Shape (n_line,). RMS of the peak amplitude of noise alone, in the unit of the signal.
     p_value
-        Shape (n_line,). Chance that noise alone gives so much at this line [-].
+        Shape (n_line,). Probability that noise alone reaches the amplitude of the line [-].
     group
-        Shape (n_line,). Number of the group; lines of one group share the measure of their noise [-].
+        Shape (n_line,). Number of the group; lines of one group share a noise estimate [-].
     noise_lines
-        Shape (n_line,). How many lines measured the noise [-].
+        Shape (n_line,). Number of lines used for the noise estimate [-].
     """
 
     orders: NDArray[np.int64]
@@ -94,7 +94,7 @@ class CombLines:
 
 
 def record_for_combs(values: ArrayLike, sample_rate: float, top: float, known: ArrayLike) -> Record:
-    """Take mean and known tones out of a signal and thin it out.
+    """Remove mean and known tones from a signal and decimate it.
 
     Parameters
     ----------
@@ -103,9 +103,9 @@ def record_for_combs(values: ArrayLike, sample_rate: float, top: float, known: A
     sample_rate
         Sample rate f_s [Hz].
     top
-        Highest frequency of any line of a comb [Hz].
+        Highest frequency of a comb line [Hz].
     known
-        Frequencies [Hz] of which all multiples are known, shape (n_known,), may be empty.
+        Frequencies [Hz] whose multiples are known tones, shape (n_known,), may be empty.
 
     Raises
     ------
@@ -122,7 +122,7 @@ def record_for_combs(values: ArrayLike, sample_rate: float, top: float, known: A
             "fewer harmonics, a lower highest_frequency or longer periods"
         )
     largest = float(np.abs(x).max())
-    # a slope stays: without it whole periods would no longer be periodic, and its lines fall off smoothly
+    # a trend is not removed: whole periods would no longer be periodic, and its lines decay smoothly
     x = x - x.mean()
     thin = int(rate / (OVERSAMPLING * top))
     if thin > 1:
@@ -140,7 +140,7 @@ def comb_lines(record: Record, period: float, harmonics: int) -> CombLines:
     Parameters
     ----------
     record
-        What `record_for_combs` made.
+        Record from `record_for_combs`.
     period
         Period T [s].
     harmonics
@@ -149,15 +149,15 @@ def comb_lines(record: Record, period: float, harmonics: int) -> CombLines:
     Returns
     -------
     CombLines
-        Empty if the record holds less than two periods.
+        Empty if the record has less than two periods.
 
     Notes
     -----
-    The first N whole periods have lines at k/(N T); every N-th belongs to the comb, up to 8 on either side of
-    it to the noise, none of them to two lines of the comb. Where a record has few turns, up to four lines of
-    the comb share their neighbours. Where the noise is Gaussian with the same density at a line and at its m
-    neighbours, the ratio F of its power to their mean is distributed as F(2, 2m), so p = (1 + F/m)^-m,
-    whatever the density is [1]_. Noise that is curved over the neighbours makes F smaller rather than larger.
+    The first N whole periods have lines at k/(N T). Every N-th is a comb line; up to 8 lines on either side
+    of it give the noise, each used for one comb line only. If a record has few periods, up to four comb lines
+    share their neighbours. For Gaussian noise of equal density at a line and at its m neighbours, the ratio F
+    of its power to their mean has the distribution F(2, 2m), so p = (1 + F/m)^-m for any density [1]_. A
+    noise density that is curved over the neighbours makes F smaller rather than larger.
 
     References
     ----------
@@ -174,11 +174,11 @@ def comb_lines(record: Record, period: float, harmonics: int) -> CombLines:
     n = min(record.values.size, round(turns * period * record.rate))
     half = min((turns - 1) // 2, NEIGHBOURS)
     offsets = [0, *range(-half, 0), *range(1, half + 1)]
-    # between an even number of turns one line lies half-way; it goes to the comb line below it
+    # for an even number of periods one line is half-way; it is assigned to the comb line below it
     offsets += [half + 1] if turns % 2 == 0 and half < NEIGHBOURS else []
     line = orders[:, None] * turns + np.array(offsets)
     frequency = line / (turns * period)
-    # the lines lie as closely as the record allows: one chirp transform has them all
+    # one chirp z-transform gives all lines
     turning = np.exp(-2j * np.pi / (turns * period * record.rate))
     power = np.abs(czt(record.values[:n], int(line.max()) + 1, turning)[line]) ** 2
     clear = is_clear(frequency, record.tones, CLEARANCE / (turns * period))
@@ -200,12 +200,12 @@ def comb_lines(record: Record, period: float, harmonics: int) -> CombLines:
 
 
 def turns_in(record: Record, period: float) -> int:
-    """Whole periods in a record; a sample that is missing at the end does not count.
+    """Number of whole periods in a record; one missing sample at the end is tolerated.
 
     Parameters
     ----------
     record
-        What `record_for_combs` made.
+        Record from `record_for_combs`.
     period
         Period T [s].
     """
@@ -213,16 +213,16 @@ def turns_in(record: Record, period: float) -> int:
 
 
 def is_clear(frequency: Array, tones: Array, distance: float) -> NDArray[np.bool_]:
-    """Which frequencies lie further than a distance [Hz] from every tone.
+    """Mask of frequencies farther than a distance [Hz] from every tone.
 
     Parameters
     ----------
     frequency
         Frequencies [Hz], any shape.
     tones
-        Rising frequencies [Hz], shape (n_tone,).
+        Frequencies of the tones [Hz], increasing, shape (n_tone,).
     distance
-        Least distance [Hz].
+        Minimum distance [Hz].
     """
     walls = np.concatenate([[-np.inf], tones, [np.inf]])
     right = np.searchsorted(walls, frequency)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Analysis of datasets: any function of the table in `tools`, on channels of a measured or simulated record.
+"""Apply the analysis functions of the table in `tools` to channels of a measured or simulated dataset.
 
-The functions themselves take arrays and know nothing of datasets; this module connects the two.
+The functions themselves work on arrays and do not depend on datasets.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 KEPT = ("source_file", "format", "sha256", "title", "model_hash", "scenario", "solver", "status")
-"""Attributes that go from a record to what is made of it."""
+"""Attributes of a record that are copied to results."""
 _WORDS = {
     "bool": "true or false",
     "float": "a number",
@@ -55,28 +55,28 @@ def analyse(
     Parameters
     ----------
     dataset
-        Record with channels over `time` [s] (or `angle` [rad]), as `read_measured`, `open_result` and the
-        solvers give them.
+        Record with channels over `time` [s] (or `angle` [rad]), as from `read_measured`, `open_result` and
+        the solvers.
     tool
         Name in `tools.TOOLS`.
     channel
-        One channel, or several; omitted, the only one.
+        One or several channels; default: the only one.
     angle
-        Channel with the angle of the shaft that orders refer to [rad], or with its speed [rad/s], which is
-        summed up over time.
+        Channel with the angle of the reference shaft of the orders [rad], or with its speed [rad/s], which
+        is integrated over time.
     **options
-        Options of the function, as it documents them.
+        Options of the function, see there.
 
     Returns
     -------
     xarray.Dataset
-        Fields of the result with dimensions and `units`; with several channels there is a dimension `channel`
-        in front. Attributes: `tool`, `channel`, `angle`, `options` (JSON), and where the record came from.
+        Fields of the result with dimensions and `units`; the first dimension of several channels is
+        `channel`. Attributes: `tool`, `channel`, `angle`, `options` (JSON), and the origin of the record.
 
     Raises
     ------
     SignalError
-        If there is no such tool, channel or option, or the function cannot work on these samples.
+        If the tool, a channel or an option does not exist, or the function cannot process the samples.
 
     Examples
     --------
@@ -89,7 +89,7 @@ def analyse(
     (3.0, 'N')
     """
     row = _row(tool)
-    if hasattr(dataset, "to_dataset"):  # a channel on its own
+    if hasattr(dataset, "to_dataset"):  # a single DataArray
         dataset = dataset.to_dataset(name=dataset.name or "signal")
     names = channel_names(dataset)
     one = channel if isinstance(channel, str) else None
@@ -112,7 +112,7 @@ def analyse(
 
 
 def channel_names(dataset: xr.Dataset) -> list[str]:
-    """Channels of a record: numbers over `time` or `angle` alone."""
+    """Names of the channels of a record: numeric variables over `time` or `angle` only."""
     return [
         str(name)
         for name, variable in dataset.data_vars.items()
@@ -140,7 +140,7 @@ def _wanted(names: Sequence[str], channel: Sequence[str] | None) -> list[str]:
             f"channel: {len(names)} are in the record (limit 1); choose of {listed or 'another file'}"
         )
     if channel is not None and not len(channel):
-        raise SignalError("channel: none is named (limit 1 or more); leave it out or name one")
+        raise SignalError("channel: none is named (limit 1 or more); omit it or name one")
     return list(names) if channel is None else list(channel)
 
 
@@ -150,7 +150,7 @@ def _known(name: str, names: Sequence[str], what: str) -> None:
 
 
 def _options(tool: str, row: Tool, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Options that the function knows, of the kinds that it takes."""
+    """Check names and types of the options of a function, and convert them."""
     known = tool_options(tool)
     for name in options:
         if name not in known:
@@ -162,7 +162,7 @@ def _options(tool: str, row: Tool, options: Mapping[str, Any]) -> dict[str, Any]
 
 
 def _option(tool: str, name: str, kind: str, value: Any) -> Any:
-    """One option; whole numbers may come as 4.0, numbers of any type become plain ones."""
+    """Check and convert one option; 4.0 is accepted as a whole number."""
     kinds = {part.strip() for part in kind.split("|")}
     if value is None and "None" in kinds:
         return None
@@ -186,7 +186,7 @@ def _option(tool: str, name: str, kind: str, value: Any) -> Any:
 
 
 def _numbers(kind: str, value: Any) -> tuple[float, ...] | list[int] | list[float] | None:
-    """Several numbers as `tuple[float, float]`, `Sequence[int]` or `ArrayLike` require."""
+    """Convert several numbers to `tuple[float, float]`, `Sequence[int]` or `ArrayLike`; None if not valid."""
     if not kind.startswith(("tuple[", "Sequence[", "ArrayLike")) or isinstance(value, str):
         return None
     try:
@@ -207,7 +207,7 @@ def _numbers(kind: str, value: Any) -> tuple[float, ...] | list[int] | list[floa
 def _applied(
     dataset: xr.Dataset, tool: str, row: Tool, channel: str, angle: str | None, options: Mapping[str, Any]
 ) -> xr.Dataset:
-    """The result of one channel as a dataset."""
+    """Result of one channel as a dataset."""
     if "average" in row.takes and angle is not None and dataset[channel].dims == ("time",):
         averaged = _applied(dataset, "synchronous_average", TOOLS["synchronous_average"], channel, angle, {})
         dataset = averaged.rename(values=channel)
@@ -221,7 +221,7 @@ def _applied(
 
 
 def _source(dataset: xr.Dataset, name: str, channel: str, angle: str | None) -> Any:
-    """What one argument of a function gets from a dataset."""
+    """Value of an argument of a function that comes from the dataset."""
     assert name in SOURCES
     variable = dataset[channel]
     if name == "values":
@@ -231,12 +231,12 @@ def _source(dataset: xr.Dataset, name: str, channel: str, angle: str | None) -> 
         raise SignalError(f"{variable.dims[0]}: {axis.size} samples (limit 2 or more); use a longer record")
     if name in ("samples_per_revolution", "average"):
         if variable.dims != ("angle",):
-            raise SignalError(f"runs over time and not over an angle; make it with {_MAKERS[name]}")
+            raise SignalError(f"is over time, not over an angle; create it with {_MAKERS[name]}")
         if name == "average":
             return np.asarray(variable.values, dtype=np.float64)
         return 2.0 * np.pi * sample_rate_of(np.sign(axis[-1] - axis[0]) * axis)
     if variable.dims != ("time",):
-        raise SignalError("runs over an angle and not over time; use a tool for signals over an angle")
+        raise SignalError("is over an angle, not over time; use a tool for signals over an angle")
     if name == "angle":
         return _angle(dataset, axis, angle)
     if name == "sample_rate":
@@ -262,7 +262,7 @@ def _angle(dataset: xr.Dataset, time: Array, name: str | None) -> Array:
 
 
 def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, *, squared: bool) -> xr.Dataset:
-    """Dataset of a result; a dimension has the field of its name as coordinate, or that of the channel."""
+    """Dataset of a result; coordinates come from the fields with dimension names, or from the channel."""
     import xarray as xr
 
     unit = str(channel.attrs.get("units", ""))
@@ -282,7 +282,7 @@ def _dataset_of(result: Any, row: Tool, channel: xr.DataArray, *, squared: bool)
 
 
 def _unit(output: Output, unit: str, squared: bool) -> str:
-    """Unit of a field, that of the channel put in."""
+    """Unit of a field, with the unit of the channel inserted."""
     own = square = unit or "1"
     if own != "1":
         square = f"({unit})^2" if any(sign in unit for sign in " /^") else f"{unit}^2"
@@ -293,7 +293,7 @@ def _unit(output: Output, unit: str, squared: bool) -> str:
 
 
 def _joined(results: Sequence[xr.Dataset], names: Sequence[str], tool: str) -> xr.Dataset:
-    """Results of several channels in series, if they have the same axes."""
+    """Results of several channels along the new dimension `channel`; their axes must be equal."""
     import xarray as xr
 
     first = results[0]
@@ -303,10 +303,10 @@ def _joined(results: Sequence[xr.Dataset], names: Sequence[str], tool: str) -> x
             or first.sizes != other.sizes
         ):
             raise SignalError(
-                f"{tool}: the axes of {name} differ from those of {names[0]}; analyse them one by one"
+                f"{tool}: the axes of {name} differ from those of {names[0]}; analyse them separately"
             )
     units = {v: {str(r[v].attrs["units"]) for r in results} for v in first.data_vars}
     mixed = [str(v) for v, found in units.items() if len(found) > 1]
     if mixed:
-        raise SignalError(f"{tool}: channels have different units ({mixed[0]}); analyse them one by one")
+        raise SignalError(f"{tool}: channels have different units ({mixed[0]}); analyse them separately")
     return xr.concat(list(results), dim=xr.Variable("channel", list(names)), combine_attrs="override")

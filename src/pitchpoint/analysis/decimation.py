@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Decimation: a low-pass filter of linear phase, then every n-th sample; no content is aliased.
+"""Decimation with an anti-aliasing filter.
 
-The filter is a sinc under a Kaiser window, symmetric about its middle: it delays nothing. Up to 0.4 of the
-new rate signals pass unchanged, from 0.5 of it on they are stopped by 80 dB.
+The low-pass filter is a sinc function with a Kaiser window, symmetric about its middle: zero phase. The pass
+band ends at 0.4 of the new rate; above 0.5 of the new rate the attenuation is 80 dB.
 
 Source: Oppenheim and Schafer, Discrete-Time Signal Processing (1989), 7.5.3.
 """
@@ -17,15 +17,15 @@ from numpy.typing import NDArray
 from pitchpoint.analysis.sampled import SignalError
 
 PASS, STOP = 0.4, 0.5
-"""Ends of the pass band and start of the stop band, over the new sample rate."""
+"""End of the pass band and start of the stop band, over the new sample rate."""
 DAMPING = 80.0
-"""Damping in the stop band [dB]."""
+"""Attenuation in the stop band [dB]."""
 REACH = math.ceil((DAMPING - 7.95) / (2.285 * 2.0 * math.pi * (STOP - PASS)) / 2.0)
-"""Samples at the new rate by which the filter looks ahead and back."""
+"""Half length of the filter in samples at the new rate."""
 
 
 def decimation_filter(factor: int) -> NDArray[np.float64]:
-    """Weights of the filter that belongs to a factor.
+    """Weights of the anti-aliasing filter of a decimation factor.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def decimation_filter(factor: int) -> NDArray[np.float64]:
 
     Notes
     -----
-    J. F. Kaiser's formulas give length and window for a damping A: n = (A - 7.95)/(2.285 dw),
+    J. F. Kaiser's formulas give length and window for an attenuation A: n = (A - 7.95)/(2.285 dw),
     beta = 0.1102 (A - 8.7) (A. V. Oppenheim, R. W. Schafer, *Discrete-Time Signal Processing*, section
     7.5.3).
 
@@ -63,7 +63,7 @@ def decimation_filter(factor: int) -> NDArray[np.float64]:
 
 
 def decimated(signal: NDArray[np.float64], factor: int) -> NDArray[np.float64]:
-    """Every factor-th sample of a filtered signal; the ends, where the filter has no room, are omitted.
+    """Decimate a signal; the ends, where the filter exceeds the record, are omitted.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def decimated(signal: NDArray[np.float64], factor: int) -> NDArray[np.float64]:
     -------
     numpy.ndarray
         Samples at the new rate, shape ((n - 1) // factor - 2 REACH + 1, ...) [unit of the signal]; the first
-        belongs to the time of the old sample factor REACH.
+        one is at the time of the old sample factor REACH.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def decimated(signal: NDArray[np.float64], factor: int) -> NDArray[np.float64]:
 
     Examples
     --------
-    A constant passes; a vibration at 0.7 of the new rate, which would show at 0.3 of it, is stopped.
+    A constant passes; a vibration at 0.7 of the new rate, which would alias to 0.3 of it, is suppressed.
 
     >>> decimated(np.ones(111), 2)
     array([1., 1., 1., 1.])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Detection against noise: the smallest fault that an indicator separates from a healthy machine.
+"""Detection in noise: detection rates of fault indicators at a given false alarm rate.
 
-A detector is any function from a signal to one number that grows with the fault. The threshold is not chosen
-but follows from healthy signals with the same noise and from the rate of false alarms that is allowed; a
-second set of healthy signals shows that it is kept. So indicators of all kinds can be compared.
+A detector is any function from a signal to one number that increases with the fault. Its threshold follows
+from healthy signals with the same noise and from the allowed false alarm rate; a second set of healthy
+signals verifies the rate. Indicators of all kinds can thus be compared.
 """
 
 from __future__ import annotations
@@ -18,36 +18,36 @@ from pitchpoint.analysis.noise import with_white_noise
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length
 
 Detector = Callable[[Array], float]
-"""Signal in, one number out that is larger for a fault."""
+"""Function from a signal to a number that is larger for a fault."""
 
 CALIBRATION, CHECK, TRIAL = 0, 1, 2
-"""Streams of noise of one seed: healthy for the threshold, healthy for false alarms, faulty."""
+"""Noise streams of a seed: healthy signals for the threshold, healthy for false alarms, faulty."""
 
 
 @dataclass(frozen=True)
 class DetectionCurves:
-    """Rates of detection over the signal-to-noise ratio.
+    """Detection rates over the signal-to-noise ratio.
 
     Attributes
     ----------
     detectors
-        Shape (n_detector,). Their names.
+        Shape (n_detector,). Names of the detectors.
     snr
-        Shape (n_snr,). Signal-to-noise ratio [dB]: alternating rms of the faulty signal over that of the
+        Shape (n_snr,). Signal-to-noise ratio [dB]: alternating RMS of the faulty signal over that of the
         noise.
     threshold
-        Shape (n_detector, n_snr). Value above which a detector alarms, in its unit.
+        Shape (n_detector, n_snr). Alarm threshold of a detector, in its unit.
     rate, rate_low, rate_high
-        Shape (n_detector, n_snr). Rate of detection of the faulty signal, and its confidence interval [-].
+        Shape (n_detector, n_snr). Detection rate of the faulty signal, and its confidence interval [-].
     false_alarm_rate, false_alarm_low, false_alarm_high
-        Shape (n_detector, n_snr). Rate of alarms of healthy signals that the threshold has not seen, and its
+        Shape (n_detector, n_snr). Alarm rate of healthy signals not used for the threshold, and its
         confidence interval [-].
     false_alarm
-        The rate of false alarms that was allowed [-].
+        Allowed false alarm rate [-].
     confidence
-        Level of the intervals [-].
+        Confidence level of the intervals [-].
     seeds
-        How many signals of each kind there were at each ratio [-].
+        Number of signals of each kind at each ratio [-].
     """
 
     detectors: tuple[str, ...]
@@ -75,7 +75,7 @@ def detection_curves(
     false_alarm: float = 0.05,
     confidence: float = 0.95,
 ) -> DetectionCurves:
-    """Rates of detection of some detectors over the signal-to-noise ratio.
+    """Detection rates of several detectors over the signal-to-noise ratio.
 
     Parameters
     ----------
@@ -84,36 +84,36 @@ def detection_curves(
     faulty
         Signal of the faulty machine without noise, shape (n,), in the same unit.
     detectors
-        Functions from a signal to a number that is larger for a fault, by name. A number that is not finite
-        counts as no alarm.
+        Functions from a signal to a number that is larger for a fault, by name. A value that is not finite
+        raises no alarm.
     snr
         Signal-to-noise ratios [dB], shape (n_snr,).
     seeds
         Number of signals of each kind at each ratio [-].
     first_seed
-        Seed of the first of them; the same seeds are used at every ratio, so curves are smooth.
+        First seed; the same seeds are used at every ratio, which makes the curves smooth.
     false_alarm
-        Rate of false alarms that is allowed at every ratio [-], at least 1/(seeds + 1).
+        Allowed false alarm rate at every ratio [-], at least 1/(seeds + 1).
     confidence
-        Level of the intervals [-].
+        Confidence level of the intervals [-].
 
     Returns
     -------
     DetectionCurves
-        Rates, thresholds and the false alarms that came of them.
+        Detection rates, thresholds and observed false alarm rates.
 
     Raises
     ------
     SignalError
-        If the signals differ in length, a number is out of range, or the seeds are too few for the rate of
-        false alarms.
+        If the signals differ in length, a number is out of range, or the seeds are too few for the false
+        alarm rate.
 
     Notes
     -----
-    `noise.with_white_noise` sets the noise by the alternating rms of the faulty signal; the healthy one gets
-    noise of the same strength: a detector must not live on different noise. The threshold is the k-th largest
-    of m healthy values, k = ⌊false_alarm (m + 1)⌋: a further healthy value exceeds it with the chance k/(m +
-    1) whatever their distribution is [1]_. Intervals are those of Wilson.
+    `noise.with_white_noise` scales the noise by the alternating RMS of the faulty signal; the healthy signal
+    has noise of the same level. The threshold is the k-th largest of m healthy values,
+    k = ⌊false_alarm (m + 1)⌋: a further healthy value exceeds it with the probability k/(m + 1) for any
+    distribution [1]_. Intervals are those of Wilson.
 
     References
     ----------
@@ -122,7 +122,7 @@ def detection_curves(
 
     Examples
     --------
-    The mean detects a step of one as long as the noise of 100 samples leaves it alone:
+    The mean detects a step of one at low noise only:
 
     >>> up = np.where(np.arange(100) < 50, 1.0, 0.0)
     >>> found = detection_curves(0.0 * up, up, {"mean": np.mean}, snr=[20.0, -40.0], false_alarm=0.1)
@@ -164,19 +164,19 @@ def detection_curves(
 
 
 def least_ratio(curves: DetectionCurves, rate: float = 0.9) -> Array:
-    """The lowest signal-to-noise ratio from which on a detector keeps a rate of detection.
+    """Lowest signal-to-noise ratio at and above which each detector reaches a detection rate.
 
     Parameters
     ----------
     curves
-        What `detection_curves` found.
+        Result of `detection_curves`.
     rate
-        Rate of detection that is wanted [-].
+        Required detection rate [-].
 
     Returns
     -------
     NDArray
-        Ratios [dB], shape (n_detector,), one of `curves.snr`; not a number if the highest ratio does not do.
+        Ratios [dB], shape (n_detector,), from `curves.snr`; NaN if the highest ratio is not sufficient.
 
     Examples
     --------
@@ -192,16 +192,16 @@ def least_ratio(curves: DetectionCurves, rate: float = 0.9) -> Array:
 
 
 def wilson_interval(successes: ArrayLike, trials: int, confidence: float = 0.95) -> tuple[Array, Array]:
-    """Confidence interval of a rate, also where it is near 0 or 1.
+    """Wilson confidence interval of a rate, also valid near 0 and 1.
 
     Parameters
     ----------
     successes
-        How often it happened [-], any shape.
+        Number of successes [-], any shape.
     trials
-        How often it was tried [-].
+        Number of trials [-].
     confidence
-        Level [-].
+        Confidence level [-].
 
     Returns
     -------
@@ -211,7 +211,7 @@ def wilson_interval(successes: ArrayLike, trials: int, confidence: float = 0.95)
     Notes
     -----
     (p + z²/2n ± z √(p(1-p)/n + z²/4n²))/(1 + z²/n) with the normal quantile z [1]_. Valid for any n; the
-    level is kept on average over p.
+    coverage equals the confidence level on average over p.
 
     References
     ----------
@@ -220,7 +220,7 @@ def wilson_interval(successes: ArrayLike, trials: int, confidence: float = 0.95)
 
     Examples
     --------
-    Twenty of twenty leaves 16 % open:
+    Twenty of twenty successes; the lower limit is 84 %:
 
     >>> low, high = wilson_interval(20, 20)
     >>> round(float(low), 4), round(float(high), 4)
@@ -236,7 +236,7 @@ def wilson_interval(successes: ArrayLike, trials: int, confidence: float = 0.95)
 
 
 def _checked(detectors: Mapping[str, Detector], seeds: int, false_alarm: float, confidence: float) -> int:
-    """How many of the healthy values may lie above the threshold or on it."""
+    """Check the arguments; number of healthy values allowed at or above the threshold."""
     if not detectors:
         raise SignalError("detectors: none given; pass at least one function")
     if isinstance(seeds, bool) or int(seeds) != seeds or seeds < 1:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which shaft, which gear, which bearing: evidence for damage in vibration signals, and what follows from it.
+"""Diagnosis of shafts, gears and bearings from vibration signals, with a stated false alarm probability.
 
-Every piece of evidence is a test that states how often a healthy machine would fail it. All tests of a record
-together raise a false alarm with the probability that the caller allows. A part without a finding is not
-declared healthy: a test that could not be made is reported as well.
+Every piece of evidence is a test with the probability that a healthy machine fails it. All tests of a record
+together have the false alarm probability that the caller allows. A part without a finding is not declared
+healthy: tests that could not be performed are reported too.
 """
 
 from __future__ import annotations
@@ -24,27 +24,27 @@ from pitchpoint.analysis.shaft_tests import FEWEST_TURNS, HARMONICS, NEIGHBOURS,
 from pitchpoint.analysis.turning_parts import Mesh, TurningParts
 
 MESH_PROBABILITY = 1e-4
-"""Probability with which noise alone is taken for a mesh line."""
-PASSING = "meshes that passing balls modulate"
-"""What explains lines of a bearing that no impacts make."""
+"""Probability that noise alone is taken for a mesh line."""
+PASSING = "meshes modulated by ball passage"
+"""Explanation of bearing lines that are not due to impacts."""
 
 
 @dataclass(frozen=True)
 class MeshLines:
-    """Whether a mesh shows itself.
+    """Lines of a mesh in one channel.
 
     Attributes
     ----------
     mesh
         Name of the mesh.
     order
-        Its order [-].
+        Mesh order [-].
     amplitude
-        Shape (n,). Amplitudes of the harmonics that the record holds, in the unit of the channel.
+        Shape (n,). Amplitudes of the harmonics within the bandwidth, in the unit of the channel.
     seen
-        Whether one of them is a line, and larger than its sidebands.
+        Whether a harmonic is a line above the noise and larger than its sidebands.
     lost
-        Harmonics of the first five that the record cannot hold [-].
+        Numbers of the first five harmonics that are above the bandwidth of the record [-].
     """
 
     mesh: str
@@ -56,24 +56,24 @@ class MeshLines:
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """All of it.
+    """Result of a diagnosis.
 
     Attributes
     ----------
     findings
-        What was found, the most certain first.
+        Findings, the most certain first.
     evidence
-        Every test of every channel.
+        All tests of all channels.
     meshes
         Mesh lines by channel.
     untested
-        What could not be tested, and why.
+        Remarks on tests that could not be performed.
     unreported
-        What stands out and is not a finding, and why.
+        Remarks on significant tests that are not findings.
     turns
-        Turns of each shaft in the record [-].
+        Revolutions of each shaft in the record [-].
     tests
-        Number of tests that share the false alarms [-].
+        Number of tests that share the false alarm probability [-].
     false_alarm
         Probability that a healthy record has a finding [-].
     """
@@ -103,18 +103,18 @@ def diagnose(
     signals
         Channels, shape (n,) each, any unit, at equal steps of the angle; at a steady speed also of time.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     parts
-        What turns.
+        Rotating parts of the machine.
     false_alarm
         Probability that a healthy record has a finding [-].
     sampled_per_turn
-        Samples in one turn with which the record was taken, if it was resampled since [-].
+        Samples per revolution of the original record, if it was resampled [-].
 
     Returns
     -------
     Diagnosis
-        Findings, every test, and what could not be tested.
+        Findings, all tests, and remarks on tests that could not be performed.
 
     Raises
     ------
@@ -123,11 +123,10 @@ def diagnose(
 
     Notes
     -----
-    A local fault raises all orders of its shaft [1]_: a rank test of the orders that belong to no mesh
-    against
-    the points between them. Slow changes over the turn raise single orders and sidebands [2]_: lines against
-    the
-    points next to them. Tests share the false alarms after [3]_. Valid for shafts with fixed axes.
+    A local fault raises all orders of its shaft [1]_: rank test of the orders without mesh orders against the
+    points between them. Slow variations over the revolution raise single orders and sidebands [2]_: lines
+    against the adjacent points. The false alarm probability is shared between the tests after [3]_. Valid for
+    shafts with fixed axes.
 
     References
     ----------
@@ -136,12 +135,11 @@ def diagnose(
     .. [2] R. B. Randall, A new method of modeling gear faults, Journal of Mechanical Design 104(2), 1982,
        259-267.
     .. [3] Z. Šidák, Rectangular confidence regions for the means of multivariate normal distributions,
-    Journal
-       of the American Statistical Association 62, 1967, 626-633.
+       Journal of the American Statistical Association 62, 1967, 626-633.
 
     Examples
     --------
-    A wheel of 40 teeth, one of them damaged, driven by 21 teeth:
+    A wheel of 40 teeth, one of them damaged, driven by a pinion of 21 teeth:
 
     >>> from pitchpoint.analysis.turning_parts import train_parts
     >>> turned = np.arange(100_000) / 500.0
@@ -179,7 +177,7 @@ def diagnose(
     unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
     untested += [note for note in unseen if note.subject not in named]
     few = [
-        Note(f"too few turns of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
+        Note(f"too few revolutions of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
         for shaft, count in turns.items()
         if count < FEWEST_TURNS
     ]
@@ -205,7 +203,7 @@ def diagnose(
 def _of_shafts(
     views: Mapping[str, ShaftView], parts: TurningParts, lines: tuple[MeshLines, ...]
 ) -> list[tuple[str, str, str, Measured]]:
-    """Tests of all shafts and of the gears on them."""
+    """Tests of all shafts and of their gears."""
     held = {line.mesh for line in lines if line.amplitude.size}
     found = []
     for shaft, view in views.items():
@@ -220,7 +218,7 @@ def _of_shafts(
 
 
 def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh) -> MeshLines:
-    """Harmonics of a mesh, against the points next to them and the sidebands of its faster shaft."""
+    """Harmonics of a mesh, compared with the adjacent points and the sidebands of its faster shaft."""
     order = parts.mesh_order(mesh)
     fast = max((views[name] for name in mesh.shafts), key=lambda view: view.order)
     spectrum = fast.spectrum
@@ -239,7 +237,7 @@ def _mesh_lines(views: Mapping[str, ShaftView], parts: TurningParts, mesh: Mesh)
 
 
 def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> Note:
-    """Sentence about a test without a line that it could look at."""
+    """Remark on a test without usable lines."""
     _, kind, shaft, gear, _ = row
     what = {"comb": "orders", "low order": "lowest orders", "sidebands": "sidebands"}.get(kind, shaft)
     whose = gear if kind == "bearing" else f"{gear} ({shaft})" if gear else shaft
@@ -250,7 +248,7 @@ def _not_looked_at(row: tuple[str, str, str, str, Measured]) -> Note:
 
 
 def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: float) -> Evidence:
-    """A test against the number of all tests."""
+    """Evidence from a test, with probability and threshold for the number of all tests."""
     from scipy.stats import norm
 
     channel, kind, shaft, gear, found = row
@@ -261,7 +259,7 @@ def _evidence(row: tuple[str, str, str, str, Measured], tests: int, allowed: flo
         threshold = float(norm.isf(-np.expm1(np.log1p(-each) / found.choices)))
     else:
         one = each / found.lines
-        # two of three harmonics of a bearing must be as unlikely
+        # for a bearing two of three harmonics must be significant
         one = float(np.sqrt(one / 3.0)) if kind == "bearing" else one
         ratio = line_threshold(one, NEIGHBOURS, (3 * NEIGHBOURS) // 4)
         value, threshold = 10.0 * np.log10(max(found.score, 1e-30)), 10.0 * np.log10(ratio)

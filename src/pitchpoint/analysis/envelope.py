@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Envelope of a band and its spectrum: impacts that ring at a resonance, demodulated."""
+"""Envelope of a frequency band and its spectrum: demodulation of impacts that excite a resonance."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Envelope:
     envelope
         Shape (n,). Amplitude of the band over time, in the unit of the signal, at the samples of the signal.
     low, high
-        The band [Hz].
+        Edges of the band [Hz].
     """
 
     envelope: Array
@@ -41,34 +41,32 @@ def band_envelope(
     sample_rate
         Sample rate f_s [Hz].
     band
-        Lower and upper edge [Hz]; the whole signal without its mean if omitted. `kurtogram.kurtogram` finds
-        one.
+        Lower and upper edge [Hz]; default: the whole signal without its mean. `kurtogram.kurtogram` finds a
+        suitable band.
 
     Returns
     -------
     Envelope
-        As long as the signal. At both ends of the record, over the reciprocal of the width of the band, it
-        shows that the record is cut off there.
+        Envelope of the same length as the signal, with end effects over about 1/bandwidth at both ends.
 
     Raises
     ------
     SignalError
-        If the band is empty, holds no line of the spectrum, or does not lie between 0 and f_s/2.
+        If the band is empty, has no line of the spectrum, or is not between 0 and f_s/2.
 
     Notes
     -----
     |x_a| of the analytic signal x_a, whose spectrum is twice that of the signal inside the band and zero
-    outside [1]_. Valid where the band is narrow against its middle, or holds one carrier.
+    outside [1]_. Valid if the band is narrow compared with its centre frequency, or has a single carrier.
 
     References
     ----------
     .. [1] D. Ho, R. B. Randall, Optimisation of bearing diagnostic techniques using simulated and actual
-    bearing
-       fault signals, Mechanical Systems and Signal Processing 14(5), 2000, 763-788.
+       bearing fault signals, Mechanical Systems and Signal Processing 14(5), 2000, 763-788.
 
     Examples
     --------
-    A carrier of 200 Hz whose amplitude swings at 8 Hz, next to a stronger tone:
+    A carrier of 200 Hz with an amplitude modulation of 8 Hz, and a stronger tone:
 
     >>> t = np.arange(1000) / 1000.0
     >>> swing = 1 + 0.5 * np.cos(2 * np.pi * 8 * t)
@@ -85,12 +83,12 @@ def band_envelope(
     inside = (frequency >= low * (1.0 - 1e-12)) & (frequency <= high * (1.0 + 1e-12))
     if not inside.any():
         raise SignalError(
-            f"band: {low:g} to {high:g} Hz holds no line (they lie {rate / x.size:.3g} Hz apart); "
+            f"band: {low:g} to {high:g} Hz contains no line (line spacing {rate / x.size:.3g} Hz); "
             "widen it or use a longer record"
         )
     analytic = np.zeros(x.size, dtype=np.complex128)
     analytic[: lines.size] = np.where(inside, 2.0 * lines, 0.0)
-    # these two have no mirror image that the factor represents
+    # the lines at 0 and f_s/2 have no mirror image, for which the factor 2 accounts
     analytic[0] *= 0.5
     if x.size % 2 == 0:
         analytic[lines.size - 1] *= 0.5
@@ -105,7 +103,7 @@ def envelope_spectrum(
     squared: bool = False,
     window_name: str = "hann",
 ) -> Spectrum:
-    """Amplitude spectrum of the envelope of a band, or of its square.
+    """Amplitude spectrum of the envelope of a band, or of the squared envelope.
 
     Parameters
     ----------
@@ -114,16 +112,16 @@ def envelope_spectrum(
     sample_rate
         Sample rate f_s [Hz].
     band
-        Lower and upper edge of the band [Hz]; the whole signal if omitted.
+        Lower and upper edge of the band [Hz]; default: the whole signal.
     squared
-        Of the square of the envelope: it has no harmonics that taking the root makes.
+        Whether to use the squared envelope, which has no harmonics caused by the square root.
     window_name
-        See `spectra.window`; windows that end at zero take away what the ends of the record do.
+        See `spectra.window`; windows that end at zero suppress the end effects of the envelope.
 
     Returns
     -------
     Spectrum
-        Peak amplitudes in the unit of the signal, or its square; the mean apart.
+        Peak amplitudes in the unit of the signal, or its square; the mean is separate.
 
     Raises
     ------
@@ -154,7 +152,7 @@ def envelope_spectrum(
 
 
 def checked_band(band: tuple[float, float], sample_rate: float) -> tuple[float, float]:
-    """Return a band if it lies between zero and half the sample rate, else refuse it.
+    """Check that a band is between zero and half the sample rate, and return it.
 
     Parameters
     ----------
@@ -166,7 +164,7 @@ def checked_band(band: tuple[float, float], sample_rate: float) -> tuple[float, 
     Raises
     ------
     SignalError
-        If the band is not rising or not between 0 and half the sample rate.
+        If the edges are not increasing or not between 0 and half the sample rate.
     """
     low, high = (float(edge) for edge in band)
     top = 0.5 * sample_rate

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evidence that a surer finding causes: what is left of it without the lines of that finding?
+"""Evidence explained by a more certain finding: tests repeated without the lines of that finding.
 
-The strikes of a damaged bearing are a pulse train. What changes their size (the load zone through which the
-damage goes) and what they shake (the meshes) puts lines next to their harmonics, and a long train has so many
-of them that some lie on lines of other parts. They are known to a fraction of a line of the record. So they
-are taken out of the signal, and the test of the other part is made again on what is left.
+The impacts of a damaged bearing are a pulse train. Modulation by the load zone and products with the meshes
+add lines around its harmonics, and a long train has so many lines that some coincide with lines of other
+parts. Their frequencies are known to a fraction of a line of the record. They are therefore removed from the
+signal, and the test of the other part is repeated on the residual.
 
 Derivation: docs/theory/signals.md, "Statistical tests".
 """
@@ -29,28 +29,28 @@ from pitchpoint.analysis.tones import without_tones
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts
 
 BESIDE, ABOUT = 3, 2
-"""Lines on either side of a harmonic of the strikes, at the turns of what carries it through the load; and of
-their products with mesh harmonics, where it also is the highest harmonic of the strikes in the signal."""
+"""Sidebands on either side of an impact harmonic, at the speed of the part that carries the damage through
+the load; and of products with mesh harmonics, where it is also the highest impact harmonic in the signal."""
 REACH = 2.0
-"""How far about lines that are tested others are taken out, in lines of the record: a tone is no wider."""
+"""Distance from tested lines within which others are removed, in lines of the record: the width of a tone."""
 COARSE, FINE = 8, 64
-"""Harmonics by which the rate of the strikes is found, first within the slip, then about that."""
+"""Number of harmonics used to estimate the impact rate, first within the slip, then around that estimate."""
 
 
 @dataclass(frozen=True)
 class Channel:
-    """What tests of one channel look at.
+    """Data of one channel that the tests use.
 
     Attributes
     ----------
     values
         Signal over the angle of the reference shaft, shape (n,), any unit.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     shafts
         Orders by shaft.
     bearings
-        Envelopes, if there are bearings to look for.
+        Envelopes, if there are bearings.
     """
 
     values: Array
@@ -61,18 +61,18 @@ class Channel:
 
 @dataclass(frozen=True)
 class Strikes:
-    """Lines that the strikes of one part of a bearing have.
+    """Lines of the impacts of one damaged bearing part.
 
     Attributes
     ----------
     rate
-        Strikes in one turn of the reference shaft [-].
+        Impacts per revolution of the reference shaft [-].
     modulation
-        Turns of what carries the damage through the load [-]; 0 if nothing does.
+        Order of the part that carries the damage through the load [-]; 0 if there is none.
     meshes
-        Orders of the mesh harmonics that the strikes shake, shape (n,) [-].
+        Orders of the mesh harmonics modulated by the impacts, shape (n,) [-].
     ball
-        Whether the damage is on a rolling element, which the cage carries.
+        Whether the damage is on a rolling element, which is carried by the cage.
     """
 
     rate: float
@@ -81,14 +81,14 @@ class Strikes:
     ball: bool = False
 
     def lines(self, highest: float, *, envelope: bool) -> Array:
-        """Orders of the lines up to a highest one, of the signal or of its envelope, shape (n,)."""
-        # a spot on a ball meets one ring after the other, and need not strike both alike
+        """Orders of the lines below `highest`, in the signal or in its envelope, shape (n,)."""
+        # a spot on a ball touches both rings in turn, and the impacts may differ
         own = 0.5 * self.rate if self.ball else self.rate
-        # without a strike it is a line of the shaft or of the mesh itself; nothing else turns with a cage
+        # harmonics of the modulation alone are lines of shaft or mesh, except for those of a cage
         alone = self.modulation * np.arange(1, BESIDE + 1) if self.ball else np.empty(0)
         strikes = own * np.arange(1, int(highest / own) + 1)
         single = np.add.outer(strikes, self._sides(BESIDE)).ravel()
-        # an envelope holds what lies between a line of the strikes and one of a mesh
+        # an envelope has the difference orders of impact and mesh lines
         count = int(highest / self.rate) + 1 if envelope else ABOUT
         about = self.rate * np.concatenate([np.arange(-count, 0), np.arange(1, count + 1)])
         both = np.add.outer(np.add.outer(self.meshes, about).ravel(), self._sides(ABOUT)).ravel()
@@ -96,10 +96,10 @@ class Strikes:
         return np.asarray(place[(place > 0.0) & (place < highest)], dtype=np.float64)
 
     def have_sideband(self, order: float, spectrum: FineSpectrum) -> bool:
-        """Whether a line is a sideband of strikes, not on them, and is not larger than these.
+        """Whether a line is a sideband of the impacts and not larger than the impact harmonics.
 
-        The load that a damage goes through only pushes, and no line of a function without negative values is
-        larger than its mean: none next to the strikes is larger than the largest of their own.
+        The load on a damage is never negative, and no line of a nonnegative function exceeds its mean:
+        therefore no sideband is larger than the largest impact harmonic.
         """
         sides = self._sides(BESIDE)
         strikes = self.rate * np.arange(1, np.ceil(order / self.rate) + BESIDE)
@@ -109,7 +109,7 @@ class Strikes:
         return bool(there.any() and spectrum.power(order) <= largest)
 
     def _sides(self, most: int) -> Array:
-        """Distances of the lines next to a harmonic."""
+        """Distances of the sidebands from a harmonic, 0 included."""
         sides = self.modulation * np.arange(-most, most + 1, dtype=np.float64)
         return np.asarray(sides if self.modulation else sides[:1], dtype=np.float64)
 
@@ -120,35 +120,35 @@ def explain(
     parts: TurningParts,
     tests: int,
 ) -> tuple[tuple[Evidence, ...], list[Note]]:
-    """Evidence without that which surer bearings bring about.
+    """Mark evidence that is explained by more certain bearing findings.
 
     Parameters
     ----------
     evidence
         All tests.
     channels
-        What they looked at, by channel.
+        Data of the tests, by channel.
     parts
-        What turns.
+        Rotating parts of the machine.
     tests
-        Number of tests that share the false alarms [-].
+        Number of tests that share the false alarm probability [-].
 
     Returns
     -------
     tuple of Evidence
-        The same, with what is explained no longer found.
+        All tests; explained ones are marked and no longer found.
     list of Note
-        What was explained, and by what.
+        Remarks on explained tests and their causes.
 
     Notes
     -----
-    From the surest ring or ball on, its lines k f ± j n, alone and about mesh harmonics, are fitted to
-    signal and envelopes by least squares and taken out; tests that no longer exceed their limit are
-    explained. The strike rate f is where these lines are strongest; n is the speed of what carries the
-    damage through the load: the shaft for the rings, the cage for a ball [1]_, whose own test a ball
-    explains at any certainty. A tone at a fraction d of a line of the record from one of those keeps
-    1 - sinc²(d) of its power, so that a second fault stays found unless it lies on them. Valid for strikes
-    whose rate does not wander by more than the record resolves.
+    Starting with the most certain ring or ball, its lines k f ± j n, alone and around mesh harmonics, are
+    fitted to signal and envelopes by least squares and removed; tests that no longer exceed their limit are
+    explained. The impact rate f is where these lines are strongest; n is the speed of the part that carries
+    the damage through the load: the shaft for the rings, the cage for a ball [1]_. A ball explains the test
+    of its cage at any certainty. A tone at a distance of d lines of the record from a removed line keeps
+    1 - sinc²(d) of its power, so that a second fault is still found unless it coincides. Valid for impacts
+    whose rate is constant within the resolution of the record.
 
     References
     ----------
@@ -189,12 +189,12 @@ def explain(
 
 
 def _passing(evidence: tuple[Evidence, ...], parts: TurningParts) -> dict[str, float]:
-    """Passages in one turn of the reference shaft of balls that are seen to modulate, but not to strike."""
+    """Ball passes per revolution of the reference shaft in bearings that modulate meshes without impacts."""
     seen = [e for e in evidence if e.kind == "bearing" and e.shaft == "outer ring" and e.explained]
     found: dict[str, float] = {}
     for e in sorted(seen, key=lambda e: e.threshold - e.value):
-        # the harmonic that stands out gives their slip
-        found.setdefault(f"balls that pass in {e.gear}", e.order / round(e.order / _nominal(e, parts)))
+        # the significant harmonic gives the slip
+        found.setdefault(f"ball passage in {e.gear}", e.order / round(e.order / _nominal(e, parts)))
     return found
 
 
@@ -206,15 +206,15 @@ def _vanishes(
     tests: int,
     loud: Sequence[float] = (),
 ) -> bool:
-    """Whether nothing of a test stands out without the lines of reported or loud strikes."""
+    """Whether a test is no longer significant without the lines of reported or loud impacts."""
     rest = _again(e, channels[e.channel], parts, reported, loud)
     chance = float(-np.expm1(tests * np.log1p(-min(rest.probability, 1.0 - 1e-16))))
     return chance >= e.allowed
 
 
 def _explained(e: Evidence, cause: str, notes: list[Note]) -> Evidence:
-    """The test, no longer found, and a note about it."""
-    notes.append(Note(f"explained by {cause}, without whose lines nothing of it stands out: {{}}", _what(e)))
+    """The test marked as explained; appends a note."""
+    notes.append(Note(f"explained by {cause}, without whose lines it is not significant: {{}}", _what(e)))
     return replace(e, found=False, explained=cause)
 
 
@@ -226,13 +226,13 @@ def _among_others(
     reported: list[Strikes],
     tests: int,
 ) -> str | None:
-    """What brings the lines of a bearing's part about, although each of these parts is less sure.
+    """Cause of the lines of a bearing part in several less certain parts together, or None.
 
-    Strikes that come three times as often have every third line of the slower ones, to which passing healthy
-    balls add the others. A ball that strikes nearly four times a turn has lines near those of a broken tooth,
-    and near the sidebands of an inner ring that strikes nearly five times. Whoever has all these lines looks
-    the surest. Without the lines of the others nothing of it stands out then, while strikes of its own would
-    leave the lines in between. Parts whose lines do not run together with those of another are not asked.
+    Impacts at three times the rate have every third line of slower impacts; ball passage of healthy bearings
+    adds the others. A ball with nearly four impacts per revolution has lines near those of a broken tooth and
+    near the sidebands of an inner ring with nearly five. The part that has all these lines appears the most
+    certain. Without the lines of the others it is then not significant, while impacts of its own would leave
+    the lines in between. Parts whose lines do not coincide with those of another are not tested.
     """
     trains, names, together = list(reported), [], False
     rate = _nominal(now, parts)
@@ -246,7 +246,7 @@ def _among_others(
             seen = channels[now.channel].bearings
             assert seen is not None
             if not together and trains[-1].have_sideband(now.order, seen.spectra[1]):
-                # what has lines of its own stays
+                # a part that has lines of its own is not explained
                 mine = _strikes_of(now, channels[now.channel], parts)
                 together = not _vanishes(e, channels, parts, [mine], tests)
         elif e.kind == "comb":
@@ -260,17 +260,17 @@ def _among_others(
 
 
 def _runs_with(ratio: float, least: int) -> bool:
-    """Whether a ratio of two rates is a whole number to within the slip of rolling."""
+    """Whether the ratio of two rates is a whole number within the slip of rolling bearings."""
     return round(ratio) >= least and abs(ratio - round(ratio)) <= SLIP * ratio
 
 
 def _nominal(e: Evidence, parts: TurningParts) -> float:
-    """Strikes of a part of a bearing in one turn of the reference shaft, by kinematics."""
+    """Kinematic impact rate of a bearing part per revolution of the reference shaft."""
     return float(next(b for b in alike(parts.bearings) if b.name == e.gear).orders[e.shaft])
 
 
 def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
-    """Strikes of a part that was found, with the rate at which their lines are strongest."""
+    """Impacts of a part that was found, at the rate at which their lines are strongest."""
     bearing = next(b for b in alike(parts.bearings) if b.name == e.gear)
     nominal = _nominal(e, parts)
     modulation = _carried(bearing, e.shaft, parts)
@@ -287,20 +287,20 @@ def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
 
 
 def _may_explain(cause: Evidence, e: Evidence) -> bool:
-    """Whether a test is less certain than the cause, or one of the cage that carries a ball about."""
+    """Whether a test is less certain than the cause, or is that of the cage of a damaged ball."""
     carries = e.shaft == "cage" and cause.shaft == "rolling element" and e.gear == cause.gear
     return carries or e.probability > cause.probability
 
 
 def _carried(bearing: Bearing, part: str, parts: TurningParts) -> float:
-    """Turns of what carries a damage through the load."""
+    """Order of the part that carries the damage through the load."""
     if part == "rolling element":
         return bearing.orders.get("cage", 0.0)
     return float(parts.shaft(bearing.shaft).order) if bearing.shaft else 0.0
 
 
 def _gain(spectrum: FineSpectrum, tried: Array, modulation: float, harmonics: int) -> Array:
-    """Sum of the levels at the lines of strikes, for each rate that is tried."""
+    """Sum of the log levels at the lines of the impacts, for each trial rate."""
     total = np.zeros(tried.size)
     for k in range(1, harmonics + 1):
         for side in (-modulation, 0.0, modulation):
@@ -313,7 +313,7 @@ def _gain(spectrum: FineSpectrum, tried: Array, modulation: float, harmonics: in
 def _again(
     e: Evidence, channel: Channel, parts: TurningParts, reported: list[Strikes], loud: Sequence[float]
 ) -> Measured:
-    """The test of a part on what is left without the lines of reported or loud strikes."""
+    """Repeat the test of a part without the lines of reported or loud impacts."""
     if e.kind == "bearing":
         return _bearing_again(e, channel, parts, reported)
     rate, view = channel.samples_per_turn, channel.shafts[e.shaft]
@@ -336,7 +336,7 @@ def _again(
 
 
 def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, reported: list[Strikes]) -> Measured:
-    """The test of a part of a bearing on what is left of the signal and of both envelopes."""
+    """Repeat the test of a bearing part without the lines of reported impacts in signal and envelopes."""
     assert channel.bearings is not None
     order = _nominal(e, parts)
     highest, line = 0.5 * channel.samples_per_turn, channel.bearings.spectra[0].resolution
@@ -349,13 +349,13 @@ def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, reported:
 
 
 def _lines(reported: list[Strikes], highest: float, *, envelope: bool = False) -> Array:
-    """Lines of all reported strikes, rising."""
+    """Orders of the lines of all reported impacts, increasing."""
     lines = [one.lines(0.999 * highest, envelope=envelope) for one in reported]
     return np.sort(np.concatenate([np.empty(0), *lines]))
 
 
 def _near(place: Array, tested: Array, reach: ArrayLike) -> Array:
-    """Lines that are near to others, which rise and are tested, shape (n,)."""
+    """Lines within `reach` of tested orders, which are increasing, shape (n,)."""
     limit = np.broadcast_to(np.asarray(reach, dtype=np.float64), tested.shape)
     at = np.searchsorted(tested, place)
     near = np.zeros(place.size, dtype=bool)
@@ -365,8 +365,8 @@ def _near(place: Array, tested: Array, reach: ArrayLike) -> Array:
 
 
 def _what(e: Evidence) -> str:
-    """A test in a few words."""
+    """Short name of a test in messages."""
     if e.kind == "sidebands":
-        return f"sidebands of {e.gear} at the turns of {e.shaft} in {e.channel}"
+        return f"sidebands of {e.gear} at the speed of {e.shaft} in {e.channel}"
     what = {"comb": "all orders", "low order": "lowest orders"}.get(e.kind, e.shaft)
     return f"{what} of {e.gear or e.shaft} in {e.channel}"

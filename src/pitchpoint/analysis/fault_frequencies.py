@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frequencies at which gears show themselves, one pair or a train of any stages, from teeth and speeds.
+"""Characteristic frequencies of gear pairs and gear trains from numbers of teeth and speeds.
 
-Speeds are signed, in rad/s and counter-clockwise; frequencies are never negative, in Hz. A tooth that is
-broken meets its mate once per turn against what carries the line between the two: ground for ordinary gears,
-the carrier for planets. Planet sets and rolling bearings have files of their own. Everything is kinematics
-without slip.
+Speeds are signed, in rad/s, counter-clockwise positive; frequencies are nonnegative, in Hz. A damaged tooth
+is in mesh once per revolution relative to the line of centres, which is fixed to ground for ordinary gears
+and to the carrier for planets. Purely kinematic, without slip. See `planet_frequencies` for planetary gear
+sets and `bearing_frequencies` for rolling bearings.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pitchpoint.analysis.planet_frequencies import PlanetaryFrequencies, planeta
 from pitchpoint.analysis.sampled import Array, SignalError, finite, whole
 
 MEMBERS = ("sun", "carrier", "ring")
-"""Central members of a planet set."""
+"""Central members of a planetary gear set."""
 
 
 @dataclass(frozen=True)
@@ -29,15 +29,15 @@ class PairFrequencies:
     Attributes
     ----------
     speed_1, speed_2
-        Speeds of both gears against the line of centres [rad/s].
+        Speeds of both gears relative to the line of centres [rad/s].
     rotation_1, rotation_2
-        Turns of both gears per second, at which one bad tooth of theirs meets the other gear [Hz].
+        Rotation frequencies of both gears, at which a damaged tooth is in mesh [Hz].
     mesh
-        Tooth meshes per second [Hz].
+        Mesh frequency [Hz].
     assembly_phase
-        Mesh frequency over the common factor: how often the sets of teeth that ever meet take turns [Hz].
+        Assembly phase frequency, mesh frequency over the common factor [Hz].
     hunting_tooth
-        How often the same two teeth meet [Hz].
+        Hunting tooth frequency, at which the same two teeth meet [Hz].
     common_factor
         Greatest common divisor of the numbers of teeth [-].
     """
@@ -54,7 +54,7 @@ class PairFrequencies:
 
 @dataclass(frozen=True)
 class PlanetStage:
-    """A planet set as a stage of a train: numbers of teeth [-], and which members turn it and hold it."""
+    """Planetary gear set as a stage of a train: numbers of teeth [-], driving member and fixed member."""
 
     z_sun: int
     z_planet: int
@@ -71,13 +71,13 @@ class TrainFrequencies:
     Attributes
     ----------
     speed
-        Shape (n_stage + 1,). Speeds of the shafts from the input on [rad/s].
+        Shape (n_stage + 1,). Speeds of the shafts, the input first [rad/s].
     shaft
-        Shape (n_stage + 1,). Turns of the shafts per second [Hz].
+        Shape (n_stage + 1,). Rotation frequencies of the shafts [Hz].
     mesh
         Shape (n_stage,). Mesh frequencies [Hz].
     stages
-        Everything about each stage.
+        Frequencies of each stage.
     """
 
     speed: Array
@@ -94,7 +94,7 @@ def gear_pair_frequencies(z_1: int, z_2: int, speed: float) -> PairFrequencies:
     z_1, z_2
         Numbers of teeth, negative for an internal gear [-].
     speed
-        Speed of gear 1 against the line of centres [rad/s].
+        Speed of gear 1 relative to the line of centres [rad/s].
 
     Returns
     -------
@@ -109,7 +109,7 @@ def gear_pair_frequencies(z_1: int, z_2: int, speed: float) -> PairFrequencies:
     Notes
     -----
     f_m = |z_1| n_1, assembly phase f_m/g with g = gcd(z_1, z_2), hunting tooth f_m g/(z_1 z_2) [1]_. Valid
-    for gears on fixed axes, and for planets with speeds counted against their carrier.
+    for gears on fixed axes, and for planets with speeds relative to their carrier.
 
     References
     ----------
@@ -117,7 +117,7 @@ def gear_pair_frequencies(z_1: int, z_2: int, speed: float) -> PairFrequencies:
 
     Examples
     --------
-    Teeth 8 and 42 at 20 turns per second:
+    8 and 42 teeth, 20 revolutions per second:
 
     >>> f = gear_pair_frequencies(8, 42, 20 * 2 * math.pi)
     >>> [round(x, 5) for x in (f.rotation_1, f.rotation_2, f.mesh, f.assembly_phase, f.hunting_tooth)]
@@ -143,7 +143,7 @@ def gear_pair_frequencies(z_1: int, z_2: int, speed: float) -> PairFrequencies:
 
 
 def train_frequencies(stages: Sequence[tuple[int, int] | PlanetStage], speed: float) -> TrainFrequencies:
-    """Frequencies of a train of any number of stages in series.
+    """Frequencies of a gear train of any number of stages in series.
 
     Parameters
     ----------
@@ -161,11 +161,11 @@ def train_frequencies(stages: Sequence[tuple[int, int] | PlanetStage], speed: fl
     Raises
     ------
     SignalError
-        If there is no stage, or a stage cannot be as given; the message states which.
+        If there is no stage, or a stage is not possible; the message states which.
 
     Notes
     -----
-    `gear_pair_frequencies` and `planetary_frequencies`, each with the speed that the stage before leaves
+    `gear_pair_frequencies` and `planetary_frequencies`, each with the output speed of the preceding stage
     [1]_. Valid without slip.
 
     References
@@ -208,7 +208,7 @@ def train_frequencies(stages: Sequence[tuple[int, int] | PlanetStage], speed: fl
 
 
 def _planet_stage(stage: PlanetStage, speed: float) -> tuple[PlanetaryFrequencies, float]:
-    """Frequencies of a planet set in a train, and the speed of the member that is neither driven nor held."""
+    """Frequencies of a planetary gear set in a train, and the speed of its output member."""
     rest = [m for m in MEMBERS if m not in (stage.input, stage.fixed)]
     if len(rest) != 1:
         raise SignalError(

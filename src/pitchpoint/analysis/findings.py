@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From evidence to findings: the combined result of the tests of one record and its ambiguities."""
+"""Findings from the evidence of one record, and their ambiguities."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from pitchpoint.analysis.tooth_energy import peaked_as_trains
 from pitchpoint.analysis.turning_parts import TurningParts
 
 ONE_PLACE, ONE_TOOTH, GAUSSIAN = 2e-3, 1e-2, 3.0
-"""Part of signals of the same spectrum that may be more peaked than a mean turn with a local fault, and of
-trains with strikes at all teeth; the kurtosis that it exceeds in any case. The teeth of a gear of 11 differ
-in five ways: that random phases of these agree by chance is no rarer than one in some hundred."""
+"""Conditions for a local fault: probability that a random signal of the same spectrum, and that a train with
+impacts at all teeth, is as peaked as the mean revolution; minimum kurtosis. The tooth-to-tooth differences of
+a gear of 11 teeth have five harmonics, whose random phases agree by chance about once in a hundred cases."""
 EVERYWHERE = (
-    "all orders stand out of {}, but not at one place of the turn: meshes that change each other do that, "
-    "one damaged tooth does not"
+    "all orders of {} stand out, but not at one angle of the revolution: typical of meshes that modulate "
+    "each other, not of one damaged tooth"
 )
 
 
@@ -37,25 +37,25 @@ class Evidence:
     kind
         `comb`, `low order`, `sidebands` or `bearing`.
     shaft
-        Shaft, or the part of a bearing that is tested.
+        Tested shaft, or tested part of a bearing.
     gear
-        Gear whose mesh is looked at, or the bearing; empty for the shaft itself.
+        Gear of the tested mesh, or the bearing; empty for the shaft itself.
     value, threshold
-        Normal score for a comb, level over what lies next to the line in dB for others; what it must exceed.
+        Test value and its threshold: normal score of a comb, otherwise level above the adjacent noise in dB.
     probability
-        Probability that some test of a healthy record does as much [-]: already for all tests together.
+        Probability that any test of a healthy record reaches this value [-], for all tests together.
     order
-        Order of the strongest line [-], in turns of the reference shaft.
+        Order of the strongest line, relative to the reference shaft [-].
     amplitude
-        Its amplitude, or that of the whole comb, in the unit of the channel.
+        Amplitude of the line or of the whole comb, in the unit of the channel.
     sideband
-        Number of the sideband, 0 for others [-].
+        Number of the sideband, 0 if it is not a sideband [-].
     found
-        Whether the probability is below the one allowed, and nothing surer explains it.
+        Whether the probability is below the allowed one and no more certain finding explains the test.
     allowed
-        The probability that is allowed [-].
+        Allowed probability [-].
     explained
-        What explains it, such as a part of a bearing whose lines it is made of; empty if nothing does.
+        Cause that explains the test, such as a bearing part with the same lines; empty if there is none.
     """
 
     channel: str
@@ -75,20 +75,20 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Finding:
-    """Findings from the evidence.
+    """Finding of a diagnosis.
 
     Attributes
     ----------
     kind
         `local fault`, `modulation`, `once per turn` or `bearing`.
     shaft
-        The shaft, or the part of the bearing.
+        Shaft, or part of the bearing.
     gears
-        Gears that come into question, or the bearing; empty if it is only the shaft.
+        Candidate gears, or the bearing; empty for the shaft alone.
     channel
         Channel of the strongest evidence.
     probability
-        That of the strongest evidence [-].
+        Probability of the strongest evidence [-].
     bearings
         Parts of bearings that the record cannot distinguish from the gears.
     """
@@ -103,17 +103,17 @@ class Finding:
 
 @dataclass(frozen=True)
 class _Record:
-    """What findings ask besides the evidence."""
+    """Signals of the record, for the checks that findings need in addition to the evidence."""
 
     signals: Mapping[str, ArrayLike]
     samples_per_turn: float
     parts: TurningParts
 
     def at_one_place(self, channel: str, shaft: str) -> bool:
-        """Whether something in the mean turn is at one place: its residual is more peaked than by chance.
+        """Whether the residual of the mean revolution is concentrated at one angle, more than by chance.
 
-        Chance are signals of the same spectrum and, where products of meshes fill the orders of the shaft,
-        trains with a strike at every tooth.
+        The comparison is with random signals of the same spectrum and, if products of meshes fill the orders
+        of the shaft, with trains of impacts at every tooth.
         """
         counts = sorted({z for _, z in self.parts.gears_of(shaft).values()})
         for teeth in counts:
@@ -137,7 +137,7 @@ def findings_of(
     samples_per_turn: float,
     parts: TurningParts,
 ) -> tuple[tuple[Finding, ...], list[Note]]:
-    """One finding per shaft at most, and one per part of a bearing.
+    """Combine the evidence into at most one finding per shaft and one per bearing part.
 
     Parameters
     ----------
@@ -148,21 +148,21 @@ def findings_of(
     signals
         Channels over the angle of the reference shaft, shape (n,) each, any unit.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     parts
-        What turns.
+        Rotating parts of the machine.
 
     Returns
     -------
     tuple of Finding
-        The most certain first.
+        Findings, the most certain first.
     list of Note
-        What stands out and is not a finding, and why.
+        Remarks on significant tests that are not findings.
 
     Notes
     -----
-    A comb is a local fault if the mean turn is peaked as well [1]_. Lines at harmonics of a bearing that is
-    found are its own. Valid for one record.
+    A comb is a local fault if the mean revolution is peaked too [1]_. Lines at harmonics of a bearing finding
+    are attributed to the bearing. Valid for one record.
 
     References
     ----------
@@ -192,8 +192,7 @@ def findings_of(
             best = combs[0]
             seen = [views[e.channel, shaft.name] for e in combs]
             others = _like_bearings(parts, seen, best.threshold)
-            # a tooth of one gear shakes the meshes of all gears of its shaft: where lines gather gives no
-            # information
+            # a damaged tooth modulates the meshes of all gears of its shaft: lines do not identify the gear
             gears = tuple(parts.gears_of(shaft.name))
             found.append(Finding("local fault", shaft.name, gears, best.channel, best.probability, others))
         elif bands:
@@ -209,7 +208,7 @@ def findings_of(
 
 
 def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list[Finding], list[Note]]:
-    """Parts of bearings, but of those with common harmonics only the most certain one."""
+    """Bearing findings; of parts with common harmonics only the most certain one."""
     reported: list[Evidence] = []
     found, spread = [], []
     orders = _orders(parts)
@@ -229,7 +228,7 @@ def _bearings(evidence: tuple[Evidence, ...], parts: TurningParts) -> tuple[list
 
 
 def _orders(parts: TurningParts) -> dict[tuple[str, str], float]:
-    """Orders by the names of bearing and part."""
+    """Orders by names of bearing and part."""
     return {(b.name, part): order for b in alike(parts.bearings) for part, order in b.orders.items()}
 
 
@@ -239,7 +238,7 @@ def _of_bearings(
     views: Mapping[tuple[str, str], ShaftView],
     parts: TurningParts,
 ) -> bool:
-    """Whether the line of a shaft is a harmonic of a bearing that is surer, as far as is resolved."""
+    """Whether a shaft line is, within the resolution, a harmonic of a more certain bearing finding."""
     orders = _orders(parts)
     for finding in found:
         order = orders[finding.gears[0], finding.shaft]
@@ -250,13 +249,13 @@ def _of_bearings(
 
 
 def _whole(one: float, other: float) -> bool:
-    """Whether one order is a multiple of the other, within what rolling elements slip."""
+    """Whether one order is a multiple of the other within the slip of rolling bearings."""
     ratio = max(one, other) / min(one, other)
     return abs(ratio - round(ratio)) < SLIP * ratio
 
 
 def _like_bearings(parts: TurningParts, views: list[ShaftView], threshold: float) -> tuple[str, ...]:
-    """Parts of bearings that would strike at the same orders of a shaft, if only those stand out."""
+    """Bearing parts with impacts at the significant orders of a shaft, which cannot be distinguished."""
     found = []
     line = views[0].spectrum.resolution
     for bearing in alike(parts.bearings):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Condition indicators of gears: FM0, FM4, M6A, M8A, energy operator, sidebands; NA4, NA4*, NB4 over records.
 
-They start from the mean turn of the shaft (`synchronous_average`) and the signals that `gear_signals` makes
-of it. FM4, M6A and M8A see one or a few damaged teeth and fall again when the damage spreads; NA4, NA4* and
-NB4 compare with the records before and continue rising.
+They are computed from the synchronous average of the shaft (`synchronous_average`) and its parts
+(`gear_signals`). FM4, M6A and M8A respond to one or a few damaged teeth and decrease again when the damage
+spreads; NA4, NA4* and NB4 are relative to earlier records and continue to rise.
 """
 
 from __future__ import annotations
@@ -21,18 +21,18 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_signal
 
 @dataclass(frozen=True)
 class GearIndicators:
-    """Indicators of one mean turn of a gear, all without unit.
+    """Condition indicators from the synchronous average of a gear, dimensionless.
 
     Attributes
     ----------
     fm0
-        Peak-to-peak value by the sum of the amplitudes of the mesh harmonics: rises with damage all around.
+        Peak-to-peak value over the sum of the mesh harmonic amplitudes: rises with damage of all teeth.
     fm4, m6a, m8a
         Standardised moments of order 4, 6, 8 of the difference signal: 3, 15, 105 for Gaussian noise.
     energy_operator
         Kurtosis of the Teager-Kaiser energy of the residual signal.
     sideband_level_factor
-        Amplitudes of the first-order sidebands of the first mesh harmonic by the standard deviation.
+        Sum of the first-order sidebands of the first mesh harmonic over the standard deviation.
     """
 
     fm0: float
@@ -45,7 +45,7 @@ class GearIndicators:
 
 @dataclass(frozen=True)
 class RunningKurtosis:
-    """Kurtosis of each record by the variance of those before it.
+    """Fourth moment of each record over the squared reference variance of earlier records.
 
     Attributes
     ----------
@@ -54,7 +54,7 @@ class RunningKurtosis:
     variance
         Shape (n_record,). Variance of each record, in the square of its unit.
     reference
-        Shape (n_record,). Variance that each record is compared with, in the square of its unit.
+        Shape (n_record,). Reference variance of each record, in the square of its unit.
     """
 
     value: Array
@@ -63,34 +63,33 @@ class RunningKurtosis:
 
 
 def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int] = ()) -> GearIndicators:
-    """Indicators of one gear from the mean turn of its shaft.
+    """Condition indicators of one gear from the synchronous average of its shaft.
 
     Parameters
     ----------
     average
-        Mean turn, shape (n,), any unit.
+        Synchronous average, shape (n,), any unit.
     teeth
-        Tooth count z of the gear [-].
+        Number of teeth z of the gear [-].
     other_teeth
-        Tooth counts of other gears on the same shaft, whose harmonics are not damage [-].
+        Numbers of teeth of other gears on the same shaft, whose harmonics are regular [-].
 
     Returns
     -------
     GearIndicators
-        Six numbers.
+        Six indicators.
 
     Raises
     ------
     SignalError
-        If the average does not hold the first mesh harmonic, or a signal that an indicator needs is empty (an
-        average without any noise).
+        If the first mesh harmonic is above the bandwidth of the average, or the residual or difference signal
+        is zero (an average without any noise).
 
     Notes
     -----
-    FM0 = peak-to-peak/Σ A(k z) over all harmonics that the average holds, FM4 [1]_; M6A, M8A [2]_; energy
-    operator: kurtosis of r_i² - r_(i-1) r_(i+1), the turn closed to a circle [3]_; sideband level factor
-    (A(z - 1) + A(z + 1))/σ [4]_. Amplitudes A are peak values. Valid for shafts with fixed axes; [5]_ reviews
-    what they are good for.
+    FM0 = peak-to-peak/Σ A(k z) over all harmonics within the bandwidth, FM4 [1]_; M6A, M8A [2]_; energy
+    operator: kurtosis of r_i² - r_(i-1) r_(i+1), periodic [3]_; sideband level factor (A(z - 1) +
+    A(z + 1))/σ [4]_. Amplitudes A are peak values. Valid for shafts with fixed axes; see the review [5]_.
 
     References
     ----------
@@ -108,7 +107,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
 
     Examples
     --------
-    A difference signal that is one sine, in addition to mesh and sidebands of amplitudes 1 and 0.1:
+    Mesh and sidebands with amplitudes of 1 and 0.1, and a sinusoidal difference signal:
 
     >>> angle = 2 * np.pi * np.arange(400) / 400
     >>> x = (1 + 0.2 * np.cos(angle)) * np.cos(20 * angle) + 0.01 * np.cos(7 * angle)
@@ -125,7 +124,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
     mesh = float(lines[z::z].sum())
     largest = float(np.abs(x).max())
     if mesh <= ROUND_OFF * largest:
-        raise SignalError(f"average: holds no harmonic of {z} teeth; check tooth count and shaft")
+        raise SignalError(f"average: has no harmonic of {z} teeth; check number of teeth and shaft")
     _not_empty(parts.residual, largest, "residual")
     _not_empty(parts.difference, largest, "difference")
     return GearIndicators(
@@ -139,7 +138,7 @@ def gear_indicators(average: ArrayLike, *, teeth: int, other_teeth: Sequence[int
 
 
 def teager_kaiser_energy(values: ArrayLike) -> Array:
-    """Energy of a signal from sample to sample, the record closed to a circle.
+    """Teager-Kaiser energy of a periodic signal.
 
     Parameters
     ----------
@@ -171,31 +170,31 @@ def teager_kaiser_energy(values: ArrayLike) -> Array:
 
 
 def running_kurtosis(records: Sequence[ArrayLike], *, good_records: int | None = None) -> RunningKurtosis:
-    """Kurtosis of each record of a gear's life by the variance of its records so far.
+    """Kurtosis of successive records of a gear, relative to a reference variance of earlier records.
 
     Parameters
     ----------
     records
-        Residual signals (for NA4) or envelopes (for NB4) in the order of time, shape (n,) each, one unit.
+        Residual signals (for NA4) or envelopes (for NB4) in chronological order, shape (n,) each, one unit.
     good_records
-        How many of the first records are from the gear in good condition [-]: their mean variance is then the
-        reference for all (NA4*). Omitted, the reference of each record is the mean up to and with it (NA4).
+        Number of first records of the gear in good condition [-]: their mean variance is the reference of all
+        records (NA4*). Default: the reference is the mean variance up to and including each record (NA4).
 
     Returns
     -------
     RunningKurtosis
-        One number for each record.
+        One value per record.
 
     Raises
     ------
     SignalError
-        If there is no record, a record is constant, or `good_records` is not among the records.
+        If there is no record, a record is constant, or `good_records` is out of range.
 
     Notes
     -----
-    NA4_M = mean((r_M - r̄_M)⁴)/((1/M) Σ_j mean((r_j - r̄_j)²))² [1]_; NA4*: the variance of the gear in good
-    condition in the place of the running mean [2]_, which then does not follow the damage. Valid for records
-    at one load and speed: both change the variance, too. A first record gives the kurtosis.
+    NA4_M = mean((r_M - r̄_M)⁴)/((1/M) Σ_j mean((r_j - r̄_j)²))² [1]_; NA4* uses the variance of the gear in
+    good condition instead of the running mean [2]_, so that the reference does not follow the damage. Valid
+    for records at constant load and speed, which also affect the variance. The first value is the kurtosis.
 
     References
     ----------
@@ -206,8 +205,8 @@ def running_kurtosis(records: Sequence[ArrayLike], *, good_records: int | None =
 
     Examples
     --------
-    Three equal sines and one of twice the size: 1.5 · 2⁴/((3 + 2²)/4)² = 7.837, and 1.5 · 2⁴ by the first
-    three:
+    Three equal sines and one of twice the amplitude: 1.5 · 2⁴/((3 + 2²)/4)² = 7.837, and 1.5 · 2⁴ relative to
+    the first three:
 
     >>> sine = np.sin(2 * np.pi * np.arange(64) / 64)
     >>> records = [sine, sine, sine, 2 * sine]
@@ -231,14 +230,14 @@ def running_kurtosis(records: Sequence[ArrayLike], *, good_records: int | None =
 def na4(
     averages: Sequence[ArrayLike], *, teeth: int | Sequence[int], good_records: int | None = None
 ) -> RunningKurtosis:
-    """NA4 of a gear after each of its records, or NA4* if some of them are known to be good.
+    """NA4 of a gear for each of its records, or NA4* relative to records in good condition.
 
     Parameters
     ----------
     averages
-        Mean turns of the shaft in the order of time, shape (n,) each, one unit.
+        Synchronous averages of the shaft in chronological order, shape (n,) each, one unit.
     teeth
-        Tooth counts of the gears on the shaft [-].
+        Numbers of teeth of the gears on the shaft [-].
     good_records
         See `running_kurtosis`.
 
@@ -254,7 +253,7 @@ def na4(
 
     Notes
     -----
-    `running_kurtosis` of the residual signals, which keep the first-order sidebands [1]_. Valid as there.
+    `running_kurtosis` of the residual signals, which include the first-order sidebands [1]_.
 
     References
     ----------
@@ -276,16 +275,16 @@ def na4(
 
 
 def nb4(averages: Sequence[ArrayLike], *, teeth: int, harmonic: int = 1) -> RunningKurtosis:
-    """NB4 of a gear after each of its records: NA4 of the envelope about a mesh harmonic.
+    """NB4 of a gear for each of its records: NA4 of the envelope around a mesh harmonic.
 
     Parameters
     ----------
     averages
-        Mean turns of the shaft in the order of time, shape (n,) each, one unit.
+        Synchronous averages of the shaft in chronological order, shape (n,) each, one unit.
     teeth
-        Tooth count of the gear [-].
+        Number of teeth of the gear [-].
     harmonic
-        Which mesh harmonic [-]; the strongest one is best.
+        Number of the mesh harmonic [-]; preferably the strongest.
 
     Returns
     -------
@@ -299,8 +298,8 @@ def nb4(averages: Sequence[ArrayLike], *, teeth: int, harmonic: int = 1) -> Runn
 
     Notes
     -----
-    `running_kurtosis` of |x_b + i H(x_b)|, x_b the average in the band about the mesh harmonic up to half-way
-    to its neighbours [1]_. Valid as `running_kurtosis`.
+    `running_kurtosis` of |x_b + i H(x_b)|, where x_b is the average in the band around the mesh harmonic, up
+    to half-way to the adjacent harmonics [1]_.
 
     References
     ----------
@@ -318,6 +317,6 @@ def nb4(averages: Sequence[ArrayLike], *, teeth: int, harmonic: int = 1) -> Runn
 
 
 def _not_empty(signal: Array, largest: float, name: str) -> None:
-    """Refuse what is left of an average if it is nothing but round-off."""
+    """Raise if a part of an average is only round-off."""
     if float(np.abs(signal).max()) <= ROUND_OFF * largest:
-        raise SignalError(f"average: its {name} signal is empty but for round-off; its shape means nothing")
+        raise SignalError(f"average: its {name} signal is only round-off, so that its shape is undefined")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What of the mean turn of a shaft belongs to its meshes: regular, residual and difference signal, envelope.
+"""Parts of a synchronous average: regular, residual and difference signal, envelope of a mesh harmonic.
 
-The mean turn is one exact period. Every order is one line of its Fourier series, so orders are taken out
-without a window, without leakage and without the transients of a filter.
+The average is one exact period, and every order is one line of its Fourier series. Orders are therefore
+removed without window, leakage or filter transients.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ FEWEST_TEETH = 4
 
 @dataclass(frozen=True)
 class GearSignals:
-    """Parts of one mean turn of a gear; average = mean + regular + residual.
+    """Parts of a synchronous average; average = mean + regular + residual.
 
     Attributes
     ----------
     regular
         Shape (n,). Mesh harmonics and lowest orders of the shaft, in the unit of the signal.
     residual
-        Shape (n,). The rest without the mean, sidebands included: for NA4.
+        Shape (n,). Average less mean and regular signal, sidebands included: for NA4.
     difference
-        Shape (n,). The residual without the first-order sidebands of the mesh harmonics: for FM4, M6A, M8A.
+        Shape (n,). Residual without the first-order sidebands of the mesh harmonics: for FM4, M6A, M8A.
     mesh_orders
-        Shape (n_harmonic,). Orders of the mesh harmonics that the average holds [-].
+        Shape (n_harmonic,). Orders of the mesh harmonics within the bandwidth [-].
     """
 
     regular: Array
@@ -41,33 +41,33 @@ class GearSignals:
 
 
 def gear_signals(average: ArrayLike, *, teeth: int | Sequence[int], shaft_orders: int = 2) -> GearSignals:
-    """Residual and difference signal of a gear from the mean turn of its shaft.
+    """Regular, residual and difference signal from the synchronous average of a shaft.
 
     Parameters
     ----------
     average
-        One turn of the shaft, shape (n,), any unit, at equal steps of its angle.
+        One revolution of the shaft, shape (n,), any unit, at equal steps of its angle.
     teeth
-        Tooth count of the gear, or of all gears on the shaft: the harmonics of each of them are regular [-].
+        Number of teeth of the gear, or of all gears on the shaft, whose mesh harmonics are regular [-].
     shaft_orders
-        The lowest orders of the shaft that count as regular (unbalance, misalignment) [-].
+        Number of lowest shaft orders that are regular (unbalance, misalignment) [-].
 
     Returns
     -------
     GearSignals
-        The parts.
+        Regular, residual and difference signal.
 
     Raises
     ------
     SignalError
-        If the average does not hold the first mesh harmonic, or a tooth count leaves nothing.
+        If the first mesh harmonic is above the bandwidth of the average, or no orders remain.
 
     Notes
     -----
-    Fourier lines k z (and 1 ... `shaft_orders`) are the regular signal and go out of the residual; the lines
-    k z ± 1 go out of the difference as well. The difference is that of FM4 [1]_ (there called residual by
-    some), the residual that of NA4, which keeps the first-order sidebands [2]_. Exact, as the average is one
-    period. Valid for shafts with fixed axes.
+    The Fourier lines k z (and 1 ... `shaft_orders`) are the regular signal and are removed from the residual;
+    the lines k z ± 1 are also removed from the difference. The difference is that of FM4 [1]_ (called
+    residual by some authors), the residual that of NA4, with the first-order sidebands [2]_. Exact, because
+    the average is one period. Valid for shafts with fixed axes.
 
     References
     ----------
@@ -78,7 +78,7 @@ def gear_signals(average: ArrayLike, *, teeth: int | Sequence[int], shaft_orders
 
     Examples
     --------
-    Amplitude modulation once per turn is a pair of first-order sidebands:
+    Amplitude modulation once per revolution gives a pair of first-order sidebands:
 
     >>> angle = 2 * np.pi * np.arange(256) / 256
     >>> parts = gear_signals((1 + 0.2 * np.cos(angle)) * np.cos(20 * angle), teeth=20)
@@ -93,7 +93,7 @@ def gear_signals(average: ArrayLike, *, teeth: int | Sequence[int], shaft_orders
     mesh, sidebands = np.zeros(lines.size, dtype=bool), np.zeros(lines.size, dtype=bool)
     for z in tooth_counts(teeth, x.size):
         mesh |= (order % z == 0) & (order > 0)
-        # also the lower sideband of a harmonic that itself lies just above what the average holds
+        # includes the lower sideband of a harmonic just above the bandwidth of the average
         sidebands |= ((order % z == 1) | (order % z == z - 1)) & (order > 1)
     regular = mesh | ((order >= 1) & (order <= int(shaft_orders)))
     rest = ~regular & (order > 0)
@@ -106,18 +106,18 @@ def gear_signals(average: ArrayLike, *, teeth: int | Sequence[int], shaft_orders
 def mesh_envelope(
     average: ArrayLike, *, teeth: int, harmonic: int = 1, half_width: int | None = None
 ) -> Array:
-    """Envelope of a mean turn about one mesh harmonic.
+    """Envelope of a synchronous average around one mesh harmonic.
 
     Parameters
     ----------
     average
-        One turn of the shaft, shape (n,), any unit.
+        One revolution of the shaft, shape (n,), any unit.
     teeth
-        Tooth count z of the gear [-].
+        Number of teeth z of the gear [-].
     harmonic
-        Which mesh harmonic [-]; the strongest one is best.
+        Number of the mesh harmonic [-]; preferably the strongest.
     half_width
-        Orders kept on either side of it [-]; default the most that belong to no other harmonic, (z - 1)/2.
+        Number of orders on either side of it [-]; default (z - 1)/2, half-way to the adjacent harmonics.
 
     Returns
     -------
@@ -127,12 +127,12 @@ def mesh_envelope(
     Raises
     ------
     SignalError
-        If the average does not hold the band.
+        If the band is outside the bandwidth of the average.
 
     Notes
     -----
-    |x_b + i H(x_b)| of the band-passed average x_b [1]_; exact, as the average is one period. Valid where the
-    band holds one carrier.
+    |x_b + i H(x_b)| of the band-passed average x_b [1]_; exact, because the average is one period. Valid if
+    the band has a single carrier.
 
     References
     ----------
@@ -151,11 +151,11 @@ def mesh_envelope(
     (z,) = tooth_counts(teeth, x.size)
     width = (z - 1) // 2 if half_width is None else int(half_width)
     center = int(harmonic) * z
-    # at half the samples per turn a line has no phase of its own
+    # the line at half the samples per revolution has no phase
     if not (int(harmonic) >= 1 and 0 <= width < center and 2 * (center + width) < x.size):
         raise SignalError(
             f"harmonic: orders {center - width} to {center + width} (limit 1 to below {x.size / 2:g}); "
-            "choose a lower harmonic or more samples per turn"
+            "choose a lower harmonic or more samples per revolution"
         )
     lines = np.zeros(x.size, dtype=np.complex128)
     band = slice(center - width, center + width + 1)
@@ -164,19 +164,19 @@ def mesh_envelope(
 
 
 def tooth_counts(teeth: int | Sequence[int], samples: int) -> tuple[int, ...]:
-    """Tooth counts as whole numbers whose first mesh harmonic a mean turn holds.
+    """Check numbers of teeth: whole, and the first mesh harmonic within the bandwidth of an average.
 
     Parameters
     ----------
     teeth
-        One tooth count or several [-].
+        One or several numbers of teeth [-].
     samples
-        Samples in one turn [-].
+        Samples per revolution [-].
 
     Raises
     ------
     SignalError
-        If a count is not a whole number from 4 on, or its mesh order reaches half the samples of a turn.
+        If a number is not a whole number of at least 4, or not below half the samples per revolution.
 
     Examples
     --------
@@ -187,7 +187,7 @@ def tooth_counts(teeth: int | Sequence[int], samples: int) -> tuple[int, ...]:
     for z in counts:
         if 2 * z >= samples:
             raise SignalError(
-                f"teeth: {samples} samples per turn lose every harmonic of {z} teeth (limit above {2 * z}); "
-                "raise the sample rate or the samples per turn"
+                f"teeth: {samples} samples per revolution are too few for {z} teeth (limit above {2 * z}); "
+                "raise the sample rate or the samples per revolution"
             )
     return tuple(counts)

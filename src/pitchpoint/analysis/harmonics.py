@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Amplitudes and exact frequencies of lines whose place is known: harmonics of shafts and meshes.
+"""Amplitudes and exact frequencies of lines near known frequencies: harmonics of shafts and meshes.
 
-A spectrum has lines 1/T apart. A steady tone between two of them is read exactly all the same, because the
-shape that the window gives it is known.
+The lines of a spectrum have a spacing of 1/T. A steady tone between two lines is determined exactly by
+interpolation, because the line shape of the window is known.
 
 Source: Grandke, IEEE Trans. Instrum. Meas. 32 (1983) 350.
 """
@@ -18,28 +18,28 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive,
 from pitchpoint.analysis.spectra import Spectrum, amplitude_spectrum
 
 APART = 4
-"""Lines between two tones from which on the main lobes of the Hann window do not overlap."""
+"""Minimum spacing of two tones, in lines, at which the main lobes of the Hann window do not overlap."""
 AROUND = 32
-"""Lines on either side of a tone whose median is its background."""
+"""Number of lines on either side of a tone whose median is its background."""
 
 
 @dataclass(frozen=True)
 class Tones:
-    """Lines of a signal near frequencies that were requested.
+    """Lines of a signal near expected frequencies.
 
     Attributes
     ----------
     expected, frequency
-        Shape (n,). Frequency requested and frequency found [Hz].
+        Shape (n,). Expected and found frequency [Hz].
     amplitude
         Shape (n,). Peak amplitude, in the unit of the signal.
     background
-        Shape (n,). Median amplitude of the lines around, in the unit of the signal.
+        Shape (n,). Median amplitude of the surrounding lines, in the unit of the signal.
     is_peak
         Shape (n,). Whether there is a local maximum within reach; otherwise frequency and amplitude are those
-        of the highest line there.
+        of the highest line within reach.
     resolution
-        Distance between two lines [Hz].
+        Line spacing [Hz].
     """
 
     expected: Array
@@ -57,17 +57,17 @@ class HarmonicTable:
     Attributes
     ----------
     harmonic
-        Shape (n,). Numbers of the harmonics, from 1 on [-].
+        Shape (n,). Numbers of the harmonics, from 1 [-].
     frequency
         Shape (n,). Frequencies found [Hz].
     amplitude
         Shape (n,). Peak amplitudes, in the unit of the signal.
     background
-        Shape (n,). Median amplitude of the lines around, in the unit of the signal.
+        Shape (n,). Median amplitude of the surrounding lines, in the unit of the signal.
     fundamental
-        Fundamental frequency that fits all harmonics best [Hz]; NaN where none of them is a peak.
+        Fundamental frequency that fits all harmonics best [Hz]; NaN if none of them is a peak.
     lost
-        Harmonics that were requested and lie above half the sample rate [-].
+        Number of requested harmonics above half the sample rate [-].
     """
 
     harmonic: Array
@@ -79,7 +79,7 @@ class HarmonicTable:
 
 
 def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, reach: ArrayLike) -> Tones:
-    """Frequency and amplitude of the highest lines near given frequencies, between the lines too.
+    """Frequency and amplitude of the highest lines near given frequencies, by interpolation.
 
     Parameters
     ----------
@@ -90,23 +90,23 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     expected
         Frequencies [Hz], shape (n,), above 0 and below f_s/2.
     reach
-        How far next to each of them to look [Hz], a number or shape (n,); never less than one line.
+        Search range on either side of each frequency [Hz], a number or shape (n,); at least one line.
 
     Returns
     -------
     Tones
-        The line found there; nothing is omitted because it is small.
+        One line per frequency, however small.
 
     Raises
     ------
     SignalError
-        If a frequency is not inside the spectrum, or an input is unsuitable.
+        If a frequency is outside the spectrum, or an input is unsuitable.
 
     Notes
     -----
-    With a Hann window a line a_k and its higher neighbour a_(k±1) = α a_k belong to a tone at δ = (2α - 1)/(α
-    + 1) lines from k, of amplitude a_k πδ (1 - δ²)/sin πδ [1]_. Exact for a steady tone that is four lines or
-    more away from others and from 0.
+    With a Hann window a line a_k and its higher neighbour a_(k±1) = α a_k are due to a tone at
+    δ = (2α - 1)/(α + 1) lines from k, with the amplitude a_k πδ (1 - δ²)/sin πδ [1]_. Exact for a steady tone
+    at least four lines away from others and from 0.
 
     References
     ----------
@@ -115,7 +115,7 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
 
     Examples
     --------
-    Lines 0.5 Hz apart, a tone between them:
+    A line spacing of 0.5 Hz and a tone between two lines:
 
     >>> t = np.arange(2000) / 1000.0
     >>> found = read_tones(3.0 * np.cos(2 * np.pi * 135.667 * t), 1000.0, [135.0], reach=2.0)
@@ -128,7 +128,7 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
     outside = np.flatnonzero((wanted <= 0.0) | (wanted >= top))
     if outside.size:
         raise SignalError(
-            f"expected: {wanted[outside[0]]:g} Hz lies outside the spectrum (limit 0 to {top:g} Hz, half the "
+            f"expected: {wanted[outside[0]]:g} Hz is outside the spectrum (limit 0 to {top:g} Hz, half the "
             "sample rate); increase the sampling rate or request fewer"
         )
     far = np.broadcast_to(np.asarray(reach, dtype=np.float64), wanted.shape)
@@ -140,7 +140,7 @@ def read_tones(values: ArrayLike, sample_rate: float, expected: ArrayLike, *, re
 def harmonic_table(
     values: ArrayLike, sample_rate: float, fundamental: float, *, harmonics: int = 5, tolerance: float = 0.01
 ) -> HarmonicTable:
-    """Harmonics of a frequency that is roughly known, and the frequency that they fit.
+    """Harmonics of an approximately known frequency, and the fundamental that fits them.
 
     Parameters
     ----------
@@ -149,11 +149,11 @@ def harmonic_table(
     sample_rate
         Sample rate f_s [Hz].
     fundamental
-        Frequency of the first harmonic as far as it is known [Hz].
+        Approximate frequency of the first harmonic [Hz].
     harmonics
-        How many are wanted [-].
+        Number of harmonics [-].
     tolerance
-        How far the fundamental may be off, as a part of it [-].
+        Relative tolerance of the fundamental [-].
 
     Returns
     -------
@@ -163,12 +163,12 @@ def harmonic_table(
     Raises
     ------
     SignalError
-        If no harmonic lies below f_s/2, or the record has fewer than four periods.
+        If no harmonic is below f_s/2, or the record has fewer than four periods.
 
     Notes
     -----
-    `read_tones` at k f_0; the fundamental is Σ A_k² k f_k/Σ A_k² k² over the peaks [1]_. Valid for a steady
-    speed; a record that changes speed is first resampled over the angle.
+    `read_tones` at k f_0; the fundamental is Σ A_k² k f_k/Σ A_k² k² over the peaks [1]_. Valid for constant
+    speed; resample a record of varying speed over the angle first.
 
     References
     ----------
@@ -177,7 +177,7 @@ def harmonic_table(
 
     Examples
     --------
-    Two seconds of a mesh of 20.0988 Hz, thought to be 20:
+    Two seconds of a mesh frequency of 20.0988 Hz, with 20 Hz as the approximate value:
 
     >>> t = np.arange(2000) / 1000.0
     >>> x = np.cos(2 * np.pi * 20.0988 * t) + 0.5 * np.cos(2 * np.pi * 40.1976 * t)
@@ -215,43 +215,43 @@ def kept_harmonics(fundamental: float, sample_rate: float, harmonics: int) -> tu
     sample_rate
         Sample rate f_s [Hz].
     harmonics
-        How many are wanted [-].
+        Requested number of harmonics [-].
 
     Raises
     ------
     SignalError
-        If not even the first harmonic is there.
+        If the first harmonic is not below f_s/2.
     """
     wanted = whole(harmonics, "harmonics")
     kept = min(wanted, int(np.ceil(0.5 * sample_rate / fundamental)) - 1)
     if kept < 1:
         raise SignalError(
-            f"sample_rate: {sample_rate:g} Hz loses all harmonics of {fundamental:g} Hz "
+            f"sample_rate: {sample_rate:g} Hz is too low for any harmonic of {fundamental:g} Hz "
             f"(limit > {2.0 * fundamental:g} Hz); sample faster"
         )
     return np.arange(1.0, kept + 1.0), wanted - kept
 
 
 def require_resolved(distance: float, resolution: float, name: str) -> None:
-    """Refuse tones that a record is too short to distinguish.
+    """Raise if a record is too short to resolve two tones.
 
     Parameters
     ----------
     distance
         Distance between two tones [Hz].
     resolution
-        Distance between two lines of the spectrum [Hz].
+        Line spacing of the spectrum [Hz].
     name
-        What to call the distance in an error message.
+        Name of the distance in error messages.
 
     Raises
     ------
     SignalError
-        If the distance is smaller than the record can resolve.
+        If the distance is below `APART` lines.
     """
     if distance < APART * resolution:
         raise SignalError(
-            f"{name}: {distance:g} Hz, and the lines of this record lie {resolution:.3g} Hz apart (limit "
+            f"{name}: {distance:g} Hz is not resolved by the line spacing of {resolution:.3g} Hz (limit "
             f"{APART} lines); use a record of {APART / distance:.3g} s or longer"
         )
 
@@ -265,7 +265,7 @@ def _near(spectrum: Spectrum, expected: float, reach: float) -> tuple[float, flo
     low, high = min(low, a.size - 2), max(high, low)
     k = low + int(np.argmax(a[low : high + 1]))
     background = float(np.median(a[max(1, k - AROUND) : k + AROUND + 1]))
-    # a neighbour outside that is higher belongs to another tone
+    # a higher line just outside the search range belongs to another tone
     if max(a[k - 1], a[k + 1]) > a[k] or a[k] == 0.0:
         return k * step, float(a[k]), background, False
     side = 1 if a[k + 1] >= a[k - 1] else -1

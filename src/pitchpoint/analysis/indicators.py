@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measures of the impulsiveness of a signal: rms, peak, kurtosis, crest, shape and impulse factor.
+"""Level and impulsiveness of a signal: RMS, peak, kurtosis, crest, shape and impulse factor.
 
-All of them belong to the alternating part: the mean is taken out first. Samples weigh equally, so the record
-must be sampled uniformly, over time or over angle. `statistics` weighs by time instead.
+All indicators are those of the alternating part: the mean is removed first. Samples have equal weight, so the
+record must be sampled uniformly over time or angle. `statistics` uses time weights instead.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal
 
 ROUND_OFF = 1e-13
-"""Alternating part, by the largest value, that is nothing but round-off: its shape has no meaning."""
+"""Alternating part relative to the largest value below which it is only round-off."""
 
 
 @dataclass(frozen=True)
 class SignalIndicators:
-    """Level and shape of a signal without its mean.
+    """Level and shape indicators of a signal without its mean.
 
     Attributes
     ----------
     rms, peak, peak_to_peak
-        Root mean square, largest magnitude, and range, in the unit of the signal.
+        RMS, maximum magnitude, and range, in the unit of the signal.
     kurtosis
-        Fourth moment by the square of the second [-]: 3 for Gaussian noise, 1.5 for a sine.
+        Fourth moment over the square of the second [-]: 3 for Gaussian noise, 1.5 for a sine.
     crest_factor
         peak/rms [-].
     shape_factor
@@ -46,7 +46,7 @@ class SignalIndicators:
 
 
 def signal_indicators(values: ArrayLike) -> SignalIndicators:
-    """Level and shape of a signal.
+    """Level and shape indicators of a signal.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ def signal_indicators(values: ArrayLike) -> SignalIndicators:
     Returns
     -------
     SignalIndicators
-        Levels in the unit of the signal, shapes without unit.
+        Levels in the unit of the signal, dimensionless shape factors.
 
     Raises
     ------
@@ -65,9 +65,8 @@ def signal_indicators(values: ArrayLike) -> SignalIndicators:
 
     Notes
     -----
-    With y = x - x̄: rms² = mean(y²), kurtosis = mean(y⁴)/mean(y²)² [1]_; crest, shape and impulse factor as
-    in
-    [2]_. Valid for whole periods, or for records much longer than a period.
+    With y = x - x̄: rms² = mean(y²), kurtosis = mean(y⁴)/mean(y²)² [1]_; crest, shape and impulse factor
+    as in [2]_. Valid for whole periods, or for records much longer than a period.
 
     References
     ----------
@@ -99,7 +98,7 @@ def signal_indicators(values: ArrayLike) -> SignalIndicators:
 
 
 def standardised_moment(values: ArrayLike, order: int) -> float:
-    """Central moment of a signal by the same power of its standard deviation [-].
+    """Central moment of a signal over the same power of its standard deviation [-].
 
     Parameters
     ----------
@@ -116,13 +115,13 @@ def standardised_moment(values: ArrayLike, order: int) -> float:
     Raises
     ------
     SignalError
-        If the signal is constant, or the order is not an even number from 4 on.
+        If the signal is constant, or the order is not an even number of at least 4.
 
     Notes
     -----
-    m_k = mean((x - x̄)^k) [1]_. Of Gaussian noise (k - 1)!! = 3, 15, 105; of a sine 1.5, 2.5, 35/8; of one
-    impulse in n samples, with p = 1/n, (1 - p)((1 - p)^(k-1) + p^(k-1)) p/(p (1 - p))^(k/2). Valid for any
-    signal; high moments scatter much in short records.
+    m_k = mean((x - x̄)^k) [1]_. Gaussian noise: (k - 1)!! = 3, 15, 105; sine: 1.5, 2.5, 35/8; one impulse in
+    n samples, with p = 1/n: (1 - p)((1 - p)^(k-1) + p^(k-1)) p/(p (1 - p))^(k/2). Valid for any signal; high
+    moments have a large scatter in short records.
 
     References
     ----------
@@ -138,20 +137,20 @@ def standardised_moment(values: ArrayLike, order: int) -> float:
     if order != int(order) or order < 4 or order % 2:
         raise SignalError(f"order: {order} (limit an even number from 4 on)")
     y = alternating_part(values, "values")
-    # by the largest value first: eighth powers of small units must not underflow
+    # scale by the maximum first: eighth powers of small values would underflow
     squares = (y / np.abs(y).max()) ** 2
     return float(np.mean(squares ** (int(order) // 2)) / np.mean(squares) ** (int(order) // 2))
 
 
 def alternating_part(values: ArrayLike, name: str) -> Array:
-    """A signal without its mean, refused if nothing is left.
+    """Signal without its mean; raises if the signal is constant.
 
     Parameters
     ----------
     values
         Samples, shape (n,), any unit.
     name
-        What to call them in an error message.
+        Name of the signal in error messages.
 
     Raises
     ------

@@ -1,35 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Jumps in speed sweeps: where the response leaves one branch for another.
+"""Detection of jumps in speed sweeps, where the response changes from one branch to another.
 
-A mesh with backlash has two stable responses over a range of speeds. A sweep that carries its state follows
-one branch to its end and then falls or rises to the other; between two points of the sweep the level changes
+A mesh with backlash has two stable responses over a range of speeds. A sweep that continues from the previous
+state follows one branch to its end and then jumps to the other; there the level changes between two points
 far more than around them.
 
 The rule
 --------
-Let y_i = ln(rms_i) in the order of the sweep and d_i = y_{i+1} - y_i. Interval i holds a jump if
+Let y_i = ln(rms_i) in the order of the sweep and d_i = y_{i+1} - y_i. Interval i has a jump if
 
 1. |d_i| ≥ ln(`smallest_ratio`): the level changes by at least that ratio, and
 2. |d_i| > `contrast` · (largest |d| of the two intervals before and the two after).
 
-Why it gives no false alarms. Logarithms make the rule independent of unit and level. However coarsely a
-smooth resonance is sampled, a steep step has another steep step within two intervals: with samples at …, 1+p,
-p, 1-p, 2-p, … grid steps from the pole of an undamped resonance, the sharpest curve there is, d = ln((1+p)/p)
-is compared with ln((1-p)/p) and ln((2-p)/(1-p)), and no p brings the ratio above 1.7. A floor lowers the
-neighbours; over all widths, floors and positions the ratio stays below 2.0. The default contrast of 2.5
-is above both. At a fold the response turns with a slope that per grid step falls with the grid, while the
-jump itself does not: a finer sweep only makes it clearer.
+The rule has no false alarms at smooth resonances. Logarithms make it independent of unit and level. However
+coarsely a smooth resonance is sampled, a steep step has another steep step within two intervals: with samples
+at …, 1+p, p, 1-p, 2-p, … grid steps from the pole of an undamped resonance, the sharpest possible curve,
+d = ln((1+p)/p) is compared with ln((1-p)/p) and ln((2-p)/(1-p)), and the ratio is below 1.7 for all p. A
+floor reduces the neighbours; over all widths, floors and positions the ratio is below 2.0. The default
+contrast of 2.5 is above both. Near a fold the slope per grid step decreases with the grid, while the jump
+does not: a finer sweep makes the jump clearer.
 
-With both directions at hand there is more to go by: what is the same up and down is one function of the
-frequency and has no jump that could be shown, however odd it looks (two narrow resonances between a few
-points). `sweep_jumps` therefore requires hysteresis as well: at the point before or after the jump the
-levels of the two directions differ by `smallest_ratio` or more. So confirmed, a contrast of 2 is enough, and
-a jump that was caught half-way by too short a settling time, and so lies in two steps of one sign, is found
-too.
+If both directions are known, hysteresis is an additional criterion: a response that is equal up and down is a
+single function of the frequency without a jump, whatever its shape (such as two narrow resonances between a
+few points). `sweep_jumps` therefore also requires that the levels of the two directions differ by
+`smallest_ratio` or more at the point before or after the jump. With this confirmation a contrast of 2 is
+sufficient, and a jump spread over two steps of one sign, because of too short a settling time, is found too.
 
-What the rule cannot see: jumps within two points of an end of the sweep, jumps smaller than `smallest_ratio`,
-two jumps within two intervals of each other, and with both directions a hysteresis that is narrower than the
-grid.
+Not detected are jumps within two points of an end of the sweep, jumps smaller than `smallest_ratio`, two
+jumps within two intervals of each other, and, with both directions, a hysteresis narrower than the grid.
 """
 
 from __future__ import annotations
@@ -56,13 +54,13 @@ class Jump:
     Attributes
     ----------
     direction
-        `up` or `down`: the way the frequency went.
+        `up` or `down`: direction of the sweep.
     frequency
         Midpoint between the two points [Hz, or the unit of the frequency axis].
     before, after
         Level at the last point on the old and the first point on the new branch, in the unit of the level.
     half_width
-        Half the distance between the two points: what the midpoint may be wrong by.
+        Half the distance between the two points: uncertainty of the midpoint.
     """
 
     direction: str
@@ -79,18 +77,18 @@ def find_jumps(
     smallest_ratio: float = SMALLEST_RATIO,
     contrast: float = CONTRAST,
 ) -> tuple[Jump, ...]:
-    """Jumps along one sweep; the rule is at the head of this module.
+    """Jumps in one direction of a sweep; see the module for the rule.
 
     Parameters
     ----------
     frequency
-        Mesh frequency [Hz] (or speed, or any monotonic axis), shape (n,), in the order in which it was run.
+        Mesh frequency [Hz] (or speed, or any monotonic axis), shape (n,), in the order of the sweep.
     level
-        Rms of the alternating response at these points, shape (n,), ≥ 0, any unit.
+        RMS of the alternating response at these points, shape (n,), ≥ 0, any unit.
     smallest_ratio
-        Ratio of levels below which a step is not a jump [-], > 1.
+        Minimum ratio of levels of a jump [-], > 1.
     contrast
-        How much larger than its neighbours a step must be [-], > 1.
+        Minimum ratio of a step to its neighbours [-], > 1.
 
     Returns
     -------
@@ -100,19 +98,19 @@ def find_jumps(
     Raises
     ------
     SignalError
-        If the frequencies turn back, a level is negative, or a threshold is not above one.
+        If the frequencies are not monotonic, a level is negative, or a threshold is not above one.
 
     Notes
     -----
-    See the module; a smooth resonance gives no jump at any grid, a fold gives one at every grid that resolves
-    its surroundings [1]_. Valid for steady points; transient levels scatter and hide jumps, they do not
-    invent them.
+    See the module; a smooth resonance gives no jump on any grid, a fold gives one on every grid that resolves
+    its surroundings [1]_. Valid for steady-state points; scatter of transient levels hides jumps but does not
+    produce false ones.
 
     References
     ----------
-    .. [1] Own rule, made for the sweeps of G. W. Blankenship, A. Kahraman, Steady state forced response of a
-       mechanical oscillator with combined parametric excitation and clearance type non-linearity, Journal of
-       Sound and Vibration 185(5), 1995, 743-765.
+    .. [1] Original rule, developed for the sweeps of G. W. Blankenship, A. Kahraman, Steady state forced
+       response of a mechanical oscillator with combined parametric excitation and clearance type
+       non-linearity, Journal of Sound and Vibration 185(5), 1995, 743-765.
 
     Examples
     --------
@@ -136,22 +134,22 @@ def sweep_jumps(
     quantity: str = "deflection",
     smallest_ratio: float = SMALLEST_RATIO,
 ) -> tuple[Jump, ...]:
-    """Jumps of a sweep that is given as its list of points, both directions.
+    """Jumps of a sweep given as a list of points, in one or both directions.
 
     Parameters
     ----------
     points
-        The points in the order in which they were run, each a mapping with `direction` (`up` or `down`),
-        `mesh_frequency` [Hz] and, under `quantity`, a mapping with `rms`.
+        Points in the order of the sweep, each a mapping with `direction` (`up` or `down`), `mesh_frequency`
+        [Hz] and, under `quantity`, a mapping with `rms`.
     quantity
         Response whose level is used; deflection along the line of action distinguishes branches best.
     smallest_ratio
-        See `find_jumps`; with both directions also the ratio by which they must differ next to a jump.
+        See `find_jumps`; with both directions also the minimum ratio of their levels next to a jump.
 
     Returns
     -------
     tuple of Jump
-        Those of the upward sweep first.
+        Jumps of the upward sweep first.
 
     Raises
     ------
@@ -160,9 +158,9 @@ def sweep_jumps(
 
     Notes
     -----
-    One direction alone: `find_jumps`. Both: steep steps that hysteresis confirms, see the module [1]_. Points
-    whose level is missing or not finite (a failed case) are omitted. Valid for sweeps that carry their state
-    from point to point.
+    One direction: `find_jumps`. Both directions: steep steps confirmed by hysteresis, see the module [1]_.
+    Points with a missing or non-finite level (failed cases) are omitted. Valid for sweeps that continue from
+    the state of the previous point.
 
     References
     ----------
@@ -170,7 +168,7 @@ def sweep_jumps(
 
     Examples
     --------
-    Upwards the lower branch is followed to 1200 Hz, downwards the upper branch to 1100 Hz:
+    The upward sweep follows the lower branch to 1200 Hz, the downward sweep the upper branch to 1100 Hz:
 
     >>> up = [0.9, 0.95, 1, 1.1, 1.2, 1.3, 4, 3.9, 3.8, 3.7]
     >>> down = [3.7, 3.8, 3.9, 4, 4.5, 5, 1.1, 1, 0.95, 0.9]
@@ -205,7 +203,7 @@ def sweep_jumps(
 def branch(
     points: Sequence[Mapping[str, Any]], direction: str, quantity: str, statistic: str = "rms"
 ) -> tuple[Array, Array]:
-    """Frequencies [Hz] and levels, shapes (n,), of one direction of a sweep, as run, failed points omitted.
+    """Frequencies [Hz] and levels, shapes (n,), of one direction of a sweep, without failed points.
 
     Parameters
     ----------
@@ -214,9 +212,9 @@ def branch(
     direction
         "up" or "down".
     quantity
-        Channel or quantity whose level is wanted.
+        Channel or quantity.
     statistic
-        Which of its statistics is the level.
+        Statistic of the quantity that is the level.
 
     Examples
     --------
@@ -235,15 +233,15 @@ def branch(
 
 
 def _checked(frequency: ArrayLike, level: ArrayLike) -> tuple[Array, Array]:
-    """Frequencies and logarithms of the levels of one direction."""
+    """Check frequencies and levels of one direction; the levels as logarithms."""
     f = as_signal(frequency, "frequency")
     a = as_signal(level, "level")
     same_length(f, a, "frequency, level")
     if np.any(a < 0.0):
         raise SignalError("level: is negative; pass the rms of the alternating part")
     if np.any(np.diff(f if f[-1] > f[0] else -f) <= 0.0):
-        raise SignalError("frequency: turns back; pass each direction of the sweep by itself")
-    # levels that are zero up to round-off must not make infinite steps
+        raise SignalError("frequency: is not monotonic; pass each direction of the sweep separately")
+    # levels of zero would give infinite steps
     return f, np.log(np.maximum(a, max(1e-12 * float(a.max()), np.finfo(np.float64).tiny)))
 
 
@@ -258,14 +256,14 @@ def _jump(f: Array, y: Array, i: int) -> Jump:
 
 
 def _steep(steps: Array, threshold: float, contrast: float) -> list[int]:
-    """Intervals whose step stands out from the two on either side."""
+    """Intervals whose step exceeds the two on either side by the contrast."""
     size = np.abs(steps)
     inner = range(NEIGHBOURS, steps.size - NEIGHBOURS)
     return [i for i in inner if size[i] >= threshold and size[i] > contrast * _around(size, i, i)]
 
 
 def _half_way(steps: Array, threshold: float, found: list[int]) -> list[int]:
-    """The larger part of every jump that is spread over two steps of one sign, unless it is known already."""
+    """Larger step of every jump that is spread over two steps of one sign and not yet found."""
     size = np.abs(steps)
     more: list[int] = []
     for i in range(NEIGHBOURS, steps.size - NEIGHBOURS - 1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kurtogram: in which band of a signal impacts stand out most."""
+"""Kurtogram: frequency band in which a signal is most impulsive."""
 
 from __future__ import annotations
 
@@ -12,32 +12,31 @@ from pitchpoint.analysis.sampled import Array, Lines, SignalError, as_signal, po
 from pitchpoint.analysis.spectra import window
 
 LEFT_OUT = 0.1
-"""Part of the record at either end that is not counted: a record that is cut off would look like an impact in
-every band. The record is weighted before it is cut into bands, and the weight taken out where they count."""
+"""Share of the record at either end that is not evaluated, because a cut-off looks like an impact in every
+band. A window is applied to the record before it is divided into bands, and removed from the envelopes."""
 SLOPE = 0.25
-"""Width of the slope at either edge of a band over that of the band: with sharp edges the fading of a tone
-next to the band would ring far into it."""
+"""Width of the transition at either edge of a band over the bandwidth: with sharp edges a tone next to the
+band would leak far into it."""
 FEWEST = 128
-"""Samples of the envelope that a band has at least by default: with fewer, noise alone has large kurtosis."""
+"""Default minimum number of envelope samples of a band: with fewer, the kurtosis of noise is large."""
 
 
 @dataclass(frozen=True)
 class Kurtogram:
-    """Spectral kurtosis of bands of all widths; bands count from the widest, and upwards within a level.
+    """Spectral kurtosis of bands of all widths, in order from the widest, and upwards within a level.
 
     Attributes
     ----------
     level
-        Shape (n_band,). Level of the band: it is f_s/2 over 2^level wide; log2(3) and more in between
-        represent
-         bands that are split into three [-].
+        Shape (n_band,). Level of the band [-]; its width is f_s/2 over 2^level. The levels k - 1 + log2(3)
+        are bands split into three.
     low, high
         Shape (n_band,). Edges of the band [Hz].
     kurtosis
         Shape (n_band,). Kurtosis of the envelope [-]: 0 for Gaussian noise, -1 for a steady tone, large for
         impacts.
     spread
-        Shape (n_band,). Standard deviation that the kurtosis of Gaussian noise has in this band [-].
+        Shape (n_band,). Standard deviation of the kurtosis of Gaussian noise in this band [-].
     best_low, best_high
         Edges of the band with the largest kurtosis [Hz].
     best_kurtosis, best_spread
@@ -62,7 +61,7 @@ def kurtogram(
     levels: int | None = None,
     band: tuple[float, float] | None = None,
 ) -> Kurtogram:
-    """Kurtosis of the envelope in bands of halved and thirded widths, and the band where it is largest.
+    """Kurtosis of the envelope in bands split into halves and thirds, and the band of the largest kurtosis.
 
     Parameters
     ----------
@@ -71,40 +70,37 @@ def kurtogram(
     sample_rate
         Sample rate f_s [Hz].
     levels
-        How often bands are halved [-]; by default as often as leaves 128 samples to each.
+        Number of times that bands are halved [-]; default: as many as leave 128 samples per band.
     band
-        Only bands inside these edges are candidates for the best [Hz]; all if omitted.
+        Edges within which the best band is chosen [Hz]; default all.
 
     Returns
     -------
     Kurtogram
-        Bands of the levels 0, 1, log2(3), 2, 1 + log2(3), 3 ...; `(best_low, best_high)` goes to
+        Bands of the levels 0, 1, log2(3), 2, 1 + log2(3), 3 ...; `(best_low, best_high)` is the band for
         `envelope.band_envelope`.
 
     Raises
     ------
     SignalError
-        If the record is shorter than 256 samples or constant, is too short for the levels, or no band lies
+        If the record is shorter than 256 samples or constant, is too short for the levels, or no band is
         inside `band`.
 
     Notes
     -----
     K = mean |c|⁴/(mean |c|²)² - 2 of the complex envelope c of a band [1]_, over the tiling of [2]_: 2^k
-    bands and 3·2^(k-1) bands at the levels k and k - 1 + log2(3). In place of its filter bank, bands are cut
-    out of the Fourier transform of the record and transformed back at a rate of their width: no delay, sharp
-    edges, nothing counted twice. Of Gaussian noise K has the standard deviation 2/√m, m being the number of
-    samples of c. Valid for impacts that repeat many times within the record and ring down
-    between each other, together with tones of up to 40 dB above the noise: nearer than ten lines to the edge
-    of a band that holds nothing else, stronger ones look like impacts.
+    bands and 3·2^(k-1) bands at the levels k and k - 1 + log2(3). Instead of a filter bank, bands are cut out
+    of the Fourier transform of the record and transformed back at a rate equal to their width: no delay and
+    no redundancy. For Gaussian noise the standard deviation of K is 2/√m with m samples of c. Valid for
+    impacts that repeat many times within the record and decay between each other, with tones up to 40 dB
+    above the noise: stronger tones within ten lines of the edge of an otherwise empty band look like impacts.
 
     References
     ----------
     .. [1] J. Antoni, The spectral kurtosis: a useful tool for characterising non-stationary signals,
-    Mechanical
-       Systems and Signal Processing 20(2), 2006, 282-307.
+       Mechanical Systems and Signal Processing 20(2), 2006, 282-307.
     .. [2] J. Antoni, Fast computation of the kurtogram for the detection of transient faults, Mechanical
-    Systems
-       and Signal Processing 21(1), 2007, 108-124.
+       Systems and Signal Processing 21(1), 2007, 108-124.
 
     Examples
     --------
@@ -140,7 +136,7 @@ def kurtogram(
         slack = 0.5 * rate / lines.size
         allowed = (lows >= band[0] - slack) & (highs <= band[1] + slack)
         if not allowed.any():
-            raise SignalError(f"band: {band[0]:g} to {band[1]:g} Hz holds no band of the kurtogram; widen it")
+            raise SignalError(f"band: {band[0]:g} to {band[1]:g} Hz contains no kurtogram band; widen it")
     best = int(np.argmax(np.where(allowed, kurtosis, -np.inf)))
     return Kurtogram(
         level=level_of,
@@ -156,7 +152,7 @@ def kurtogram(
 
 
 def _tiling(levels: int) -> list[tuple[float, int]]:
-    """Levels and their numbers of bands, from the widest."""
+    """Levels and their numbers of bands, the widest bands first."""
     found = [(0.0, 1)]
     for k in range(1, levels + 1):
         found.append((float(k), 2**k))
@@ -166,7 +162,7 @@ def _tiling(levels: int) -> list[tuple[float, int]]:
 
 
 def _level(lines: Lines, edges: NDArray[np.int64]) -> tuple[Array, float]:
-    """Kurtosis of the complex envelopes of the bands of one level, and what it scatters for noise."""
+    """Kurtosis of the complex envelopes of the bands of one level, and its standard deviation for noise."""
     from scipy.fft import next_fast_len
 
     half = max(1, round(0.5 * SLOPE * lines.size / (edges.size - 1)))
@@ -183,9 +179,9 @@ def _level(lines: Lines, edges: NDArray[np.int64]) -> tuple[Array, float]:
     c = np.fft.ifft(cut)[:, counted] / window("hann", size)[counted]
     power = np.abs(c) ** 2
     mean = power.mean(axis=1)
-    # a band that holds nothing has no impacts
+    # an empty band has no impacts
     mean[mean == 0.0] = np.inf
-    # neighbouring samples of noise are alike by rho: as many count as there would be independent ones
+    # correlation of adjacent noise samples, for the number of independent samples
     rho = np.abs(np.fft.ifft(weight**2, size))
     rho /= rho[0]
     spread = 2.0 * float(np.sqrt(np.sum(rho**4) / power.shape[1]))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Is there a line, is there a comb of lines? Tests with a stated probability of false alarm.
+"""Tests for lines and combs of lines in a spectrum, with a stated false alarm probability.
 
-Nothing is known of the noise but that it changes slowly along the spectrum: a line is compared with points
-next to it, a comb with points between its teeth. Frequencies may be in Hz or in orders of a shaft.
+The only assumption is that the noise density changes slowly along the spectrum: a line is compared with the
+points next to it, a comb with the points between its lines. Frequencies are in Hz or in shaft orders.
 """
 
 from __future__ import annotations
@@ -15,25 +15,25 @@ from numpy.typing import ArrayLike
 from pitchpoint.analysis.sampled import Array, as_signal, positive
 
 PADDING = 4
-"""Points per line of the record: between them a tone loses less than 1 % of its amplitude."""
+"""Points per line of the record: a tone between two points loses less than 1 % of its amplitude."""
 BLOCK = 16
 """Lines of a comb that are ranked together: the noise may change from block to block."""
 LONG = 1 << 21
-"""Samples above which a record is transformed in `PARTS` parts, whose result is combined `AT_ONCE` points at
-a time: 300 MB of text are 10 million samples, whose transform in one piece takes 1.5 GB."""
+"""Number of samples above which a record is transformed in `PARTS` parts that are combined in blocks of
+`AT_ONCE` points, to limit memory: a single transform of 10 million samples takes 1.5 GB."""
 PARTS, AT_ONCE = 16, 1 << 18
 
 
 @dataclass(frozen=True)
 class FineSpectrum:
-    """Amplitudes of a record under a Hann window, finer than its lines.
+    """Zero-padded amplitude spectrum of a record with a Hann window.
 
     Attributes
     ----------
     amplitude
         Shape (n,). Peak amplitudes, in the unit of the signal.
     step
-        Distance of the points [Hz, or orders].
+        Spacing of the points [Hz, or orders].
     resolution
         Reciprocal of the length of the record [Hz, or orders].
     """
@@ -43,26 +43,26 @@ class FineSpectrum:
     resolution: float
 
     def power(self, frequency: ArrayLike) -> Array:
-        """Squares of the amplitudes at the points next to these frequencies, shape of `frequency`."""
+        """Squared amplitudes at the points nearest to the frequencies, shape of `frequency`."""
         at = np.rint(np.asarray(frequency, dtype=np.float64) / self.step).astype(np.int64)
         found: Array = self.amplitude[np.clip(at, 0, self.amplitude.size - 1)] ** 2
         return found
 
     @property
     def highest(self) -> float:
-        """End of the spectrum."""
+        """Highest frequency of the spectrum."""
         return float(self.step * (self.amplitude.size - 1))
 
 
 def fine_spectrum(values: ArrayLike, sample_rate: float) -> FineSpectrum:
-    """Amplitude spectrum that can be read between its lines.
+    """Amplitude spectrum with points between its lines.
 
     Parameters
     ----------
     values
         Samples, shape (n,), any unit.
     sample_rate
-        Samples per second [Hz], or per turn.
+        Samples per second [Hz], or per revolution.
 
     Returns
     -------
@@ -71,8 +71,7 @@ def fine_spectrum(values: ArrayLike, sample_rate: float) -> FineSpectrum:
 
     Notes
     -----
-    Hann window and zeros behind the record; tones two lines apart do not see each other [1]_. Valid for
-    steady tones.
+    Hann window and zero padding; tones at least two lines apart are separated [1]_. Valid for steady tones.
 
     References
     ----------
@@ -98,10 +97,10 @@ def fine_spectrum(values: ArrayLike, sample_rate: float) -> FineSpectrum:
 
 
 def _transform(x: Array, size: int, parts: int) -> Array:
-    """Magnitudes of the Fourier transform of a record with a Hann window and zeros behind it.
+    """Magnitudes of the Fourier transform of a record with a Hann window and zero padding.
 
-    Decimation in time: one transform of `size` points for every `parts`-th sample, combined by blocks. With
-    one part it is the usual transform; with more, a long record needs a third of the memory.
+    Decimation in time: one transform of `size` points for every `parts`-th sample, combined by blocks, which
+    needs a third of the memory for a long record.
     """
     from scipy.fft import rfft
 
@@ -127,16 +126,16 @@ def _transform(x: Array, size: int, parts: int) -> Array:
 
 
 def line_probability(ratio: float, points: int, rank: int) -> float:
-    """Probability that noise alone rises so far above the points next to it.
+    """Probability that noise alone exceeds the adjacent points by a ratio.
 
     Parameters
     ----------
     ratio
-        Power at the frequency over the `rank`-th smallest of the powers next to it [-].
+        Power at the frequency over the `rank`-th smallest of the adjacent powers [-].
     points
-        Number of points next to it [-].
+        Number of adjacent points [-].
     rank
-        Which of them, counted from the smallest one [-].
+        Rank of the reference among them, from the smallest [-].
 
     Returns
     -------
@@ -145,10 +144,9 @@ def line_probability(ratio: float, points: int, rank: int) -> float:
 
     Notes
     -----
-    Π (M - j + 1)/(M - j + 1 + t), j = 1 ... r: the detector of [1]_, whose threshold is an order statistic,
-    so
-    that a few other lines among the M points do no harm. Valid where the lines of the noise are complex
-    Gaussian and of one level over the points.
+    Π (M - j + 1)/(M - j + 1 + t), j = 1 ... r: the detector of [1]_ with an order statistic as reference, so
+    that a few other lines among the M points have no effect. Valid for complex Gaussian noise of equal level
+    over the points.
 
     References
     ----------
@@ -165,7 +163,7 @@ def line_probability(ratio: float, points: int, rank: int) -> float:
 
 
 def line_threshold(probability: float, points: int, rank: int) -> float:
-    """Ratio of powers that noise alone exceeds with this probability [-]; the inverse of `line_probability`.
+    """Ratio of powers that noise alone exceeds with a probability [-], inverse of `line_probability`.
 
     Parameters
     ----------
@@ -176,7 +174,7 @@ def line_threshold(probability: float, points: int, rank: int) -> float:
 
     Notes
     -----
-    Root of the falling function by bisection of its logarithm [1]_. Valid for probabilities above 1e-12.
+    Root of the decreasing function in logarithms by Brent's method [1]_. Valid for probabilities above 1e-12.
 
     References
     ----------
@@ -190,14 +188,14 @@ def line_threshold(probability: float, points: int, rank: int) -> float:
     from scipy.optimize import brentq
 
     def excess(log_ratio: float) -> float:
-        """Logarithm of the chance of a line so far above its neighbours, over the chance wanted [-]."""
+        """Logarithm of the probability at a ratio over the required probability [-]."""
         return float(np.log(line_probability(np.exp(log_ratio), points, rank) / probability))
 
     return float(np.exp(brentq(excess, -30.0, 60.0)))
 
 
 def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_between: ArrayLike) -> float:
-    """How far the teeth of a comb are above the points between them.
+    """Normal score of the lines of a comb against the points between them.
 
     Parameters
     ----------
@@ -206,8 +204,7 @@ def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_bet
     between
         Powers at points between them, shape (m,).
     block, block_between
-        Number of the block that each of them belongs to, shapes (n,) and (m,): only points of one block are
-        compared with each other [-].
+        Block number of each line and point, shapes (n,) and (m,) [-]; comparisons are within blocks.
 
     Returns
     -------
@@ -216,9 +213,9 @@ def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_bet
 
     Notes
     -----
-    Rank sum within blocks, summed over them with equal weight of all lines [1]_. It needs no distribution
-    of the noise, and one single line does not move it. Valid where lines and points of a block are
-    exchangeable if there is no comb; the normal score is right from three blocks or sixteen lines on.
+    Rank sums within blocks, summed over the blocks with equal weight of all lines [1]_. Independent of the
+    distribution of the noise and insensitive to a single line. Valid if lines and points of a block are
+    exchangeable without a comb; the normal approximation holds for three blocks or sixteen lines or more.
 
     References
     ----------
@@ -227,7 +224,7 @@ def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_bet
 
     Examples
     --------
-    Four lines that are larger than four points: the rank sum is 26 of a mean of 18, its variance 12.
+    Four lines larger than four points: the rank sum is 26 with a mean of 18 and a variance of 12.
 
     >>> zero = np.zeros(4)
     >>> round(comb_score([5, 6, 7, 8], [1, 2, 3, 4], zero, zero), 4)
@@ -241,7 +238,7 @@ def comb_score(lines: ArrayLike, between: ArrayLike, block: ArrayLike, block_bet
         n, m = one.size, two.size
         if m < 2:
             continue
-        # pairs in which the line is larger, equal ones by half: the rank sum less n (n + 1)/2
+        # number of pairs with a larger line, ties by half: the rank sum less n (n + 1)/2
         larger = two.searchsorted(one, "left").sum() + two.searchsorted(one, "right").sum()
         excess += 0.5 * float(larger - n * m)
         variance += n * m * (n + m + 1) / 12.0
@@ -254,15 +251,15 @@ def neighbours(powers: Array, frequency: Array, wanted: float, points: int) -> t
     Parameters
     ----------
     powers, frequency
-        Powers and their frequencies in rising order, shape (n,) each.
+        Powers and their frequencies in increasing order, shape (n,) each.
     wanted
         Frequency [Hz, or orders].
     points
-        Most points on either side [-].
+        Maximum number of points on either side [-].
 
     Notes
     -----
-    Both sides apart, as on a slope only the higher one is a fair neighbour [1]_.
+    The sides are separate, because on a slope only the higher side is a valid reference [1]_.
 
     References
     ----------

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Load sharing of one tooth pair on its way through the mesh, assembled from a roll through one period.
+"""Load sharing of one tooth pair over the path of contact, assembled from one period of a slow roll.
 
-During a roll several pairs are in contact at once, each seen on a part of its way. Pairs take turns in a
-fixed number of slots; each slot's share, moved to the place of its pair, is a piece of one curve.
+During a roll several pairs are in contact simultaneously, each on a part of the path of contact. Pairs use a
+fixed number of slots in rotation; the share of each slot, at the position of its pair, is part of one curve.
 """
 
 from __future__ import annotations
@@ -13,22 +13,22 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 TOLERANCE = 0.02
-"""Share that may lie outside the zone of contact before the pieces count as not fitting."""
+"""Tolerated share outside the zone of contact."""
 
 
 @dataclass(frozen=True)
 class LoadSharing:
-    """Share of one tooth pair in the load over its way.
+    """Load share of one tooth pair over its travel along the path of contact.
 
     Parameters
     ----------
     way
-        Way since the beginning of contact at mid-face [base pitches], shape (m,), ascending; empty if the
-        slots fit no succession of pairs.
+        Travel since the start of contact at mid-face [base pitches], shape (m,), increasing; empty if the
+        slots do not match a sequence of pairs.
     share
-        Share in the load, shape (m,).
+        Load share [-], shape (m,).
     offset
-        What the given phase lags behind the beginning of contact [base pitches].
+        Lag of the given phase behind the start of contact [base pitches].
     """
 
     way: NDArray[np.float64]
@@ -39,24 +39,24 @@ class LoadSharing:
 def share_along_path(
     phase: ArrayLike, share: ArrayLike, eps_alpha: float, eps_beta: float = 0.0, *, other_flank: bool = False
 ) -> LoadSharing:
-    """Share of one tooth pair in the load over its way.
+    """Load share of one tooth pair over its travel along the path of contact.
 
     Parameters
     ----------
     phase
-        Mesh phase [base pitches], shape (n,): the last pair began contact at mid-face this long ago.
+        Mesh phase [base pitches], shape (n,): travel since the last pair started contact at mid-face.
     share
-        Share of every slot, shape (n, n_slot); the pairs move on by one slot when the phase wraps.
+        Share of every slot [-], shape (n, n_slot); pairs move by one slot when the phase wraps.
     eps_alpha, eps_beta
-        Transverse contact ratio and overlap ratio: a pair carries from -eps_beta/2 to
+        Transverse contact ratio and overlap ratio: a pair is in contact from -eps_beta/2 to
         eps_alpha + eps_beta/2.
     other_flank
-        The phase is that of the flank that does not carry; where contact begins is then found from the
+        True if the phase is that of the unloaded flank; the start of contact is then identified from the
         shares, with the resolution of the points.
 
     Examples
     --------
-    Two pairs, each alone half of the time:
+    Two pairs in contact for half of the time, a single pair otherwise:
 
     >>> s = share_along_path([0.1, 0.4, 0.6, 0.9], [[0.5, 0.5], [0.5, 0.5], [1, 0], [1, 0]], 1.5)
     >>> [(float(a), float(b)) for a, b in zip(s.way, s.share)]
@@ -86,7 +86,7 @@ def _fit(
     first: int,
     turn: int,
 ) -> tuple[float, tuple[NDArray[np.float64], NDArray[np.float64]]]:
-    """Curve if the youngest pair begins in slot `first`, and the share that then lies outside the zone."""
+    """Curve for the last pair in slot `first`, preceded by the maximum share outside the zone of contact."""
     low, high = -0.5 * ratios[1], ratios[0] + 0.5 * ratios[1]
     wraps = -np.concatenate([[0], np.cumsum(np.round(np.diff(psi)).astype(int))])
     ages = np.arange(int(np.floor(low)) - 1, int(np.ceil(high)) + 1)
@@ -94,7 +94,7 @@ def _fit(
     way = psi[:, None] + ages[None, :]
     value = np.take_along_axis(shares, slot, axis=1)
     inside = (way >= low - 1e-9) & (way <= high + 1e-9)
-    # what the slots hold beyond the zone of contact does not fit
+    # shares outside the zone of contact do not fit
     wrong = float(np.abs(np.where(inside, value, 0.0).sum(axis=1) - shares.sum(axis=1)).max())
     order = np.argsort(way[inside], kind="stable")
     return wrong, (way[inside][order], value[inside][order])

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mean turn of a shaft seen by one of its gears: residual, indicators with limits of their own, "
-"place of a fault."""
+"""Synchronous average of a shaft for one of its gears: residual, indicators with limits, fault angle."""
 
 from __future__ import annotations
 
@@ -29,25 +28,25 @@ MOMENTS = {
 
 @dataclass(frozen=True)
 class MeanTurn:
-    """One mean turn of a shaft, for one of its gears.
+    """Mean revolution of a shaft, for one of its gears.
 
     Attributes
     ----------
     angle
-        Shape (n,). Angle of the shaft from where the record counts [rad], in its sense of rotation.
+        Shape (n,). Angle of the shaft [rad], from the zero of the record, in its sense of rotation.
     average, residual
-        Shape (n,). Mean turn, and the same without mesh harmonics and the two lowest orders, in the unit of
-        the signal.
+        Shape (n,). Synchronous average, and the same without mesh harmonics and the two lowest orders, in the
+        unit of the signal.
     averages
-        Turns [-].
+        Number of revolutions [-].
     indicators
-        By name: value, value that 1 % of Gaussian signals with the same spectrum exceed, and part of them
-        that exceeds this value [-].
+        By name: value, limit exceeded by 1 % of Gaussian signals of the same spectrum, and share of these
+        signals that reach the value [-].
     energy
-        Energy in the angle of one tooth.
+        Energy within the angle of one tooth.
     trains
-        Tooth counts of trains of strikes that meshes make unequal by each other [-]: empty where all products
-        of meshes are mesh orders, as these are not in the residual.
+        Numbers of teeth of impact trains that other meshes may modulate [-]; empty if all products of meshes
+        are mesh orders, which are not in the residual.
     """
 
     angle: Array
@@ -62,43 +61,41 @@ class MeanTurn:
 def mean_turn(
     values: ArrayLike, samples_per_turn: float, parts: TurningParts, shaft: Shaft, teeth: int
 ) -> MeanTurn:
-    """Mean turn, residual and indicators of a gear.
+    """Synchronous average, residual and indicators of a gear.
 
     Parameters
     ----------
     values
         Signal over the angle of the reference shaft, shape (n,), any unit.
     samples_per_turn
-        Samples in one turn of the reference shaft [-].
+        Samples per revolution of the reference shaft [-].
     parts
-        What turns: the lines of all meshes leave the residual.
+        Rotating parts of the machine; the lines of all meshes are removed from the residual.
     shaft
         Shaft of the gear.
     teeth
-        Tooth count of the gear [-].
+        Number of teeth of the gear [-].
 
     Returns
     -------
     MeanTurn
-        The mean turn.
+        Mean revolution with residual and indicators.
 
     Raises
     ------
     SignalError
-        If the record holds no whole turn, or not even the first harmonic of the gear.
+        If the record has no whole revolution, or the first harmonic of the gear is above its bandwidth.
 
     Notes
     -----
-    Limits come from signals with the amplitudes of the residual and random phases [1]_: their moments are
-    those of a signal without a place that is different from others. Valid from a few turns on; over few turns
-    the
-    average still holds what other shafts do.
+    Limits are from surrogate signals with the amplitudes of the residual and random phases [1]_, which have
+    no distinguished angle. Valid for several revolutions; with few, contributions of other shafts remain in
+    the average.
 
     References
     ----------
     .. [1] J. Theiler, S. Eubank, A. Longtin, B. Galdrikian, J. D. Farmer, Testing for nonlinearity in time
-    series:
-       the method of surrogate data, Physica D 58, 1992, 77-94.
+       series: the method of surrogate data, Physica D 58, 1992, 77-94.
 
     Examples
     --------
@@ -115,17 +112,17 @@ def mean_turn(
     x = as_signal(values, minimum=16)
     turned = np.arange(x.size) * (2.0 * np.pi / samples_per_turn)
     resolved = samples_per_turn / float(shaft.order)
-    # all that the record holds: an impact that rings in its highest octave is seen nowhere else
+    # use the full bandwidth: an impact may excite a resonance in the highest octave only
     wanted = 2 * int(max(resolved, 8.0) // 2)
     if 2 * teeth >= wanted:
         raise SignalError(
-            f"teeth: {wanted} samples per turn lose every harmonic of {teeth} teeth "
+            f"teeth: {wanted} samples per revolution are too few for {teeth} teeth "
             f"(limit above {2 * teeth}); use a higher sample rate"
         )
-    # meshes of other shafts that are whole orders of this one stay in its average as well
+    # meshes of other shafts at whole orders of this shaft remain in its average
     ratios = [parts.shaft(mesh.shafts[0]).order * mesh.teeth[0] / shaft.order for mesh in parts.meshes]
     whole = {int(ratio) for ratio in ratios if ratio.denominator == 1 and ratio >= FEWEST_TEETH}
-    # harmonics of a mesh that are whole orders, if they are not too high to matter
+    # mesh harmonics at whole orders, up to the relevant harmonic number
     steps = [ratio.numerator for ratio in ratios if ratio.denominator <= FOLDED]
     counts = sorted({teeth} | {z for z in whole if 2 * z < wanted})
     mean = synchronous_average(x, turned, ratio=shaft.order, samples_per_turn=wanted)
@@ -149,8 +146,10 @@ def mean_turn(
 
 
 def _surrogate_moments(signals: Mapping[str, Array]) -> dict[str, Array]:
-    """Moments, shape (n_moment, n_draw), of signals with the same amplitudes and random phases, always the
-    same ones, which signals of one length share."""
+    """Moments, shape (n_moment, n_draw), of surrogate signals with the same amplitudes and random phases.
+
+    The random phases depend only on the length of the signals, which must be equal.
+    """
     from scipy.fft import irfft
 
     size = {kind: np.abs(np.fft.rfft(signal)) for kind, signal in signals.items()}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""White noise, at a stated level or distance from a signal, and the same for the same seed."""
+"""Reproducible white noise at a given level or signal-to-noise ratio."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_signal, finite
 
 @dataclass(frozen=True)
 class NoisySignal:
-    """A signal with noise on it.
+    """Signal with added noise.
 
     Attributes
     ----------
     values, noise
         Shape (n,). Signal with noise, and the noise alone, in the unit of the signal.
     signal_rms
-        Rms of the alternating part of the signal, in its unit.
+        RMS of the alternating part of the signal, in its unit.
     noise_deviation
-        Standard deviation that the noise was drawn with, in the unit of the signal.
+        Standard deviation of the noise distribution, in the unit of the signal.
     """
 
     values: Array
@@ -34,16 +34,16 @@ class NoisySignal:
 
 
 def white_noise(size: int, *, deviation: float, seed: int | Sequence[int]) -> Array:
-    """Draw Gaussian white noise of a stated level, whatever it is added to.
+    """Draw Gaussian white noise of a given level.
 
     Parameters
     ----------
     size
         Number of samples, at least 0.
     deviation
-        Standard deviation to draw with, in any unit.
+        Standard deviation of the distribution, any unit.
     seed
-        Whole number from 0 on, or several of them (case, channel, ...).
+        Nonnegative whole number, or several (case, channel, ...).
 
     Returns
     -------
@@ -53,7 +53,7 @@ def white_noise(size: int, *, deviation: float, seed: int | Sequence[int]) -> Ar
     Raises
     ------
     SignalError
-        If the deviation is not finite or negative, or the seed is not a whole number from 0 on.
+        If the deviation is not finite or negative, or the seed is not a nonnegative whole number.
 
     Notes
     -----
@@ -84,28 +84,28 @@ def with_white_noise(values: ArrayLike, *, signal_to_noise: float, seed: int | S
     values
         Samples, shape (n,), any unit.
     signal_to_noise
-        Signal-to-noise ratio in the whole band up to half the sample rate [dB]: mean square of the
+        Signal-to-noise ratio over the whole bandwidth up to half the sample rate [dB]: mean square of the
         alternating part of the signal over the variance of the noise.
     seed
-        Whole number from 0 on, or several of them (case, channel, ...).
+        Nonnegative whole number, or several (case, channel, ...).
 
     Returns
     -------
     NoisySignal
-        The sum, and the noise alone.
+        Signal with noise, and the noise alone.
 
     Raises
     ------
     SignalError
-        If the signal is constant (it has no level to compare with), the ratio is not finite, or the seed is
-        not a whole number from 0 on.
+        If the signal is constant (its level is zero), the ratio is not finite, or the seed is not a
+        nonnegative whole number.
 
     Notes
     -----
     σ = rms(x - x̄)·10^(-SNR/20); independent normal samples of the permuted congruential generator PCG64
-    [1]_. σ is what is drawn from: the rms of one piece of noise differs from it by about 1/√(2n). The same
-    seed gives the same bits with one version of NumPy on one kind of machine. Valid for any record; at
-    another sample rate the same ratio is another noise density.
+    [1]_. σ is the parameter of the distribution: the RMS of n samples deviates from it by about 1/√(2n),
+    relative. The same seed gives identical noise with one version of NumPy on one type of machine. Valid for
+    any record; at another sample rate the same ratio is another noise density.
 
     References
     ----------
@@ -114,7 +114,7 @@ def with_white_noise(values: ArrayLike, *, signal_to_noise: float, seed: int | S
 
     Examples
     --------
-    A sine of amplitude √2 at 20 dB gets noise of a tenth of its rms:
+    A sine of amplitude √2 at 20 dB: the noise is a tenth of its RMS:
 
     >>> x = 7.0 + np.sqrt(2.0) * np.sin(2 * np.pi * np.arange(100_000) / 100)
     >>> noisy = with_white_noise(x, signal_to_noise=20.0, seed=1)

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Order tracking: signals over the angle of a shaft, and order maps of run-ups.
 
-Gear vibration belongs to angles, not to time: a tooth mesh excites z times per revolution whatever the speed
-does. Sampled at equal angles, a run-up shows each order as one sharp line where a spectrum over time shows a
-smear.
+Gear vibration is periodic in the angle, not in time: a mesh excites z times per revolution at any speed. In a
+run-up sampled at equal angles each order is one sharp line, which is smeared in a spectrum over time.
 """
 
 from __future__ import annotations
@@ -17,29 +16,29 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_si
 from pitchpoint.analysis.spectra import Spectrum, one_sided, order_spectrum, window
 
 SAMPLES_PER_ORDER = 2.56
-"""Samples per revolution of a grid by the highest order of interest: what lies above half the grid's rate
-then folds to above that order, but for a band that the filter takes away."""
+"""Samples per revolution of a grid over the highest order of interest: content above half the grid rate then
+aliases to above that order, except for a band that the filter removes."""
 MAX_OVERSAMPLING = 32
-"""Largest factor by which a creeping start may refine the grid over the angle before it is filtered and
-decimated again; the mean samples per revolution of a record count without limit."""
+"""Maximum refinement of the angle grid due to a slow start, before filtering and decimation; the refinement
+for the mean samples per revolution of a record is not limited."""
 FILTER_HALF_LENGTH, FILTER_BETA = 16, 8.0
-"""Length on either side, in samples after decimation, and shape of the Kaiser window of the low-pass
-filter: below 0.84 times half the new rate it changes amplitudes by less than 0.02 %, above 1.16 times it
-leaves less than 0.01 %."""
+"""Half length, in samples after decimation, and shape parameter of the Kaiser window of the low-pass filter:
+the amplitude error is below 0.02 % up to 0.84 times half the new rate; above 1.16 times, less than 0.01 %
+passes."""
 
 
 @dataclass(frozen=True)
 class AngleSignal:
-    """A signal at equal steps of a shaft angle.
+    """Signal at equal steps of a shaft angle.
 
     Attributes
     ----------
     angle
-        Shape (n,). Angle [rad], from the first sample of the record on.
+        Shape (n,). Angle [rad], from the first sample of the record.
     values
-        Shape (n,). The signal, in its unit.
+        Shape (n,). Signal, in its unit.
     samples_per_revolution
-        Number of samples in 2π [-].
+        Number of samples per revolution [-].
     """
 
     angle: Array
@@ -54,9 +53,9 @@ class OrderMap:
     Attributes
     ----------
     time, speed
-        Shape (n_frame,). Middle of each frame [s], mean speed in the frame [rad/s].
+        Shape (n_frame,). Mid-time of each frame [s], mean speed in the frame [rad/s].
     order
-        Shape (n_order,). Order of the reference shaft [-].
+        Shape (n_order,). Order relative to the reference shaft [-].
     amplitude
         Shape (n_frame, n_order). Peak amplitude, in the unit of the signal.
     """
@@ -70,36 +69,35 @@ class OrderMap:
 def resample_over_angle(
     values: ArrayLike, angle: ArrayLike, *, samples_per_revolution: float | None = None
 ) -> AngleSignal:
-    """Sample a record at equal steps of a shaft angle.
+    """Resample a record at equal steps of a shaft angle.
 
     Parameters
     ----------
     values
-        Samples of the signal, shape (n,), any unit; their spacing in time is free.
+        Samples of the signal, shape (n,), any unit, with any spacing in time.
     angle
         Unwrapped angle of the reference shaft at the same samples [rad], shape (n,), strictly monotonic.
     samples_per_revolution
-        Samples per revolution of the result [-]; default what the record holds where it turns fastest, so
-        that nothing is invented.
+        Samples per revolution of the result [-]; default: those of the record at the highest speed.
 
     Returns
     -------
     AngleSignal
-        The signal over the angle.
+        Signal over the angle.
 
     Raises
     ------
     SignalError
-        If the shaft stops or turns back, the channels differ in length, or the record is shorter than one
-        step.
+        If the shaft stops or reverses, the channels differ in length, or the record is shorter than three
+        steps.
 
     Notes
     -----
     Cubic spline through (angle, value), evaluated on a grid twice as fine as the record, then low-pass
-    filtered and decimated [1]_. Content from 0.84 to 1.16 times half the new rate is in the slope of the
-    filter and partly folds to just below half the rate: with 2.56 samples per revolution and order, all up to
-    that order is free of it. Valid as long as the record itself has four or more samples per period of what
-    is of interest (the spline's error is then below 1 %).
+    filtered and decimated [1]_. Content from 0.84 to 1.16 times half the new rate is in the transition band
+    and is partly aliased to just below half the rate: with 2.56 samples per revolution and order, all orders
+    up to that order are free of it. Valid if the record has at least four samples per period of the content
+    of interest (the spline error is then below 1 %).
 
     References
     ----------
@@ -133,7 +131,7 @@ def resample_over_angle(
     n = int(np.floor(span * rate / (2.0 * np.pi) * (1.0 + 1e-12))) + 1
     if n < 4:
         raise SignalError(
-            f"angle: turns {span:.3g} rad, less than three steps; use a longer record or a finer grid"
+            f"angle: covers {span:.3g} rad, less than three steps; use a longer record or a finer grid"
         )
     fine = phi[0] + np.arange((n - 1) * factor + 1) * (2.0 * np.pi / (rate * factor))
     data = CubicSpline(phi, x)(np.minimum(fine, phi[-1]))
@@ -145,7 +143,7 @@ def resample_over_angle(
 
 
 def highest_resolved_order(angle: ArrayLike) -> float:
-    """Highest order that a record holds: half its samples per revolution where the shaft turns fastest [-].
+    """Highest order that a record resolves: half its samples per revolution at the highest speed [-].
 
     Parameters
     ----------
@@ -154,8 +152,7 @@ def highest_resolved_order(angle: ArrayLike) -> float:
 
     Notes
     -----
-    Half of 2π over the 99 % quantile of the steps of the angle [1]_. Above it a record holds nothing but
-    images of what lies below.
+    Half of 2π over the 99 % quantile of the angle steps [1]_. Higher orders are only images of lower ones.
 
     References
     ----------
@@ -173,22 +170,22 @@ def highest_resolved_order(angle: ArrayLike) -> float:
 def tracked_spectrum(
     values: ArrayLike, angle: ArrayLike, *, highest_order: float, window_name: str = "hann"
 ) -> Spectrum:
-    """Order spectrum of a record over time, up to an order and free of what lies above it.
+    """Order spectrum of a record over time, up to a highest order and free of aliasing.
 
     Parameters
     ----------
     values, angle
         Signal (any unit) and unwrapped angle of the reference shaft [rad], shape (n,) each.
     highest_order
-        Highest order wanted [-]; the spectrum ends there, or where the record resolves no more.
+        Highest order of the spectrum [-], limited to the highest order that the record resolves.
     window_name
         See `spectra.window`.
 
     Returns
     -------
     Spectrum
-        `frequency` holds orders [-]. From two revolutions on only whole ones count, the last of the record:
-        whole orders then fall exactly on a line.
+        `frequency` contains orders [-]. Records of two or more revolutions are cut to whole revolutions at
+        their end, so that whole orders coincide with lines.
 
     Raises
     ------
@@ -198,7 +195,7 @@ def tracked_spectrum(
     Notes
     -----
     `resample_over_angle` with 2.56 samples per revolution and order, then `spectra.order_spectrum` [1]_.
-    Valid where the speed of the shaft is steady or the amplitudes do not depend on it.
+    Valid for constant speed, or for amplitudes that do not depend on the speed.
 
     References
     ----------
@@ -207,7 +204,7 @@ def tracked_spectrum(
 
     Examples
     --------
-    Order 200 together with order 50; requested up to 150, nothing of it is left:
+    Orders 200 and 50; in a spectrum up to order 150 nothing of order 200 is left:
 
     >>> angle = 2 * np.pi * np.arange(20_001) / 2000
     >>> s = tracked_spectrum(2.0 * np.cos(50 * angle) + np.cos(200 * angle), angle, highest_order=150)
@@ -219,7 +216,7 @@ def tracked_spectrum(
     top = min(positive(highest_order, "highest_order"), highest_resolved_order(angle))
     rate = int(np.ceil(SAMPLES_PER_ORDER * top))
     turned = resample_over_angle(values, angle, samples_per_revolution=rate)
-    # the last sample of whole revolutions is the first of the next one
+    # the sample after whole revolutions is the first of the next revolution
     whole = (turned.values.size // rate) * rate
     data = turned.values[-whole:] if whole >= 2 * rate else turned.values
     found = order_spectrum(data, rate, window_name=window_name)
@@ -237,25 +234,25 @@ def order_map(
     frames: int = 200,
     window_name: str = "hann",
 ) -> OrderMap:
-    """Order spectra of successive stretches of a run-up or run-down.
+    """Order spectra of successive frames of a run-up or run-down.
 
     Parameters
     ----------
     values, angle, time
         Signal (any unit), unwrapped angle of the reference shaft [rad] and time [s], shape (n,) each.
     highest_order
-        Highest order wanted [-]; the angle grid gets 2.56 times as many samples per revolution.
+        Highest order [-]; the angle grid has 2.56 times as many samples per revolution.
     revolutions
-        Length of one frame [revolutions]; the lines lie 1/revolutions apart.
+        Length of one frame [revolutions]; the line spacing is 1/revolutions.
     frames
-        Number of frames at most [-]; they overlap as needed.
+        Maximum number of frames [-]; they overlap as needed.
     window_name
         See `spectra.window`.
 
     Returns
     -------
     OrderMap
-        Amplitudes over speed (one row per frame) and order.
+        Amplitudes by frame (rows) and order.
 
     Raises
     ------
@@ -274,7 +271,7 @@ def order_map(
 
     Examples
     --------
-    The order of a chirp stays where it is while its frequency grows ninefold:
+    The order of a chirp is constant while its frequency increases ninefold:
 
     >>> t = np.linspace(1.0, 9.0, 100001)
     >>> angle = 2 * np.pi * t**2
@@ -286,14 +283,14 @@ def order_map(
     """
     clock = as_increasing(time, "time", 8)
     rate = SAMPLES_PER_ORDER * positive(highest_order, "highest_order")
-    # whole samples per frame: then orders that fit into the frame fall exactly on a line
+    # whole samples per frame: orders that fit the frame then coincide with lines
     length = max(8, round(rate * positive(revolutions, "revolutions")))
     signal = resample_over_angle(values, angle, samples_per_revolution=length / revolutions)
     same_length(clock, as_signal(angle, "angle"), "time, angle")
     if signal.values.size < length:
         turned = (signal.values.size - 1) / signal.samples_per_revolution
         raise SignalError(
-            f"angle: turns {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames"
+            f"angle: covers {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames"
         )
     count = min(max(1, int(frames)), signal.values.size - length + 1)
     starts = np.unique(np.linspace(0, signal.values.size - length, count).round().astype(np.int64))
@@ -313,7 +310,7 @@ def order_map(
 
 
 def one_way(angle: ArrayLike) -> Array:
-    """The angle as an increasing function [rad]; a shaft that turns clockwise counts backwards.
+    """Angle as an increasing function [rad]: negated for a shaft with negative rotation.
 
     Parameters
     ----------
@@ -323,7 +320,7 @@ def one_way(angle: ArrayLike) -> Array:
     Raises
     ------
     SignalError
-        If the shaft stops or turns back.
+        If the shaft stops or reverses.
 
     Examples
     --------
@@ -335,30 +332,30 @@ def one_way(angle: ArrayLike) -> Array:
     stop = np.flatnonzero(np.diff(phi) <= 0.0)
     if stop.size:
         raise SignalError(
-            f"angle: the shaft stops or turns back after sample {stop[0]}; "
+            f"angle: the shaft stops or reverses after sample {stop[0]}; "
             "cut the record there, or unwrap the angle"
         )
     return phi
 
 
 def _oversampling(steps: Array, rate: float) -> int:
-    """How many times finer than the grid requested a record is interpolated: twice as fine as it is itself.
+    """Refinement of the requested grid for interpolation: at least twice as fine as the record.
 
-    The images of a sampled signal lie about its rate; on a grid of twice the rate none folds onto the signal.
+    The images of a sampled signal are around its rate; on a grid of twice the rate none is aliased.
     """
-    # 1 % of the record may be denser than the fine grid: that is the creeping start of a run-up
+    # 1 % of the record may be denser than the fine grid, as at the slow start of a run-up
     finest, mean = (2.0 * np.pi / float(step) for step in (np.quantile(steps, 0.01), steps.mean()))
     creeping = min(np.ceil(2.0 * finest / rate), MAX_OVERSAMPLING)
     return int(max(creeping, np.ceil(2.0 * mean / rate), 1))
 
 
 def _thinned_out(data: Array, factor: int) -> Array:
-    """Every factor-th sample after a low-pass filter at half the new rate."""
+    """Decimate by a factor after a low-pass filter at half the new rate."""
     from scipy.signal import firwin, upfirdn
 
     reach = FILTER_HALF_LENGTH * factor
     taps = firwin(2 * reach + 1, 1.0 / factor, window=("kaiser", FILTER_BETA))
-    # beyond its ends the record continues turned about them: no step, no kink, and a straight line stays one
+    # odd extension at both ends: continuous in value and slope, exact for a straight line
     longer = np.pad(data, reach, mode="reflect", reflect_type="odd")
     filtered: Array = upfirdn(taps, longer, 1, factor)[2 * FILTER_HALF_LENGTH :]
     return filtered[: -(-data.size // factor)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lines that passing balls put in addition to those of a bearing that is loud itself."""
+"""Sidebands due to ball passage around the lines of a bearing with strong lines."""
 
 from __future__ import annotations
 
@@ -11,35 +11,35 @@ from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import HARMONICS, OFF, ShaftView, passages
 
 DEEPEST = 4.0
-"""Power of a line over that of a line next to it, at the least: a line that comes and goes altogether, as
-deep as anything can be modulated, has half its amplitude on either side."""
+"""Minimum power of a line over that of its sideband: even full modulation gives sidebands of half the
+amplitude."""
 
 
 def passage_sidebands(view: ShaftView, tested: Array, rates: Sequence[float], reach: float) -> Array:
-    """Orders near tested lines at which ball passing puts sidebands next to stronger lines of loud bearings.
+    """Orders near tested lines that are ball passage sidebands of stronger lines of loud bearings.
 
     Parameters
     ----------
     view
-        Orders of the shaft that is tested.
+        Orders of the tested shaft.
     tested
-        Orders of the lines that are tested [-], shape (n,).
+        Orders of the tested lines [-], shape (n,).
     rates
-        Passages, or strikes, of the loud bearings in one turn of the reference shaft [-].
+        Ball passes, or impacts, of the loud bearings per revolution of the reference shaft [-].
     reach
-        How near to a tested line a place counts, in lines of the record [-].
+        Maximum distance from a tested line, in lines of the record [-].
 
     Returns
     -------
     ndarray
-        Orders [-], shape (m,), rising.
+        Orders [-], shape (m,), increasing.
 
     Notes
     -----
-    Loud bearings have lines at k f and h f_mesh ± k f for many k. What modulates the mesh lines of healthy
-    machines, balls that pass in all bearings [1]_, modulates those as well: lines next to them, up to three
-    passages away, of half the amplitude at the most. Only lines that are seen count, and none that may be an
-    order of the shaft itself. Valid where balls do not slip by more than the record resolves.
+    Loud bearings have lines at k f and h f_mesh ± k f for many k. Ball passage in all bearings, which
+    modulates the mesh lines of healthy machines [1]_, also modulates these lines: sidebands at up to three
+    passages, of at most half the amplitude. Only lines above the noise are used, and none that may be an
+    order of the shaft itself. Valid if the slip of the balls is within the resolution of the record.
 
     References
     ----------
@@ -48,7 +48,7 @@ def passage_sidebands(view: ShaftView, tested: Array, rates: Sequence[float], re
 
     Examples
     --------
-    A mesh at 21 and strikes at 3.57: the line of both at 24.57, and next to it the balls of a second bearing:
+    A mesh at 21 and impacts at 3.57 have a line at 24.57, with sidebands of the balls of a second bearing:
 
     >>> from pitchpoint.analysis.line_tests import fine_spectrum
     >>> from pitchpoint.analysis.turning_parts import Bearing, train_parts

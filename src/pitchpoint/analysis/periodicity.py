@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Periods of repeated impacts: tests of given periods, and the search for an unknown one.
+"""Periods of repeated impacts: tests of given periods, and search for an unknown period.
 
-A chopped tooth comes by once per turn of its shaft. So does every tooth mesh of the shaft: z meshes fill one
-turn exactly, and whatever compares a signal with itself one turn later finds both alike. What distinguishes
-them is where their lines lie. A mesh has lines at the multiples of z/T only, a single event per turn at all
-multiples of 1/T. The evidence here is what lies at the multiples of 1/T that are not multiples of a known
-frequency, and only if most of them are there.
+A damaged tooth causes one event per revolution of its shaft. The meshes of the shaft have the same period: z
+tooth meshes are exactly one revolution, so that an autocorrelation cannot distinguish them. Their lines are
+different: a mesh has lines at the multiples of z/T only, a single event per revolution at all multiples of
+1/T. The evidence used here is the presence of most lines at multiples of 1/T that are not multiples of a
+known frequency.
 
-What is assumed: constant speed over the record (resample over the angle first where it is not, periods are
-then in revolutions); noise that is Gaussian, with a density that does not change over the distance of two
-lines 1/T. White noise of any strength is, and so is what a filter or a wavelet level makes of it.
+Assumptions: constant speed over the record (otherwise resample over the angle; periods are then in
+revolutions); Gaussian noise with a density that is constant over the distance 1/T of two lines, such as white
+noise of any level, also after a filter or in a wavelet level.
 
 Source: Quinn and Hannan, The Estimation and Tracking of Frequency (2001).
 """
@@ -42,32 +42,32 @@ from pitchpoint.analysis.combs import (
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 
 STEPS_PER_LINE = 2.0
-"""Trial frequencies per width 1/record of a line, counted at the fastest line of the comb."""
+"""Trial frequencies per line width 1/record at the highest line of the comb."""
 EXAMINED, IMPROVED = 12, 3
-"""How many of the highest peaks of the coarse score are tested, and how many of these are improved."""
+"""Number of highest peaks of the coarse score that are tested, and number of these that are refined."""
 HIGHEST_SHARE = 0.45
-"""Highest line by the sample rate, below what filters before the sampling take away."""
+"""Highest line over the sample rate, below the transition band of anti-aliasing filters."""
 CLEAR_LINE = 0.1
-"""Chance below which a fast line helps to fit the period."""
+"""p-value below which a high line is used to fit the period."""
 MOST_TRIALS = 200_000
-"""Most trial periods of one search."""
+"""Maximum number of trial periods of one search."""
 
 
 @dataclass(frozen=True)
 class PeriodEvidence:
-    """What speaks for each of some given periods.
+    """Evidence for given periods.
 
     Attributes
     ----------
     period
-        Shape (n_period,). Periods [s]; the best within the tolerance, where there is one.
+        Shape (n_period,). Periods [s]; the best within the tolerance, if there is one.
     p_value
-        Shape (n_period,). Chance that noise alone gives as much for this period [-], the tolerance allowed
-        for; not a number where nothing can be reported.
+        Shape (n_period,). Probability that noise alone gives the same evidence for this period [-], corrected
+        for the tolerance; NaN if there is no result.
     turns
-        Shape (n_period,). Whole periods in the record [-]; below 2 nothing can be reported.
+        Shape (n_period,). Whole periods in the record [-]; no result below 2.
     lines
-        Shape (n_period,). Multiples of 1/T that could be used [-]; below 3 nothing can be reported.
+        Shape (n_period,). Number of usable multiples of 1/T [-]; no result below 3.
     """
 
     period: Array
@@ -78,28 +78,27 @@ class PeriodEvidence:
 
 @dataclass(frozen=True)
 class PeriodSearch:
-    """The period of repeated impacts between two limits, if there is one.
+    """Result of the search for the period of repeated impacts between two limits.
 
     Attributes
     ----------
     found
         Whether `p_value` is at most `false_alarm`.
     period
-        Period T [s]; not a number if nothing is found.
+        Period T [s]; NaN if not found.
     deviation
-        Standard deviation of the period [s] that the noise next to the lines represents; not a number if
-        nothing is found.
+        Standard deviation of the period due to the noise around the lines [s]; NaN if not found.
     p_value
-        Chance that noise alone gives as much anywhere between the limits [-], at most 1.
+        Probability that noise alone gives the same evidence anywhere between the limits [-], at most 1.
     false_alarm
-        The chance that was allowed [-].
+        Allowed false alarm probability [-].
     turns
-        Whole periods in the record [-]; 0 if nothing is found.
+        Whole periods in the record [-]; 0 if not found.
     lines
-        The comb of the period; empty if nothing is found.
+        Comb of the period; empty if not found.
     trial_period, trial_score
-        Shape (n_trial,). Periods [s] and -log10 of the chance of each by itself, from the coarse search; for
-        pictures.
+        Shape (n_trial,). Periods [s] and -log10 of the individual probability of each, from the coarse
+        search; for plots.
     """
 
     found: bool
@@ -123,7 +122,7 @@ def period_evidence(
     highest_frequency: float | None = None,
     tolerance: float = 0.0,
 ) -> PeriodEvidence:
-    """Test given periods, such as those of the shafts, for something that happens once in each.
+    """Test given periods, such as those of the shafts, for an event once per period.
 
     Parameters
     ----------
@@ -134,18 +133,18 @@ def period_evidence(
     periods
         Periods T [s], shape (n_period,).
     known
-        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): mesh frequencies.
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
-        Lines above are omitted [Hz]; default K over the shortest period, at most 0.45 f_s.
+        Highest frequency of a line [Hz]; default K over the shortest period, at most 0.45 f_s.
     tolerance
         Relative uncertainty of the periods [-].
 
     Returns
     -------
     PeriodEvidence
-        One number for each period; several periods are several chances of a false alarm.
+        One p-value per period, not corrected for the number of periods.
 
     Raises
     ------
@@ -154,15 +153,16 @@ def period_evidence(
 
     Notes
     -----
-    Each line of the comb gives an F test against its neighbours; `evidence_of_comb` joins those of all lines
-    up to K, up to K/2, or up to K/4, whichever gives the strongest evidence, and allows for the choice. The
-    same must hold without the multiples of every prime: otherwise the lines belong to a shorter period. The
-    p-value is the largest of these. A few strong lines (unbalance, a bent shaft) are not
-    evidence of impacts, most of the twenty are. Valid for two or more periods in the record, few are weak.
+    Each line of the comb gives an F test against its neighbours; `evidence_of_comb` combines those of all
+    lines up to K, K/2 or K/4, whichever gives the strongest evidence, with a correction for the choice. The
+    evidence must remain without the multiples of every prime: otherwise the lines are those of a shorter
+    period. The p-value is the largest of these. A few strong lines (unbalance, bent shaft) are not evidence
+    of impacts, most of the twenty lines are. Valid for at least two periods in the record; the test is weak
+    for few periods.
 
     Examples
     --------
-    A dip once in 2 s next to a strong tone of 3.5 Hz, whose period fits into 2 s seven times:
+    A dip every 2 s and a strong tone of 3.5 Hz with seven periods in 2 s:
 
     >>> t = np.arange(4000) / 200.0
     >>> noise = np.random.default_rng(1).normal(size=t.size)
@@ -184,13 +184,13 @@ def period_evidence(
     for i, T in enumerate(wanted):
         half = int(np.ceil(abs(tolerance) * harmonics * record.duration * STEPS_PER_LINE / T))
         best: tuple[float, ...] = (np.inf, np.inf)
-        # in order of distance from the stated period: of equals the nearest counts
+        # in order of distance from the given period: of equal results the nearest is chosen
         for step in sorted(range(-half, half + 1), key=abs):
             trial = T / (1.0 + abs(tolerance) * step / max(half, 1))
             comb = comb_lines(record, trial, harmonics)
             lines[i] = max(lines[i], comb.orders.size)
             if comb.orders.size >= FEWEST_LINES:
-                # evidence of very many lines saturates; what is left of it is the sum of their logarithms
+                # the probability of very many lines saturates; the sum of log p-values breaks ties
                 chance, own, _ = evidence_of_comb(comb, harmonics)
                 grade = (max(chance, own), float(np.log(np.maximum(comb.p_value, 1e-300)).sum()))
                 if grade < best:
@@ -211,7 +211,7 @@ def find_period(
     highest_frequency: float | None = None,
     false_alarm: float = 1e-3,
 ) -> PeriodSearch:
-    """Find the period of something that happens again and again, or state that nothing does.
+    """Search for the period of a repeated event between two limits.
 
     Parameters
     ----------
@@ -224,32 +224,32 @@ def find_period(
     longest
         Longest period [s], at most half the record.
     known
-        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): the tooth meshes.
+        Frequencies that are not faults, with all their multiples [Hz], shape (n_known,): mesh frequencies.
     harmonics
         Highest multiple K of 1/T [-].
     highest_frequency
-        Lines above are omitted [Hz]; default K over the shortest period, at most 0.45 f_s.
+        Highest frequency of a line [Hz]; default K over the shortest period, at most 0.45 f_s.
     false_alarm
-        Chance of finding something in noise that is allowed [-], for the whole search.
+        Allowed false alarm probability of the whole search [-].
 
     Returns
     -------
     PeriodSearch
-        `found` is False where noise may explain it all.
+        `found` is False if noise may explain the evidence.
 
     Raises
     ------
     SignalError
-        If the limits are out of order or longer than half the record, or allow too many trials.
+        If the limits are not in order, exceed half the record, or require too many trials.
 
     Notes
     -----
-    A coarse score over all trial frequencies, in steps of half a line at K/T, selects candidates; each is
-    tested as `period_evidence` does. The chance is multiplied by the number of trials (Bonferroni), which is
-    on the safe side [1]_. Of a period and its multiples the longest counts whose own lines are there. The
-    period is then the one for which K sines fit best, all at once, by least squares; its deviation is that of
-    the Cramér-Rao bound. A period longer than `longest` can show as one of its parts. Valid for two or more
-    periods in the record.
+    A coarse score over all trial frequencies, in steps of half a line at K/T, selects candidates, which are
+    tested as in `period_evidence`. The probability is multiplied by the number of trials (Bonferroni), which
+    is conservative [1]_. Of a period and its multiples the longest is chosen that has lines of its own. The
+    period is then a simultaneous least-squares fit of K sines; its deviation is the Cramér-Rao bound. A
+    period longer than `longest` may be found as one of its fractions. Valid for at least two periods in the
+    record.
 
     References
     ----------
@@ -304,13 +304,13 @@ def _whole(harmonics: int) -> int:
 
 
 def _top(highest_frequency: float | None, harmonics: int, shortest: float, sample_rate: float) -> float:
-    """Highest frequency of a line: what K, the sample rate and the caller leave."""
+    """Highest frequency of a line, limited by K, the sample rate and the caller."""
     top = min(harmonics / shortest, HIGHEST_SHARE * positive(sample_rate, "sample_rate"))
     return top if highest_frequency is None else min(top, positive(highest_frequency, "highest_frequency"))
 
 
 def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Array, Array]:
-    """Trial frequencies and -log10 of the chance of each, quickly: from one transform of the whole record."""
+    """Trial frequencies and -log10 of the probability of each, from one transform of the whole record."""
     from scipy.fft import next_fast_len
 
     step = 1.0 / (STEPS_PER_LINE * harmonics * record.duration)
@@ -331,12 +331,12 @@ def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Ar
         used[row] = (line <= record.top * (1.0 + 1e-9)) & is_clear(
             line, record.tones, CLEARANCE / record.duration
         )
-        # four places between this line and the next ones represent the noise
+        # four points between this line and the adjacent ones give the noise
         places = [line, *(np.abs(line + d * frequency) for d in (-0.5, -0.3, 0.3, 0.5))]
         at = np.minimum(np.rint(np.array(places) * per_line).astype(np.int64), power.size - 1)
         level[row] = power[at[0]]
         noise[row] = power[at[1:]].mean(axis=0)
-    # the scatter of so few places is evened out over three lines of the comb
+    # smooth the noise estimate over three lines of the comb
     noise[1:-1] = (noise[:-2] + noise[1:-1] + noise[2:]) / 3.0
     evidence = np.minimum(8.0 * np.log1p(level / (8.0 * noise)), CLIP) * used
     score = np.zeros(trials)
@@ -350,43 +350,43 @@ def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Ar
 
 
 def _peaks(frequency: Array, score: Array) -> Array:
-    """The highest local maxima, at most `EXAMINED`."""
+    """Trial frequencies of the highest local maxima of the score, at most `EXAMINED`."""
     beyond = np.concatenate([[-1.0], score, [-1.0]])
     tops = np.flatnonzero((score > beyond[:-2]) & (score >= beyond[2:]))
     return frequency[tops[np.argsort(-score[tops], kind="stable")][:EXAMINED]]
 
 
 def _best(record: Record, frequencies: Array, harmonics: int, trials: int) -> tuple[float, float]:
-    """Chance and period of the best of some trial frequencies."""
+    """Probability and period of the best trial frequency."""
     tested = []
     for f in frequencies:
         comb = comb_lines(record, 1.0 / f, harmonics)
         tested.append((min(1.0, trials * evidence_of_comb(comb, harmonics)[0]), 1.0 / f))
     tested.sort()
-    # what noise explains before it is improved is left as it is
+    # candidates explained by noise are not refined
     improved = [_improved(record, T, harmonics, trials) for p, T in tested[:IMPROVED] if p < 1.0]
     return min(improved, default=tested[0] if tested else (1.0, 0.0))
 
 
 def _improved(record: Record, period: float, harmonics: int, trials: int) -> tuple[float, float]:
-    """Chance and period of a trial period after it is fitted to its lines."""
+    """Probability and period of a trial period after a fit to its lines."""
     comb = comb_lines(record, period, harmonics)
     highest = evidence_of_comb(comb, harmonics)[2]
-    # first the lines with most evidence, then with those that only a good period brings out
+    # first fit the lines with most evidence, then add those that only an accurate period resolves
     for last in (highest, harmonics):
         orders = comb.orders[(comb.orders <= highest) | ((comb.orders <= last) & (comb.p_value < CLEAR_LINE))]
         reach = 2.0 * period / (STEPS_PER_LINE * last * record.duration)
         period = fitted_period(record, period, orders, reach)
         comb = comb_lines(record, period, harmonics)
     chance, own, _ = evidence_of_comb(comb, harmonics)
-    # which of a period and its parts it is, is asked of this one only: that chance is not multiplied
+    # the test against shorter periods is made for one period only: its probability is not multiplied
     return max(min(1.0, trials * chance), own), period
 
 
 def _longest_multiple(
     record: Record, best: tuple[float, float], longest: float, harmonics: int, trials: int, allowed: float
 ) -> tuple[float, float]:
-    """The longest multiple of a period within the limits that has lines of its own, or the period itself."""
+    """Longest multiple of a period within the limits that has lines of its own, or the period itself."""
     for q in range(int(longest / best[1] * (1.0 + 1e-9)), 1, -1):
         comb = comb_lines(record, q * best[1], harmonics)
         own = comb.orders % q != 0

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frequencies of planet sets: meshes, faults, passing planets, phases of the meshes.
+"""Characteristic frequencies of planetary gear sets: mesh, faults, planet pass; mesh phases.
 
-Speeds are signed, in rad/s and counter-clockwise; frequencies are never negative, in Hz.
+Speeds are signed, in rad/s, counter-clockwise positive; frequencies are nonnegative, in Hz.
 """
 
 from __future__ import annotations
@@ -17,27 +17,27 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_signal, finite, w
 
 @dataclass(frozen=True)
 class PlanetaryFrequencies:
-    """Frequencies of a planet set.
+    """Characteristic frequencies of a planetary gear set.
 
     Attributes
     ----------
     speed_sun, speed_carrier, speed_ring
-        Speeds in space [rad/s].
+        Absolute speeds [rad/s].
     speed_planet
-        Speed of a planet against the carrier [rad/s].
+        Speed of a planet relative to the carrier [rad/s].
     mesh
-        Mesh frequency, the same at sun and ring [Hz].
+        Mesh frequency, equal at sun and ring [Hz].
     sun_fault, ring_fault
-        How often one bad tooth of sun or ring meets any planet [Hz].
+        Rate at which one damaged tooth of sun or ring meshes with any planet [Hz].
     planet_fault
-        How often one bad flank of a planet meets its mate: a planet drives with one flank and is driven at
-        the other [Hz].
+        Rate at which one damaged flank of a planet is in mesh [Hz]; one flank of a tooth is in contact with
+        the sun, the other with the ring.
     planet_fault_both
-        How often a tooth of a planet that is bad on both flanks, or broken, meets sun or ring [Hz].
+        Rate at which a broken planet tooth, or one damaged on both flanks, meshes with sun or ring [Hz].
     planet_pass
-        How often any planet passes a place in space [Hz].
+        Planet pass frequency at a fixed location [Hz].
     hunting_sun, hunting_ring
-        How often the same two teeth of sun and planet, planet and ring meet [Hz].
+        Hunting tooth frequencies of sun and planet, and of planet and ring [Hz].
     """
 
     speed_sun: float
@@ -64,16 +64,16 @@ def planetary_frequencies(
     speed_carrier: float | None = None,
     speed_ring: float | None = None,
 ) -> PlanetaryFrequencies:
-    """Mesh, fault and passing frequencies of a planet set, whichever member is at rest.
+    """Mesh, fault and planet pass frequencies of a planetary gear set with any fixed member.
 
     Parameters
     ----------
     z_sun, z_planet, z_ring
-        Numbers of teeth, all counted positive [-].
+        Numbers of teeth, all positive [-].
     planets
         Number of planets N [-].
     speed_sun, speed_carrier, speed_ring
-        Speeds in space [rad/s]: two of them, 0 for a member that is held. The third follows.
+        Two of the absolute speeds [rad/s], 0 for a fixed member. The third is computed.
 
     Returns
     -------
@@ -88,7 +88,7 @@ def planetary_frequencies(
     Notes
     -----
     Willis: z_s (w_s - w_c) + z_r (w_r - w_c) = 0. With f_m = z_r |w_r - w_c|/2π: sun N f_m/z_s, planet
-    f_m/z_p and twice that for both flanks, ring N f_m/z_r, passing planets N |w_c|/2π [1]_. Valid for simple
+    f_m/z_p and twice that for both flanks, ring N f_m/z_r, planet pass N |w_c|/2π [1]_. Valid for simple
     planets.
 
     References
@@ -98,7 +98,7 @@ def planetary_frequencies(
 
     Examples
     --------
-    First stage of a 5 MW wind turbine gearbox, ring held, carrier at 12.1 rpm:
+    First stage of a 5 MW wind turbine gearbox, fixed ring, carrier at 12.1 rpm:
 
     >>> f = planetary_frequencies(
     ...     z_sun=19, z_planet=17, z_ring=56, planets=3, speed_carrier=12.1 * math.pi / 30, speed_ring=0.0)
@@ -122,7 +122,7 @@ def planetary_frequencies(
         w_c = known["carrier"]
         w_s = known["sun"] if "sun" in known else w_c - (known["ring"] - w_c) * z_r / z_s
         w_r = known["ring"] if "ring" in known else w_c - (w_s - w_c) * z_s / z_r
-    # of two equivalent members, the one that was given
+    # of two equivalent expressions, use the one with the given speed
     mesh = (z_s * abs(w_s - w_c) if "sun" in known else z_r * abs(w_r - w_c)) / math.tau
     return PlanetaryFrequencies(
         speed_sun=w_s,
@@ -141,7 +141,7 @@ def planetary_frequencies(
 
 
 def planet_phases(z: int, angles: ArrayLike) -> Array:
-    """Phases of the meshes of planets with a central gear against that of a planet at the angle zero.
+    """Mesh phases of the planets with a central gear, relative to a planet at the angle zero.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def planet_phases(z: int, angles: ArrayLike) -> Array:
     Returns
     -------
     NDArray
-        Phases [parts of a mesh cycle, 0 to 1], shape (N,).
+        Phases [fractions of a mesh cycle, 0 to 1], shape (N,).
 
     Raises
     ------
@@ -162,7 +162,7 @@ def planet_phases(z: int, angles: ArrayLike) -> Array:
 
     Notes
     -----
-    frac(z ψ/2π), z negative for a ring [1]_. Valid for planets that are alike.
+    frac(z ψ/2π), z negative for a ring [1]_. Valid for equal planets.
 
     References
     ----------
@@ -171,7 +171,7 @@ def planet_phases(z: int, angles: ArrayLike) -> Array:
 
     Examples
     --------
-    Four planets between 51 and 85 teeth follow each other, at the sun and at the ring:
+    Sequential phases of four planets between 51 and 85 teeth, at the sun and at the ring:
 
     >>> planet_phases(51, np.arange(4) * np.pi / 2).tolist()
     [0.0, 0.75, 0.5, 0.25]
@@ -180,27 +180,27 @@ def planet_phases(z: int, angles: ArrayLike) -> Array:
     """
     whole(abs(z), "z")
     turned = z * as_signal(angles, "angles", 1) / math.tau
-    # angles carry round-off, and just below one is zero
+    # angles have round-off; a phase just below one is zero
     return np.asarray(np.round(turned - np.floor(turned), 12) % 1.0 + 0.0)
 
 
 def excited_motion(z_sun: int, planets: int, harmonics: int = 3) -> tuple[str, ...]:
-    """Kind of motion that harmonics of the mesh frequency excite in a set with planets at equal angles.
+    """Type of motion excited by harmonics of the mesh frequency in a set with equally spaced planets.
 
     Parameters
     ----------
     z_sun
-        Teeth of the sun [-].
+        Number of teeth of the sun [-].
     planets
         Number of planets N, at least 3 [-].
     harmonics
-        How many harmonics, from the first on [-].
+        Number of harmonics, from the first [-].
 
     Returns
     -------
     tuple of str
-        `rotational` (all central members turn), `translational` (they move sideways) or `planet` (planets
-        alone) for each harmonic.
+        `rotational` (rotation of the central members), `translational` (their translation) or `planet`
+        (motion of the planets only) for each harmonic.
 
     Raises
     ------
@@ -210,7 +210,7 @@ def excited_motion(z_sun: int, planets: int, harmonics: int = 3) -> tuple[str, .
     Notes
     -----
     k = l z_s mod N for harmonic l: 0 rotational, 1 or N - 1 translational, else planet [1]_. Valid for
-    planets that are alike and at equal angles.
+    equal, equally spaced planets.
 
     References
     ----------

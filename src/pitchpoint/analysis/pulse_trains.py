@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Channels that hold the pulses of a tacho: two levels or single lobes, even intervals.
+"""Identification of tacho channels: two levels or single lobes, even intervals.
 
 Derivation: docs/theory/signals.md, "Angle".
 """
@@ -15,15 +15,15 @@ from pitchpoint.analysis.tacho import FEWEST_PULSES, rising_edges
 Array = NDArray[np.float64]
 
 LEVEL = 0.15
-"""Distance from a level, over the range, up to which a sample lies on it: filtered edges overshoot by 9 %."""
+"""Tolerance of a level over the range; filtered edges overshoot by 9 %."""
 FLAT = 0.8
-"""Share of the samples above, and of those below, the middle that lie on their level."""
+"""Minimum share of the samples above, and of those below, the middle that are on their level."""
 EVEN = 1.25
-"""Ratio of successive intervals up to which they are alike; a shaft changes its speed slowly."""
+"""Maximum ratio of successive intervals that are even; the speed of a shaft changes slowly."""
 
 
 def is_pulse_train(values: ArrayLike, time: ArrayLike) -> bool:
-    """Whether a channel shows pulses of a tacho, not a vibration.
+    """Whether a channel is a tacho pulse train and not a vibration signal.
 
     Parameters
     ----------
@@ -37,9 +37,10 @@ def is_pulse_train(values: ArrayLike, time: ArrayLike) -> bool:
 
     Notes
     -----
-    Vibration has no flat levels: of a sine half the samples lie farther than 15 % of the range from both
-    extremes, of impacts the peaks decay. Inductive pickups give one lobe per pulse, or one up and one down,
-    all alike, and rest in between; structures that an impact hits ring several times.
+    Vibration has no flat levels: half the samples of a sine are farther than 15 % of the range from both
+    extremes, and the peaks of impacts decay. Inductive pickups give one lobe per pulse, or one positive and
+    one negative lobe, all alike, with zero signal between them; structures hit by an impact ring several
+    times.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pulses that a shaft makes as it turns, as a tacho gives them.
+"""Tacho pulses of a rotating shaft.
 
 Derivation: docs/theory/signals.md, "Angle".
 """
@@ -15,14 +15,14 @@ from pitchpoint.analysis.sampled import SignalError
 
 
 def tacho_levels(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
-    """Level of a tacho: 1 over the first half of the angle between two pulses, 0 over the second.
+    """Level of a tacho: 1 over the first half of the pulse pitch, 0 over the second.
 
     Parameters
     ----------
     angle
-        Angle of the shaft with all its turns, shape (n,) [rad].
+        Unwrapped angle of the shaft, shape (n,) [rad].
     per_turn
-        Pulses per turn, at least 1 [-].
+        Pulses per revolution, at least 1 [-].
 
     Returns
     -------
@@ -32,7 +32,7 @@ def tacho_levels(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
     Raises
     ------
     SignalError
-        If there is less than one pulse per turn.
+        If there is less than one pulse per revolution.
 
     Examples
     --------
@@ -45,30 +45,30 @@ def tacho_levels(angle: NDArray[np.float64], per_turn: int) -> NDArray[np.int8]:
 
 
 def pulse_times(t: NDArray[np.float64], angle: NDArray[np.float64], per_turn: int) -> NDArray[np.float64]:
-    """Times at which pulses begin, by straight lines between the samples.
+    """Start times of tacho pulses, by linear interpolation between the samples.
 
     Parameters
     ----------
     t
-        Times of the samples, rising, shape (n,) [s].
+        Times of the samples, increasing, shape (n,) [s].
     angle
-        Angle of the shaft with all its turns, shape (n,) [rad]; one that goes backwards counts too.
+        Unwrapped angle of the shaft, shape (n,) [rad]; it may decrease.
     per_turn
-        Pulses per turn, at least 1 [-].
+        Pulses per revolution, at least 1 [-].
 
     Returns
     -------
     numpy.ndarray
-        Times at which the angle passes a whole number of pulse distances, shape (k,) [s].
+        Times at which the angle passes a multiple of the pulse pitch, shape (k,) [s].
 
     Raises
     ------
     SignalError
-        If there is less than one pulse per turn, or t and angle differ in length.
+        If there is less than one pulse per revolution, or t and angle differ in length.
 
     Examples
     --------
-    A shaft with 30 turns a second and 10 pulses a turn: a pulse every 1/300 s.
+    A shaft with 30 revolutions per second and 10 pulses per revolution: one pulse every 1/300 s.
 
     >>> t = np.linspace(0.0, 0.01, 101)
     >>> pulse_times(t, 2.0 * np.pi * 30.0 * t + 0.1, 10).round(6).tolist()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes in addition to findings: each reason once, with all subjects that it applies to."""
+"""Remarks of a diagnosis: each reason once, with all its subjects."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Note:
-    """A reason, and one thing that it holds of.
+    """A reason and one of its subjects.
 
     Attributes
     ----------
     reason
         Sentence with `{}` for the subjects; without it if it applies to the whole record.
     subject
-        The thing.
+        Subject of the reason, such as a bearing part or a test.
     """
 
     reason: str
@@ -24,12 +24,12 @@ class Note:
 
 
 def grouped(notes: Iterable[Note]) -> list[str]:
-    """Sentences with one reason each, in the order in which the reasons come up first.
+    """One sentence per reason with all its subjects, in the order of first occurrence.
 
     Parameters
     ----------
     notes
-        Reasons with their things; the same thing may come up more than once.
+        Reasons with their subjects; repeated ones are listed once.
 
     Examples
     --------

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of sampled data that every analysis function starts with.
+"""Checks of sampled data common to all analysis functions.
 
-Measured and simulated signals enter the analysis as plain arrays. What they must fulfil is written once,
-here, so that the functions themselves contain nothing but the mathematics.
+Measured and simulated signals are passed to the analysis as plain arrays.
 
 Derivation: docs/theory/signals.md, "Signals".
 """
@@ -17,13 +16,13 @@ from pitchpoint.core.errors import PitchpointError
 Array = NDArray[np.float64]
 Lines = NDArray[np.complex128]
 
-# Relative jitter of the sampling interval up to which a time axis counts as uniform. Times written as decimal
-# text or summed up in floating point stay well below it; a lost sample is six orders of magnitude above.
+# Maximum relative jitter of the sampling interval of a uniform time axis. Times written as decimal text or
+# accumulated in floating point are well below it; a lost sample is six orders of magnitude above.
 UNIFORM_TOLERANCE = 1e-6
 
 
 class SignalError(PitchpointError, ValueError):
-    """Sampled data do not fulfil what an analysis function needs; the message states where and what to do."""
+    """Sampled data are not suitable for an analysis function; the message gives location and remedy."""
 
 
 def as_signal(values: ArrayLike, name: str = "values", minimum: int = 2) -> Array:
@@ -34,9 +33,9 @@ def as_signal(values: ArrayLike, name: str = "values", minimum: int = 2) -> Arra
     values
         Samples, shape (n,), any unit.
     name
-        What to call them in an error message.
+        Name of the signal in error messages.
     minimum
-        Smallest number of samples the caller can work with.
+        Minimum number of samples.
 
     Returns
     -------
@@ -70,21 +69,21 @@ def as_signal(values: ArrayLike, name: str = "values", minimum: int = 2) -> Arra
 
 
 def as_increasing(values: ArrayLike, name: str = "time", minimum: int = 2) -> Array:
-    """Return `values` as a signal that increases strictly, as a time axis does.
+    """Return `values` as a strictly increasing signal, such as a time axis.
 
     Parameters
     ----------
     values
         Samples, shape (n,), any unit.
     name
-        What to call them in an error message.
+        Name of the signal in error messages.
     minimum
-        Smallest number of samples the caller can work with.
+        Minimum number of samples.
 
     Raises
     ------
     SignalError
-        If some sample is not larger than the one before it.
+        If a sample is not larger than the preceding one.
 
     Examples
     --------
@@ -101,7 +100,7 @@ def as_increasing(values: ArrayLike, name: str = "time", minimum: int = 2) -> Ar
 
 
 def same_length(first: Array, second: Array, names: str) -> None:
-    """Refuse two channels of different length; `names` is what the message calls them.
+    """Raise if two channels differ in length.
 
     Parameters
     ----------
@@ -110,7 +109,7 @@ def same_length(first: Array, second: Array, names: str) -> None:
     second
         Samples of the other channel, shape (n,).
     names
-        What to call the two in an error message.
+        Names of both channels in error messages.
 
     Raises
     ------
@@ -137,7 +136,7 @@ def sample_rate_of(time: ArrayLike) -> float:
     Raises
     ------
     SignalError
-        If the spacing varies by more than a millionth of itself.
+        If the relative variation of the spacing exceeds 1e-6.
 
     Examples
     --------
@@ -146,7 +145,7 @@ def sample_rate_of(time: ArrayLike) -> float:
     """
     axis = as_increasing(time)
     step = (axis[-1] - axis[0]) / (axis.size - 1)
-    # the second term is the resolution of the axis itself: late times carry fewer digits per step
+    # the second term is the floating-point resolution of the largest time
     allowed = UNIFORM_TOLERANCE * step + 4.0 * np.finfo(np.float64).eps * float(np.abs(axis).max())
     if float(np.max(np.abs(np.diff(axis) - step))) > allowed:
         raise SignalError("time: is not uniformly spaced; resample the record first")
@@ -154,14 +153,14 @@ def sample_rate_of(time: ArrayLike) -> float:
 
 
 def positive(value: float, name: str) -> float:
-    """Return `value` if it is a finite number above zero, else refuse it.
+    """Return `value` if it is a finite number above zero; raise otherwise.
 
     Parameters
     ----------
     value
         Number, any unit.
     name
-        What to call it in an error message.
+        Name of the number in error messages.
 
     Raises
     ------
@@ -174,16 +173,16 @@ def positive(value: float, name: str) -> float:
 
 
 def whole(value: float, name: str, minimum: int = 1) -> int:
-    """Return `value` if it is a whole number that is large enough, else refuse it.
+    """Return `value` if it is a whole number of at least `minimum`; raise otherwise.
 
     Parameters
     ----------
     value
         Number [-].
     name
-        What to call it in an error message.
+        Name of the number in error messages.
     minimum
-        Smallest number allowed [-].
+        Minimum value [-].
 
     Raises
     ------
@@ -196,14 +195,14 @@ def whole(value: float, name: str, minimum: int = 1) -> int:
 
 
 def finite(value: float, name: str) -> float:
-    """Return `value` if it is a finite number, else refuse it.
+    """Return `value` if it is a finite number; raise otherwise.
 
     Parameters
     ----------
     value
         Number, any unit.
     name
-        What to call it in an error message.
+        Name of the number in error messages.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scalograms: amplitudes over time and frequency, with a window that is as short as the frequency allows."""
+"""Scalograms: amplitudes over time and frequency by the continuous wavelet transform."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
 from pitchpoint.analysis.wavelets import check_extension, unknown
 
 NUMBERED = {"cmor": "cmor1.5-1.0", "shan": "shan1.5-1.0", "fbsp": "fbsp2-1-1.5"}
-"""Continuous families whose names carry numbers, and how they are written."""
+"""Continuous families with numbers in their names, each with an example."""
 
 PER_OCTAVE = 12
-"""Rows to an octave where none are named; the complex Morlet wavelet falls to half 0.28 octaves away."""
+"""Default rows per octave; the amplitude of the complex Morlet wavelet drops to half within 0.28 octaves."""
 MOST_AMPLITUDES = 30_000_000
-"""Most numbers of one map: 0.24 GB."""
+"""Maximum number of amplitudes of one map: 0.24 GB."""
 
 
 @dataclass(frozen=True)
 class Scalogram:
-    """Continuous wavelet transform over time and frequency.
+    """Amplitudes of the continuous wavelet transform over time and frequency.
 
     Attributes
     ----------
     time
-        Shape (n,). Time [s], by the clock of `start`.
+        Shape (n,). Time [s], from `start`.
     frequency
         Shape (n_line,). Frequencies of the rows [Hz].
     amplitude
         Shape (n_line, n). Peak amplitude of the sine of that frequency, in the unit of the signal.
     edge
-        Shape (n_line,). Time from either end of the record [s] within which the extension matters: half the
-        middle stretch that holds 95 % of the area under |psi|.
+        Shape (n_line,). Time from either end of the record [s] affected by the extension: half width of the
+        central interval with 95 % of the area under |psi|.
     wavelet, extension
-        What was used.
+        Wavelet and extension used.
     """
 
     time: Array
@@ -62,17 +62,17 @@ def scalogram(
     Parameters
     ----------
     values
-        Samples, shape (n,), any unit; their mean is taken out.
+        Samples, shape (n,), any unit; their mean is removed.
     sample_rate
         Sample rate f_s [Hz].
     frequencies
-        Frequencies of the rows [Hz], shape (n_line,), above 1/record and below f_s/2; default 12 to the
-        octave from 4/record on, below which the extension is all over the record.
+        Frequencies of the rows [Hz], shape (n_line,), above 1/record and below f_s/2; default 12 per octave
+        from 4/record, below which the extension affects the whole record.
     wavelet
         Name of a continuous wavelet, such as `cmor1.5-1.0` (complex Morlet, bandwidth 1.5, centre 1),
-        `mexh`, `gaus4`, `shan1.5-1.0`. A complex one gives a smooth amplitude; a real one its ups and downs.
+        `mexh`, `gaus4`, `shan1.5-1.0`. A complex wavelet gives a smooth amplitude, a real one oscillates.
     extension
-        How the record continues beyond its ends, see `wavelets`.
+        Extension of the record beyond its ends, see `wavelets`.
     start
         Time of the first sample [s].
 
@@ -88,9 +88,9 @@ def scalogram(
 
     Notes
     -----
-    W(f, t) = Σ_k x_k psi*((t_k - t)/s)/G with s = f_c/f [1]_. G is the answer of the sampled wavelet to a
-    sine of the frequency f (half of it for a complex wavelet, which sees one of its two lines only), so a
-    steady sine shows its peak amplitude in its row. Valid between the `edge` times.
+    W(f, t) = Σ_k x_k psi*((t_k - t)/s)/G with s = f_c/f [1]_. G is the response of the sampled wavelet to a
+    sine of the frequency f (half of it for a complex wavelet, which responds to one of its two lines only),
+    so that a steady sine has its peak amplitude in its row. Valid between the `edge` times.
 
     References
     ----------
@@ -99,7 +99,7 @@ def scalogram(
 
     Examples
     --------
-    One octave next to the sine, this wavelet still sees exp(-1.5 (π/2)²) = 2.5 % of it:
+    One octave above the sine the response of this wavelet is exp(-1.5 (π/2)²) = 2.5 %:
 
     >>> t = np.arange(4000) / 1000.0
     >>> found = scalogram(3.0 * np.sin(2 * np.pi * 50.0 * t), 1000.0, [25.0, 50.0, 100.0])
@@ -137,7 +137,7 @@ def scalogram(
         half = int(np.ceil(scale * float(np.max(np.abs(support)))))
         kernel = _sampled(psi, support, np.arange(-half, half + 1) / scale)
         turning = np.exp(2j * np.pi * f / rate * np.arange(-half, half + 1))
-        # some complex families turn the other way round
+        # some complex families have the opposite sense of rotation
         gain = max(abs(np.sum(kernel * turning)), abs(np.sum(kernel * np.conj(turning))))
         gain *= 0.5 if np.iscomplexobj(psi) else 1.0
         extended = pywt.pad(x, half, extension)
@@ -154,13 +154,13 @@ def scalogram(
 
 
 def _octaves(low: float, high: float) -> Array:
-    """Frequencies from one limit to below another, as many to each octave."""
+    """Frequencies from `low` to below `high`, `PER_OCTAVE` per octave."""
     steps = int(np.ceil(PER_OCTAVE * np.log2(high / low)))
     return np.asarray(low * 2.0 ** (np.arange(steps) / PER_OCTAVE), dtype=np.float64)
 
 
 def _continuous(name: str) -> Any:
-    """The continuous wavelet of a name, which carries numbers in some families."""
+    """Continuous wavelet of a name; raises if it is unknown or lacks its numbers."""
     import pywt
 
     letters = name.rstrip("0123456789.-")
@@ -176,7 +176,7 @@ def _continuous(name: str) -> Any:
 
 
 def _sampled(psi: NDArray[Any], support: Array, at: Array) -> NDArray[Any]:
-    """The tabulated wavelet at other places, zero beyond its support."""
+    """Tabulated wavelet interpolated at other points, zero beyond its support."""
     real = np.interp(at, support, psi.real, left=0.0, right=0.0)
     if not np.iscomplexobj(psi):
         return real
@@ -184,7 +184,7 @@ def _sampled(psi: NDArray[Any], support: Array, at: Array) -> NDArray[Any]:
 
 
 def _half_width(weight: Array, support: Array) -> float:
-    """Half the stretch about zero that holds 95 % of the area under a curve."""
+    """Half width of the interval about zero with 95 % of the area under a curve."""
     order = np.argsort(np.abs(support))
     share = np.cumsum(weight[order]) / weight.sum()
     return float(np.abs(support[order][np.searchsorted(share, 0.95)]))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The angle of a shaft from a tacho channel, as one more channel of the record."""
+"""Shaft angle from a tacho channel as an additional channel of a record."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def with_shaft_angle(dataset: xr.Dataset, tacho: str, *, pulses_per_revolution: int) -> xr.Dataset:
-    """Add the angle of a shaft, read from the pulses of a tacho, and keep the part where it is known.
+    """Add the angle of a shaft from tacho pulses, and cut the record to where it is known.
 
     Parameters
     ----------
@@ -24,18 +24,18 @@ def with_shaft_angle(dataset: xr.Dataset, tacho: str, *, pulses_per_revolution: 
     tacho
         Channel with the pulses, any unit.
     pulses_per_revolution
-        Pulses in one turn of the shaft [-].
+        Pulses per revolution of the shaft [-].
 
     Returns
     -------
     xarray.Dataset
-        The record from the first pulse to the last, with the channel `angle[TACHO]` [rad] next to the others;
-        pulses that were missing or too many are listed in `attrs["notes"]`.
+        The record from the first pulse to the last, with the additional channel `angle[TACHO]` [rad]; missing
+        and surplus pulses are listed in `attrs["notes"]`.
 
     Raises
     ------
     SignalError
-        If there is no such channel, or its pulses give no angle.
+        If the channel does not exist, or its pulses give no angle.
 
     Notes
     -----

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Evidence for damage on one shaft in one spectrum over its orders: comb, lowest orders, sidebands.
+"""Evidence of damage on one shaft in an order spectrum: comb, lowest orders, sidebands.
 
-A local fault strikes once per turn: it raises all orders of its shaft. What is out of true (eccentric, bent,
-out of balance) changes slowly over the turn: it raises few orders and few sidebands of mesh lines. Points
-between the orders are the measure of both. With a whole ratio of shafts, all orders of the faster one are
-orders of the slower one too: the measure then also is the other orders of that one.
+A local fault causes one impact per revolution and raises all orders of its shaft. Eccentricity, a bent shaft
+or unbalance vary slowly over the revolution and raise a few low orders and a few sidebands of mesh lines.
+Points between the orders are the reference of both tests. If the ratio of two shafts is a whole number, all
+orders of the faster shaft are orders of the slower one too: the other orders of the slower shaft are then an
+additional reference.
 
 Source: van Elteren (1960) for the rank sum within blocks.
 """
@@ -29,49 +30,48 @@ from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts
 
 FEWEST_TURNS = 3.0
-"""Turns of a shaft from which points between its orders see nothing of the orders themselves."""
+"""Minimum number of shaft revolutions for points between the orders that are free of leakage."""
 RESOLVED = 8.0
-"""Turns of another shaft from which its orders are single lines that can be omitted."""
+"""Minimum number of revolutions of another shaft whose orders are single lines that can be omitted."""
 MOST_ORDERS = 6000
 FEWEST_LINES = 6
-"""Lines of a comb from which on their ranks are conclusive."""
+"""Minimum number of comb lines for a rank test."""
 SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
-"""Amplitudes below which nothing is reported: of a comb and of a line as a part of the rms of the "
-"signal, of a sideband
-as a part of its mesh line as well. Every machine has such lines, and simulations without noise show them."""
+"""Minimum amplitudes that are reported: of a comb and of a line over the RMS of the signal, of a sideband
+also over its mesh line. Every machine has smaller lines, and simulations without noise show them."""
 FOLDED = 40
-"""Harmonics of a mesh whose images are omitted where the record was sampled without a filter."""
+"""Number of mesh harmonics whose alias images are omitted, for records without an anti-aliasing filter."""
 NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 PASSES, SLIP = 3, 0.01
-"""Passages of balls, of one bearing or of several, that appear next to mesh lines of healthy machines; how
-far they slip, as a part of their order."""
+"""Maximum sideband number of ball passages, of one or several bearings, around mesh lines of healthy
+machines; maximum relative slip."""
 TOGETHER = 3
-"""Kinds of bearings whose passages are combined."""
+"""Maximum number of types of bearings whose passages are combined."""
 OFF = 0.5
-"""How far the top of a line may be from an order that it belongs to, in lines of the record."""
+"""Maximum distance of the maximum of a line from its order, in lines of the record."""
 
 
 @dataclass(frozen=True)
 class Measured:
-    """Outcome of a test before it is set against the number of all tests.
+    """Result of a single test, before correction for the number of all tests.
 
     Attributes
     ----------
     score
-        Normal score of a comb, or power over that next to a line [-].
+        Normal score of a comb, or power of a line over its reference [-].
     probability
-        Probability that noise alone does as much [-].
+        Probability that noise alone reaches this score [-].
     order
         Order of the strongest line [-]; the middle of the best band of a comb.
     amplitude
         Amplitude of the line, or of the whole comb above the noise, in the unit of the signal.
     lines
-        Lines that were looked at [-].
+        Number of lines tested [-].
     sideband
-        Number of the sideband, 0 for others [-].
+        Number of the sideband, 0 if it is not a sideband [-].
     choices
-        Bands of a comb of which the best one was taken [-].
+        Number of bands of a comb from which the best was chosen [-].
     """
 
     score: float
@@ -84,20 +84,20 @@ class Measured:
 
 
 class ShaftView:
-    """Orders of one shaft in a spectrum, and the points between that are free of everything known.
+    """Orders of one shaft in a spectrum, and points between them that are free of known lines.
 
     Parameters
     ----------
     spectrum
         Spectrum over orders of the reference shaft.
     parts
-        All that turns.
+        Rotating parts of the machine.
     shaft
         The shaft.
     rms
-        Rms of the signal.
+        RMS of the signal.
     sampled
-        Samples in one turn of the reference shaft with which the record was taken [-].
+        Samples per revolution of the reference shaft in the original record [-].
     """
 
     def __init__(
@@ -121,11 +121,11 @@ class ShaftView:
 
     @property
     def testable(self) -> bool:
-        """Whether the record holds enough turns."""
+        """Whether the record has enough revolutions."""
         return self.turns >= FEWEST_TURNS and self.highest >= 1
 
     def free(self, order: NDArray[Any]) -> NDArray[np.bool_]:
-        """Whether orders, shape (n,), are separate from mesh lines and from orders of other shafts."""
+        """Mask of orders, shape (n,), that are separate from mesh lines and orders of other shafts."""
         line = self.spectrum.resolution
         apart = order > 2.0 * line
         for mesh in self.parts.meshes:
@@ -142,9 +142,9 @@ class ShaftView:
         return apart
 
     def comb(self, from_mesh: int = 2, *, without: int = 0) -> Measured:
-        """Whether the orders are above what is between them, away from mesh lines and their sidebands.
+        """Test whether the orders exceed the points between them, away from mesh lines and sidebands.
 
-        Multiples of `without` may be omitted.
+        Multiples of `without` are omitted, if given.
         """
         number = np.arange(1, self.highest + 1)
         keep = self.free(number * self.order)
@@ -170,7 +170,7 @@ class ShaftView:
         )
 
     def lines(self, orders: NDArray[Any], sideband: NDArray[Any], least: Array | None = None) -> Measured:
-        """The least likely of some lines, shape (n,); lines near others are omitted."""
+        """Test of the least probable of several lines, shape (n,); lines near known ones are omitted."""
         limits = np.zeros(orders.size) if least is None else least
         best, looked = None, 0
         for place, number, limit in zip(orders, sideband, limits, strict=True):
@@ -191,7 +191,7 @@ class ShaftView:
         return Measured(one.score, some, one.order, one.amplitude, looked, number)
 
     def line(self, order: float) -> Measured | None:
-        """One line against the higher one of both sides; None without enough neighbours."""
+        """Test of one line against the higher of both sides; None without enough neighbours."""
         power = float(self.spectrum.power(order))
         probability, score = 0.0, np.inf
         for place, level in self.measures:
@@ -210,12 +210,12 @@ class ShaftView:
         return Measured(score, probability, order, amplitude, 1)
 
     def _passed(self, order: float) -> bool:
-        """Whether balls that pass may show there, within what the record resolves."""
+        """Whether an order may be due to ball passage, within the resolution of the record."""
         off = np.abs(self.passing[:, 0] - order)
         return bool(np.any(off < self.passing[:, 1] + 2.0 * self.spectrum.resolution))
 
     def has_top_at(self, order: float) -> bool:
-        """Whether what is seen at an order is a line there, and not the skirt of one next to it."""
+        """Whether there is a line at an order, and not the slope of an adjacent line."""
         spectrum = self.spectrum
         reach = int(round(1.25 * spectrum.resolution / spectrum.step))
         off = np.arange(-reach, reach + 1)
@@ -223,12 +223,12 @@ class ShaftView:
         return bool(abs(off[top]) * spectrum.step <= (OFF + 0.01) * spectrum.resolution)
 
     def low_orders(self) -> Measured:
-        """The first orders of the shaft."""
+        """Test of the first orders of the shaft."""
         number = np.arange(1, LOW_ORDERS + 1)
         return self.lines(number * self.order, np.zeros(number.size))
 
     def sidebands(self, mesh_order: float, teeth: int) -> Measured:
-        """Sidebands of the mesh harmonics at multiples of the turns of the shaft."""
+        """Test of the sidebands of the mesh harmonics at multiples of the shaft order."""
         most = max(1, min(SIDEBANDS, (teeth - 1) // 2))
         offset = np.concatenate([np.arange(-most, 0), np.arange(1, most + 1)])
         harmonic = np.arange(1, HARMONICS + 1)
@@ -238,7 +238,7 @@ class ShaftView:
         return self.lines(orders.ravel(), np.tile(offset, HARMONICS), least)
 
     def _between(self) -> tuple[Array, Array]:
-        """Points between the orders: two lines or more from each of them."""
+        """Points between the orders, at least two lines from each."""
         count = int(min(8, max(1, np.floor(self.turns / 2.0) - 1)))
         part = np.arange(1, count + 1) / (count + 1)
         place = ((np.arange(self.highest + 1)[:, None] + part[None, :]) * self.order).ravel()
@@ -246,7 +246,7 @@ class ShaftView:
         return place, self.spectrum.power(place)
 
     def _orders_of(self, other: Shaft) -> tuple[Array, Array]:
-        """Orders of a slower shaft that are none of this one."""
+        """Orders of a slower shaft that are not orders of this one."""
         times = int(self.shaft.order / other.order)
         number = np.arange(1, self.highest * times + 1)
         place = number[number % times != 0] * float(other.order)
@@ -255,13 +255,13 @@ class ShaftView:
 
 
 def _distance(place: Array, step: float) -> Array:
-    """Distance to the next multiple of a step from one on."""
+    """Distance to the nearest positive multiple of a step."""
     distance: Array = np.abs(place - np.maximum(np.rint(place / step), 1.0) * step)
     return distance
 
 
 def _images(parts: TurningParts, sampled: float) -> Array:
-    """Orders at which harmonics of meshes above half the sampling rate come out if nothing held them back."""
+    """Orders of the alias images of mesh harmonics above half the sample rate."""
     found = []
     for mesh in parts.meshes:
         harmonic = parts.mesh_order(mesh) * np.arange(1, FOLDED + 1)
@@ -271,28 +271,28 @@ def _images(parts: TurningParts, sampled: float) -> Array:
 
 
 def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None = None) -> Array:
-    """Orders at which balls that pass under the load of healthy bearings may show.
+    """Orders of lines due to ball passage in healthy bearings.
 
     Parameters
     ----------
     parts
-        What turns.
+        Rotating parts of the machine.
     highest
         Highest order [-].
     harmonics
-        Harmonics of each mesh around which they are searched [-]; all if omitted.
+        Number of harmonics of each mesh whose sidebands are included [-]; default all.
 
     Returns
     -------
     ndarray
-        Shape (n, 2). Orders, and how far about them the slip of the rolling elements may take them [-].
+        Shape (n, 2). Orders, and their uncertainty due to the slip of the rolling elements [-].
 
     Notes
     -----
-    A bearing is a little stiffer with a ball below the load than between two: it shakes, and modulates all
-    meshes, as often as balls pass the outer ring [1]_; several bearings do so together, which counts where
-    there are at most three kinds (with more, no order would be free). Up to three passages and 1 % of slip.
-    Valid for bearings whose load is at rest.
+    A bearing is slightly stiffer with a ball below the load than between two balls: it vibrates and modulates
+    all meshes at the ball pass order of the outer ring [1]_. Combinations of several bearings are included
+    for at most three types (with more, no order would be free). Up to three passages and 1 % slip. Valid for
+    bearings with a load of fixed direction.
 
     References
     ----------
@@ -320,7 +320,7 @@ def passing_balls(parts: TurningParts, highest: float, *, harmonics: int | None 
 
 
 def passages(parts: TurningParts) -> tuple[Array, Array]:
-    """Distances of what passing balls put next to a line, and how far slip may take it, shape (n,) [-]."""
+    """Offsets of ball passage sidebands from a line, and their uncertainty due to slip, shape (n,) [-]."""
     rates = sorted({b.orders["outer ring"] for b in parts.bearings if "outer ring" in b.orders})
     if not rates:
         return np.empty(0), np.empty(0)
@@ -334,7 +334,7 @@ def passages(parts: TurningParts) -> tuple[Array, Array]:
 
 
 def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array) -> Measured:
-    """The band of the comb that stands out most; probability of the best one of all bands."""
+    """Most significant band of the comb, with the probability corrected for the choice of the band."""
     from scipy.stats import norm
 
     block, block_between = number // BLOCK, np.floor(between / BLOCK)
@@ -350,7 +350,7 @@ def _best_band(number: NDArray[Any], power: Array, between: Array, level: Array)
         score = comb_score(power[mine], level[theirs], block[mine], block_between[theirs])
         probability = float(norm.sf(score))
         if probability < best.probability:
-            # medians: single lines that come from elsewhere are not part of the comb
+            # medians are insensitive to single lines from other sources
             above = float(np.median(power[mine]) - np.median(level[theirs])) / np.log(2.0)
             amplitude = float(np.sqrt(max(above, 0.0) * mine.sum()))
             best = Measured(score, probability, float(number[mine].mean()), amplitude, int(mine.sum()))

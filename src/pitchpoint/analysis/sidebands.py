@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sidebands of mesh lines: what turns once per revolution modulates what comes once per tooth."""
+"""Sidebands of mesh lines at multiples of a shaft or carrier frequency."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from pitchpoint.analysis.harmonics import kept_harmonics, read_tones, require_re
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive, whole
 
 _ABOVE = 3.0
-"""Times its background from which a line stands out."""
+"""Minimum ratio of a significant line to its background."""
 _FLOOR = 1e-8
-"""Share of the largest sample below which nothing is a sideband: leakage of the window, and rounding."""
+"""Minimum sideband amplitude over the largest sample, above window leakage and round-off."""
 
 
 @dataclass(frozen=True)
@@ -34,16 +34,16 @@ class SidebandTable:
     level
         Shape (n_harmonic, 2 J + 1). Amplitude over that of the mesh line [dB].
     background
-        Shape (n_harmonic, 2 J + 1). Median amplitude of the lines around, in the unit of the signal.
+        Shape (n_harmonic, 2 J + 1). Median amplitude of the surrounding lines, in the unit of the signal.
     ratio
         Shape (n_harmonic,). Sum of all sidebands over the mesh line [-].
     index
         Shape (n_harmonic,). Mean of the two sidebands j = -1, 1, in the unit of the signal.
     asymmetry
-        Shape (n_harmonic, J). Right less left over their sum, by |j| [-]: 1 if only the right one is there;
-        nan where neither stands out: two of noise, or of round-off, differ by chance.
+        Shape (n_harmonic, J). (upper - lower)/(upper + lower) by |j| [-]: 1 if there is only the upper
+        sideband; NaN if neither is significant.
     lost
-        Mesh harmonics that were requested and whose sidebands lie above half the sample rate [-].
+        Number of requested mesh harmonics with sidebands above half the sample rate [-].
     """
 
     harmonic: Array
@@ -68,7 +68,7 @@ def sideband_table(
     sidebands: int = 3,
     tolerance: float = 0.01,
 ) -> SidebandTable:
-    """Amplitudes and levels at harmonics of a mesh frequency and next to them at multiples of a shaft's.
+    """Amplitudes and levels of mesh harmonics and their sidebands at multiples of a shaft frequency.
 
     Parameters
     ----------
@@ -77,34 +77,33 @@ def sideband_table(
     sample_rate
         Sample rate f_s [Hz].
     mesh
-        Mesh frequency f_m as far as it is known [Hz].
+        Approximate mesh frequency f_m [Hz].
     spacing
-        Distance f_s of the sidebands: turns of the shaft, or of the carrier, per second [Hz].
+        Sideband spacing: rotation frequency of the shaft or carrier [Hz].
     harmonics
-        Mesh harmonics wanted [-].
+        Number of mesh harmonics [-].
     sidebands
-        Sidebands J on either side [-].
+        Number of sidebands J on either side [-].
     tolerance
-        How far mesh frequency and spacing may be off, as a part of them [-].
+        Relative tolerance of mesh frequency and spacing [-].
 
     Returns
     -------
     SidebandTable
-        One row per mesh harmonic whose sidebands all lie below half the sample rate.
+        One row per mesh harmonic with all sidebands below half the sample rate.
 
     Raises
     ------
     SignalError
-        If the record is too short to separate the sidebands, the lowest sideband lies below zero, or not
-        even those of the first harmonic lie below half the sample rate.
+        If the record is too short to separate the sidebands, the lowest sideband is below zero, or the
+        sidebands of the first harmonic are not below half the sample rate.
 
     Notes
     -----
-    Lines by `harmonics.read_tones`; where the mesh line is a peak, sidebands are looked for from there. Sum
-    over mesh line as in [1]_; the asymmetry comes from amplitude and phase modulation that act together, and
-    from planets that pass the sensor [2]_. Valid for a steady speed. A sideband counts for the asymmetry if
-    it is three times its background and 1e-8 of the largest sample; below lie the leakage of the window and
-    the rounding of the transform.
+    Lines by `harmonics.read_tones`; if the mesh line is a peak, sideband frequencies are relative to it. Sum
+    over mesh line as in [1]_; the asymmetry is due to combined amplitude and phase modulation, and to planets
+    that pass the sensor [2]_. Valid for constant speed. A sideband is significant for the asymmetry if it
+    exceeds three times its background and 1e-8 of the largest sample, that is, window leakage and round-off.
 
     References
     ----------
@@ -115,7 +114,7 @@ def sideband_table(
 
     Examples
     --------
-    A mesh of 200 Hz whose amplitude swings by 40 % once per turn of a shaft at 7.5 Hz: sidebands of 20 %.
+    A mesh of 200 Hz with 40 % amplitude modulation by a shaft of 7.5 Hz: sidebands of 20 %.
 
     >>> t = np.arange(4000) / 2000.0
     >>> x = (1 + 0.4 * np.cos(2 * np.pi * 7.5 * t)) * np.cos(2 * np.pi * 200.0 * t)

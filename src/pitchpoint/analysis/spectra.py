@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Spectra of sampled signals: amplitudes, power spectral density, orders.
 
-One convention for all of them: one-sided, amplitudes are *peak* values of the sine they represent, the effect
-of the window is corrected, the mean is taken out before windowing (otherwise it leaks into the first lines)
-and reported.
+Common convention: one-sided, amplitudes are *peak* values of sines, corrected for the window; the mean is
+removed before windowing (otherwise it leaks into the first lines) and returned separately.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ class Spectrum:
     mean
         Mean of the signal, in its unit.
     resolution
-        Distance between two lines, in the unit of `frequency`.
+        Line spacing, in the unit of `frequency`.
     noise_bandwidth
         Equivalent noise bandwidth of the window, in the unit of `frequency`.
     """
@@ -76,12 +75,12 @@ def window(name: str, length: int) -> Array:
     Raises
     ------
     SignalError
-        If there is no window of that name.
+        If the window is unknown.
 
     Notes
     -----
-    w(n) = Σ_k (-1)^k a_k cos(2πkn/N), n = 0 … N-1 [1]_. The periodic form (not the symmetric one used for
-    filters) is what makes the lines of a sine that fits the record exact. Valid for N ≥ 2·(number of
+    w(n) = Σ_k (-1)^k a_k cos(2πkn/N), n = 0 … N-1 [1]_. With the periodic form (not the symmetric one used
+    for filters) the lines of a sine with whole periods in the record are exact. Valid for N ≥ 2·(number of
     coefficients).
 
     References
@@ -133,8 +132,8 @@ def amplitude_spectrum(values: ArrayLike, sample_rate: float, *, window_name: st
     sample_rate
         Sample rate f_s [Hz].
     window_name
-        `hann` separates neighbours, `flattop` reads amplitudes between two lines within 0.1 %, `rectangular`
-        is exact where the record holds whole periods.
+        `hann` separates adjacent lines, `flattop` gives amplitudes between two lines to 0.1 %, `rectangular`
+        is exact for whole periods in the record.
 
     Returns
     -------
@@ -148,14 +147,13 @@ def amplitude_spectrum(values: ArrayLike, sample_rate: float, *, window_name: st
 
     Notes
     -----
-    A_k = 2 |Σ w_n (x_n - x̄) exp(-2πikn/N)| / Σ w_n; line 0 holds |x̄| [1]_. Valid for stationary signals; a
-    sine that lies between two lines is read too low by up to 15 % (Hann) or 36 % (rectangular).
+    A_k = 2 |Σ w_n (x_n - x̄) exp(-2πikn/N)| / Σ w_n; line 0 is |x̄| [1]_. Valid for stationary signals; the
+    amplitude of a sine between two lines is too low by up to 15 % (Hann) or 36 % (rectangular).
 
     References
     ----------
     .. [1] G. Heinzel, A. Rüdiger, R. Schilling, Spectrum and spectral density estimation by the discrete
-    Fourier
-       transform, Max-Planck-Institut für Gravitationsphysik, 2002, sections 8 and 9.
+       Fourier transform, Max-Planck-Institut für Gravitationsphysik, 2002, sections 8 and 9.
 
     Examples
     --------
@@ -187,23 +185,22 @@ def order_spectrum(
 ) -> Spectrum:
     """Order spectrum of a signal sampled at equal angles.
 
-    The same as `amplitude_spectrum` with revolutions in the place of seconds: order 1 is once per revolution
-    of the shaft whose angle was used. `orders.resample_over_angle` makes such a signal from a record over
-    time.
+    Equivalent to `amplitude_spectrum` with revolutions instead of seconds: order 1 is once per revolution of
+    the reference shaft. `orders.resample_over_angle` gives such a signal from a record over time.
 
     Parameters
     ----------
     values
         Samples at equal steps of the angle, shape (n,), any unit.
     samples_per_revolution
-        Number of samples in one revolution [-].
+        Number of samples per revolution [-].
     window_name
         See `amplitude_spectrum`.
 
     Returns
     -------
     Spectrum
-        `frequency` holds orders [-].
+        `frequency` contains orders [-].
 
     Raises
     ------
@@ -217,7 +214,7 @@ def order_spectrum(
     References
     ----------
     .. [1] A. Brandt, Noise and Vibration Analysis, Wiley, 2011, chapter on the analysis of rotating
-    machinery.
+       machinery.
 
     Examples
     --------
@@ -242,8 +239,7 @@ def power_spectral_density(
     sample_rate
         Sample rate f_s [Hz].
     segment
-        Samples per segment L [-]; default an eighth of the record, at least 256 and never more than the
-        record.
+        Samples per segment L [-]; default an eighth of the record, at least 256 and at most the record.
     window_name
         See `window`.
 
@@ -266,12 +262,11 @@ def power_spectral_density(
     References
     ----------
     .. [1] P. D. Welch, The use of fast Fourier transform for the estimation of power spectra, IEEE
-    Transactions on
-       Audio and Electroacoustics 15(2), 1967, 70-73.
+       Transactions on Audio and Electroacoustics 15(2), 1967, 70-73.
 
     Examples
     --------
-    A sine of amplitude 3 carries the power 4.5:
+    A sine of amplitude 3 has a power of 4.5:
 
     >>> t = np.arange(4096) / 1024.0
     >>> psd = power_spectral_density(3.0 * np.sin(2 * np.pi * 100.0 * t), 1024.0, segment=1024)
@@ -299,16 +294,16 @@ def power_spectral_density(
 
 
 def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) -> list[tuple[float, float]]:
-    """The highest local maxima of a spectrum without line 0, for labels and tables.
+    """Highest local maxima of a spectrum without line 0, for labels and tables.
 
     Parameters
     ----------
     spectrum
         Any amplitude or order spectrum.
     count
-        How many peaks at most [-].
+        Maximum number of peaks [-].
     floor
-        Peaks below this part of the highest one are omitted [-].
+        Minimum amplitude relative to the highest line [-].
 
     Returns
     -------
@@ -318,9 +313,8 @@ def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) ->
     Notes
     -----
     A line is a peak if it is higher than the line before it and not lower than the line after it. Its
-    frequency is that of the top of the parabola through the logarithms of the three [1]_; for a Hann window
-    and a single sine this is right to 2 % of the distance between lines. The amplitude is that of the line,
-    as it is drawn.
+    frequency is that of the vertex of the parabola through the logarithms of the three lines [1]_; for a Hann
+    window and a single sine the error is below 2 % of the line spacing. The amplitude is that of the line.
 
     References
     ----------
@@ -339,7 +333,6 @@ def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) ->
         return []
     inner = np.arange(1, a.size - 1)
     tops = inner[(a[inner] > a[inner - 1]) & (a[inner] >= a[inner + 1])]
-    # line 1 may only be used higher than the suppressed line 0 when the window smears the mean
     tops = tops[a[tops] >= floor * float(a[1:].max())]
     tops = tops[np.argsort(-a[tops], kind="stable")][:count]
     return [
@@ -349,7 +342,7 @@ def largest_peaks(spectrum: Spectrum, count: int = 5, *, floor: float = 0.01) ->
 
 
 def _top_of_parabola(three: Array) -> float:
-    """Top of the parabola through the logarithms of three lines, in lines from the middle one."""
-    # neighbours that hold nothing but round-off do not move the top
+    """Vertex of the parabola through the logarithms of three lines, in lines from the middle one."""
+    # the lower limit keeps round-off in the neighbours from shifting the vertex
     left, top, right = np.log(np.maximum(three, 1e-4 * float(three[1])))
     return float(0.5 * (left - right) / (left - 2.0 * top + right))

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers that represent a signal, and what the flanks do: contact, separation, impact.
+"""Statistics of signals, and of flank contact: contact shares, separations, impacts.
 
-All of them weigh by time, not by count, so that records of adaptive solvers give the same numbers as uniform
-ones.
+Samples are weighted by time, so that records with variable and with uniform steps give the same results.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ FRONT, SEPARATED, BACK, BOTH = 1, 0, -1, 2
 
 @dataclass(frozen=True)
 class SignalStatistics:
-    """Mean, rms of the alternating part, smallest and largest value of a signal, all in its unit."""
+    """Mean, RMS of the alternating part, minimum and maximum of a signal, all in its unit."""
 
     mean: float
     rms: float
@@ -29,14 +28,14 @@ class SignalStatistics:
 
 @dataclass(frozen=True)
 class Separation:
-    """One stretch without contact.
+    """One interval without contact.
 
     Attributes
     ----------
     start, end
-        Times [s]; `end` is the end of the record if contact does not come back.
+        Times [s]; `end` is the end of the record if contact is not regained.
     flank_before, flank_after
-        Contact state on both sides: 1 front, -1 back, 2 both; None where the record begins or ends separated.
+        Contact state before and after: 1 front, -1 back, 2 both; None if the record begins or ends separated.
     """
 
     start: float
@@ -46,24 +45,24 @@ class Separation:
 
     @property
     def duration(self) -> float:
-        """Length of the stretch [s]."""
+        """Duration of the interval [s]."""
         return self.end - self.start
 
 
 @dataclass(frozen=True)
 class Impact:
-    """Contact that comes back after a separation.
+    """Contact regained after a separation.
 
     Attributes
     ----------
     time
-        Time of the first touch [s].
+        Time of contact [s].
     flank
         1 front, -1 back, 2 both.
     flight
-        Duration of the separation before it [s].
+        Duration of the preceding separation [s].
     peak
-        Largest magnitude of the force until the flanks separate again (or the record ends) [N]; None without
+        Maximum magnitude of the force until the flanks separate again (or the record ends) [N]; None without
         a force.
     """
 
@@ -75,17 +74,17 @@ class Impact:
 
 @dataclass(frozen=True)
 class ContactStatistics:
-    """How a mesh spends its time.
+    """Contact statistics of a mesh.
 
     Attributes
     ----------
     loss_share, back_contact_share, front_contact_share
-        Parts of the time without contact, with contact on the back flank, with contact on the front flank
-        [-]; where both flanks touch (negative backlash) the time counts for front and for back.
+        Shares of the time without contact, with contact of the back flanks, with contact of the front flanks
+        [-]; contact of both flanks (negative backlash) is included in front and back.
     loss_time, longest_loss
-        Time without contact, and its longest stretch [s].
+        Total time without contact, and the longest interval [s].
     separations, impacts
-        Every stretch without contact and every return of contact, in order of time.
+        Separations and impacts in chronological order.
     """
 
     loss_share: float
@@ -98,15 +97,14 @@ class ContactStatistics:
 
 
 def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> SignalStatistics:
-    """Mean, rms of the alternating part, minimum and maximum.
+    """Mean, RMS of the alternating part, minimum and maximum of a signal.
 
     Parameters
     ----------
     values
         Samples, shape (n,), any unit.
     time
-        Times [s], shape (n,); omitted, every sample weighs the same (right for uniform samples of whole
-        periods).
+        Times [s], shape (n,); default: equal weights (correct for uniform samples of whole periods).
 
     Returns
     -------
@@ -120,8 +118,8 @@ def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> Signa
 
     Notes
     -----
-    mean = Σ w x / Σ w, rms² = Σ w (x - mean)² / Σ w; with times, w is half the distance between the
-    neighbours (trapezoidal rule) [1]_. Valid for any record; mean and rms belong to whole periods.
+    mean = Σ w x / Σ w, rms² = Σ w (x - mean)² / Σ w; with times, w is half the distance between the adjacent
+    samples (trapezoidal rule) [1]_. Valid for any record; mean and RMS are meaningful for whole periods.
 
     References
     ----------
@@ -148,16 +146,16 @@ def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> Signa
 def contact_statistics(
     time: ArrayLike, contact_state: ArrayLike, force: ArrayLike | None = None
 ) -> ContactStatistics:
-    """Shares of contact loss and back contact, separations and impacts of one mesh.
+    """Shares of contact loss and back flank contact, separations and impacts of one mesh.
 
     Parameters
     ----------
     time
         Times [s], shape (n,), increasing; need not be uniform.
     contact_state
-        State of the mesh at these times, shape (n,): 1 front flank, 0 separated, -1 back flank, 2 both.
+        Contact state at these times, shape (n,): 1 front flank, 0 separated, -1 back flank, 2 both.
     force
-        Mesh force [N], shape (n,); gives every impact its peak.
+        Mesh force [N], shape (n,), for the peaks of the impacts.
 
     Returns
     -------
@@ -171,16 +169,16 @@ def contact_statistics(
 
     Notes
     -----
-    A state holds from half-way to the sample before to half-way to the sample after, so every share is Σ (its
-    durations)/(t_n - t_1) and all front-only, back-only, both and separated parts add up to one; events lie
-    half-way between two samples, which is the least wrong place [1]_. Stretches shorter than the sample
-    interval can be missed.
+    A state applies from half-way to the preceding sample to half-way to the next, so that every share is the
+    sum of its durations over t_n - t_1, and the shares of front only, back only, both and separated add up to
+    one. Events are half-way between two samples, the estimate of smallest error [1]_. Intervals shorter than
+    the sampling interval may be missed.
 
     References
     ----------
-    .. [1] Own rule, consistent with the trapezoidal rule of `signal_statistics`; contact states as in A.
-    Kahraman,
-       R. Singh, Non-linear dynamics of a spur gear pair, Journal of Sound and Vibration 142(1), 1990, 49-75.
+    .. [1] Original rule, consistent with the trapezoidal rule of `signal_statistics`; contact states as in A.
+       Kahraman, R. Singh, Non-linear dynamics of a spur gear pair, Journal of Sound and Vibration 142(1),
+       1990, 49-75.
 
     Examples
     --------
@@ -205,7 +203,7 @@ def contact_statistics(
     total = float(clock[-1] - clock[0])
 
     def share(*states: int) -> float:
-        """Part of the time in some of the states of contact [-]."""
+        """Share of the time in any of the contact states [-]."""
         return float(weights[np.isin(state, states)].sum()) / total
 
     separations, impacts = _events(clock, state, load)
@@ -222,7 +220,7 @@ def contact_statistics(
 
 
 def _time_weights(clock: Array) -> Array:
-    """Duration that each sample represents [s]; their sum is the length of the record."""
+    """Duration represented by each sample [s]; the sum is the length of the record."""
     weights = np.zeros(clock.size)
     half = 0.5 * np.diff(clock)
     weights[:-1] += half
@@ -233,7 +231,7 @@ def _time_weights(clock: Array) -> Array:
 def _events(
     clock: Array, state: np.ndarray, load: Array | None
 ) -> tuple[tuple[Separation, ...], tuple[Impact, ...]]:
-    """Stretches of state 0 and the touches after them."""
+    """Separations, and the impacts after them."""
     lost = (state == SEPARATED).astype(np.int8)
     edges = np.flatnonzero(np.diff(lost))
     begins = [int(k) + 1 for k in edges if lost[k] == 0]

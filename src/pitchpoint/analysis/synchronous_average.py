@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Average of a signal over the turns of a shaft.
+"""Synchronous (time domain) average of a signal over the revolutions of a shaft.
 
-What repeats with every turn of the shaft stays in the average; noise, other shafts and bearings fall with the
-number of turns. The average is one exact period, so every order of the shaft is one line of its Fourier
-series, without leakage: `gear_signals` takes orders out of it exactly.
+Components that are periodic in the shaft revolution remain in the average; noise, other shafts and bearings
+decrease with the number of revolutions. The average is one exact period, and every order of the shaft is one
+line of its Fourier series without leakage: `gear_signals` removes orders exactly.
 
-What stays of another shaft is exact too: with shaft ratio p/q in lowest terms (q turns of the averaged shaft
-hold p turns of the other), the other's orders that are multiples of q are orders of this shaft as well. Mesh
-orders always are, and with a whole-number ratio a fault of the slow wheel's mate never leaves the average of
-the slow wheel. All others cancel exactly over whole multiples of q turns.
+The remainder of another shaft is known: with the shaft ratio p/q in lowest terms (p revolutions of the other
+shaft in q of the averaged one), the other's orders that are multiples of q are also orders of this shaft.
+Mesh orders always are; with a whole-number ratio a fault of the pinion is never removed from the average of
+the wheel. All others cancel exactly over multiples of q revolutions.
 
-Planets of a planetary set are beyond this module: they pass the sensor only once per turn of the carrier, so
-their average needs windows about these passages. Suns, rings and carriers are shafts like any other, but for
-the modulation by the passing planets.
+Planets are not supported: they pass the sensor once per carrier revolution, so that their average requires
+windows around these passages. Suns, ring gears and carriers are averaged like other shafts, apart from the
+modulation by planet passage.
 """
 
 from __future__ import annotations
@@ -27,29 +27,30 @@ from pitchpoint.analysis.orders import highest_resolved_order, one_way
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, same_length, whole
 
 AT_ONCE = 1 << 20
-"""Points of the grid for which one spline is made: that of a long record would take most of the memory."""
+"""Maximum number of grid points per spline, to limit memory for long records."""
 AROUND = 40
-"""Samples around them that it needs: the influence of a sample falls by 2 - sqrt(3) with each, to 1e-23."""
+"""Additional samples of a spline on either side; the influence of a sample decreases by a factor of
+2 - sqrt(3) per sample, to 1e-23."""
 
 
 @dataclass(frozen=True)
 class SynchronousAverage:
-    """One mean turn of a shaft.
+    """Mean revolution of a shaft.
 
     Attributes
     ----------
     angle
-        Shape (n,). Angle of the averaged shaft [rad], 0 to below 2π, in its sense of rotation; zero where the
-        reference angle is.
+        Shape (n,). Angle of the averaged shaft [rad], 0 to below 2π, in its sense of rotation; zero at the
+        zero of the reference angle.
     values
-        Shape (n,). Mean of the signal over the turns, in its unit.
+        Shape (n,). Mean of the signal over the revolutions, in its unit.
     averages
-        Number of turns [-].
+        Number of revolutions [-].
     scatter
-        Rms of what single turns differ from the average by, in the unit of the signal; what does not repeat
-        is still in the average with scatter/√averages.
+        RMS deviation of single revolutions from the average, in the unit of the signal; non-periodic
+        components remain in the average with scatter/√averages.
     highest_order
-        Highest order of the averaged shaft that the record resolved where it turned fastest [-].
+        Highest order of the averaged shaft that the record resolves at the highest speed [-].
     """
 
     angle: Array
@@ -60,22 +61,22 @@ class SynchronousAverage:
 
 
 def shaft_ratio(*stages: tuple[int, int]) -> Fraction:
-    """Turns of the last shaft of a gear train in one turn of the first.
+    """Revolutions of the last shaft of a gear train per revolution of the first.
 
     Parameters
     ----------
     stages
-        For each mesh on the way the tooth counts (driving, driven) as they follow each other.
+        Numbers of teeth (driving, driven) of each mesh in sequence.
 
     Returns
     -------
     Fraction
-        Π z1/z2, without sign: each shaft counts its turns in its own sense of rotation.
+        Π z1/z2, unsigned: each shaft is positive in its own sense of rotation.
 
     Raises
     ------
     SignalError
-        If a tooth count is not a positive whole number.
+        If a number of teeth is not a positive whole number.
 
     Notes
     -----
@@ -105,7 +106,7 @@ def synchronous_average(
     ratio: Fraction | int = 1,
     samples_per_turn: int | None = None,
 ) -> SynchronousAverage:
-    """Mean turn of a shaft.
+    """Synchronous average of a signal over the revolutions of a shaft.
 
     Parameters
     ----------
@@ -113,28 +114,27 @@ def synchronous_average(
         Signal (any unit) and unwrapped angle of the reference shaft [rad], shape (n,) each; the angle is
         strictly monotonic.
     ratio
-        Turns of the averaged shaft per turn of the reference shaft, exact: see `shaft_ratio`.
+        Revolutions of the averaged shaft per revolution of the reference shaft, exact: see `shaft_ratio`.
     samples_per_turn
-        Samples of the result [-]; default the power of two next above what the record holds in a turn where
-        it turns fastest, so that nothing that it resolves is lost.
+        Samples of the result [-]; default: next power of two above the samples per revolution of the record
+        at the highest speed, which keeps its full bandwidth.
 
     Returns
     -------
     SynchronousAverage
-        The average and how far it can be trusted.
+        Average with scatter and bandwidth.
 
     Raises
     ------
     SignalError
-        If the record holds no whole turn, the shaft stops or turns back, or an input is unsuitable.
+        If the record has no whole revolution, the shaft stops or reverses, or an input is unsuitable.
 
     Notes
     -----
-    x̄(φ) = (1/N) Σ_k x(φ + 2πk), a comb filter that lets the orders of the shaft through [1]_. Cubic spline
-    through (angle, value) on a grid at least twice as fine as the record [2]_; of the average only the
-    orders below half of `samples_per_turn` are kept, exactly. As many whole turns as the record holds.
-    Valid where the signal has four or more samples per period (spline error below 1 %); the rate of noise is
-    1/√N.
+    x̄(φ) = (1/N) Σ_k x(φ + 2πk), a comb filter that passes the orders of the shaft [1]_. Cubic spline through
+    (angle, value) on a grid at least twice as fine as the record [2]_; the orders below half of
+    `samples_per_turn` are kept exactly. All whole revolutions of the record are used. Valid for at least four
+    samples per period of the signal (spline error below 1 %); noise decreases by 1/√N.
 
     References
     ----------
@@ -145,7 +145,7 @@ def synchronous_average(
 
     Examples
     --------
-    Order 17 of the shaft stays, order 3.7 falls:
+    Order 17 of the shaft remains, order 3.7 is attenuated:
 
     >>> angle = np.linspace(0.0, 2 * np.pi * 100, 100 * 256 + 1)
     >>> mean = synchronous_average(np.cos(17 * angle) + np.cos(3.7 * angle), angle)
@@ -163,22 +163,22 @@ def synchronous_average(
     phi = one_way(phi) * float(turns_per_reference)
     highest = highest_resolved_order(phi)
     n = _samples(samples_per_turn, highest)
-    # images of a sampled signal lie about its own rate: a grid of twice the rate takes none of them in
+    # images of a sampled signal are around its rate: none is aliased on a grid of twice the rate
     fine = n * int(np.ceil(4.0 * highest / n))
     first = int(np.ceil(phi[0] / (2.0 * np.pi) * fine - 1e-6))
     last = int(np.floor(phi[-1] / (2.0 * np.pi) * fine + 1e-6))
     turns = (last - first + 1) // fine
     if turns < 1:
         raise SignalError(
-            f"angle: the shaft turns {(phi[-1] - phi[0]) / (2.0 * np.pi):.3g} revolutions "
-            "(limit 1 whole turn); use a longer record"
+            f"angle: covers {(phi[-1] - phi[0]) / (2.0 * np.pi):.3g} revolutions of the averaged shaft "
+            "(limit 1 revolution); use a longer record"
         )
     total, squares = np.zeros(fine), 0.0
     together = max(AT_ONCE // fine, 1)
     for turn in range(turns):
         grid = np.arange(first + turn * fine, first + (turn + 1) * fine) * (2.0 * np.pi / fine)
         grid = np.clip(grid, phi[0], phi[-1])
-        if turn % together == 0:  # a spline through the samples of the next turns and some around them
+        if turn % together == 0:  # a spline through the samples of the next revolutions and some around them
             end = grid[0] + 2.0 * np.pi * min(together, turns - turn)
             begin, stop = np.searchsorted(phi, [grid[0], end])
             near = slice(max(begin - AROUND, 0), stop + AROUND)
@@ -186,7 +186,7 @@ def synchronous_average(
         one = curve(grid)
         total += one
         squares += float(one @ one)
-    # sample 0 belongs to the angle zero, wherever the record begins
+    # shift so that sample 0 is at the angle zero
     mean = np.roll(total / turns, first % fine)
     scatter = np.sqrt(max(squares / (turns * fine) - float(mean @ mean) / fine, 0.0))
     return SynchronousAverage(
@@ -199,17 +199,17 @@ def synchronous_average(
 
 
 def hunting_turns(z1: int, z2: int) -> int:
-    """Turns of the gear with `z1` teeth until the same teeth meet again [-].
+    """Revolutions of the gear with `z1` teeth until the same teeth meet again [-].
 
     Parameters
     ----------
     z1, z2
-        Tooth counts of the gear and of its mate [-].
+        Numbers of teeth of the gear and of its mate [-].
 
     Notes
     -----
-    z2/gcd(z1, z2) [1]_. Over whole multiples of so many turns the mate leaves nothing in the average of this
-    gear but orders of the mesh.
+    z2/gcd(z1, z2) [1]_. Over multiples of this number of revolutions only mesh orders of the mate remain in
+    the average of this gear.
 
     References
     ----------
@@ -224,7 +224,7 @@ def hunting_turns(z1: int, z2: int) -> int:
 
 
 def _exact(ratio: Fraction | int) -> Fraction:
-    """The ratio as a fraction; a rounded decimal number would let the phase drift away."""
+    """Check that a ratio is an exact fraction; with a rounded decimal the phase would drift."""
     if isinstance(ratio, bool) or not isinstance(ratio, (int, Fraction)) or ratio <= 0:
         raise SignalError(f"ratio: {ratio!r} (limit a fraction above 0); build it from tooth counts")
     return Fraction(ratio)
@@ -237,7 +237,7 @@ def _samples(wanted: int | None, highest: float) -> int:
 
 
 def _band_limited(period: Array, n: int) -> Array:
-    """One period on fewer samples, its orders below n/2 unchanged."""
+    """Resample one period to fewer samples, with unchanged orders below n/2."""
     if n == period.size:
         return period
     lines = np.fft.rfft(period)[: n // 2 + 1]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Angle and speed of a shaft from tacho pulses, or from an angle channel of a simulation or an encoder.
 
-A tacho knows the angle at its pulses and nothing between them. Pulses get lost in dirt and are doubled by
-ringing; one of either shifts every angle after it. So the pulses are first compared with the speed around
-them, what does not fit is repaired and reported, and a channel that is not a pulse train is refused.
+A tacho gives the angle at its pulses only. Pulses may be missing or doubled, and each such error shifts all
+later angles. The pulses are therefore compared with the local speed first: missing and surplus pulses are
+corrected and reported, and a channel that is not a pulse train is rejected.
 """
 
 from __future__ import annotations
@@ -17,21 +17,21 @@ from pitchpoint.analysis.angle_spline import angle_between, edge_uncertainty
 from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, same_length, whole
 
 HYSTERESIS = 0.25
-"""How far a tacho must fall below the middle of its range before it can rise again, by its range."""
+"""Hysteresis of the trigger below the middle of the range, over the range."""
 WINDOW = 9
-"""Intervals between pulses from which the speed at one of them is estimated."""
+"""Number of pulse intervals from which the local speed is estimated."""
 FEWEST_PULSES = 4
 SHORT, LONG = 0.7, 1.5
-"""Turned angle of an interval, in pulses, below which it may hold a double and above which one is missing."""
+"""Angle of an interval, in pulse pitches, below which a pulse may be surplus, above which one is missing."""
 LONGEST_GAP = 4
-"""Longest interval that is bridged, in pulses: beyond it the number of lost pulses is a guess."""
+"""Longest interval that is bridged, in pulse pitches; for longer gaps the number of pulses is uncertain."""
 LARGEST_MISFIT = 0.2
-"""Fraction of pulses that may be missing, doubled or displaced; above it the channel is not a pulse train."""
+"""Maximum share of missing, surplus or displaced pulses of a pulse train."""
 
 
 @dataclass(frozen=True)
 class ShaftAngle:
-    """Angle and speed of a shaft over the part of a record that they are known for.
+    """Angle and speed of a shaft over the part of a record for which they are known.
 
     Attributes
     ----------
@@ -39,14 +39,14 @@ class ShaftAngle:
         Shape (n,). Times of the samples [s], unwrapped angle [rad], speed [rad/s]. From a tacho the angle is
         zero at the first pulse.
     first_sample
-        Number of the first of these samples in the record [-]; a signal of the same record goes with the
-        angle as `values[first_sample : first_sample + n]`.
+        Index of the first of these samples in the record [-]; the samples of another channel at these times
+        are `values[first_sample : first_sample + n]`.
     pulse_time, pulse_angle
-        Shape (n_pulse,). Times [s] and angles [rad] of the pulses that were used; empty for an angle channel.
+        Shape (n_pulse,). Times [s] and angles [rad] of the pulses used; empty for an angle channel.
     missing
-        Shape (n_missing,). Times at which a pulse was expected and none came [s].
+        Shape (n_missing,). Times of missing pulses [s].
     doubled
-        Shape (n_doubled,). Times of edges that were omitted because they are too many [s].
+        Shape (n_doubled,). Times of surplus edges that were omitted [s].
     """
 
     time: Array
@@ -67,12 +67,13 @@ def rising_edges(values: ArrayLike, time: ArrayLike, *, hysteresis: float = HYST
     values, time
         Tacho signal (any unit) and times [s], shape (n,) each.
     hysteresis
-        Part of the range by which the signal must have fallen below the middle before [-], 0 ... 0.5.
+        Distance below the middle, over the range, to which the signal must fall before the next edge [-],
+        0 ... 0.5.
 
     Returns
     -------
     NDArray
-        Times of the edges [s], shape (n_edge,), between samples by a straight line.
+        Times of the edges [s], shape (n_edge,), by linear interpolation between samples.
 
     Raises
     ------
@@ -81,8 +82,8 @@ def rising_edges(values: ArrayLike, time: ArrayLike, *, hysteresis: float = HYST
 
     Notes
     -----
-    Comparator with hysteresis after O. H. Schmitt [1]_. Valid for pulses of two samples or more; a signal of
-    two levels only, without a sample on the flank, gives times within half a sample.
+    Comparator with hysteresis after O. H. Schmitt [1]_. Valid for pulses of at least two samples; a two-level
+    signal without a sample on the slope gives times to half a sample.
 
     References
     ----------
@@ -97,7 +98,7 @@ def rising_edges(values: ArrayLike, time: ArrayLike, *, hysteresis: float = HYST
 
 
 def _edges(values: ArrayLike, time: ArrayLike, hysteresis: float) -> tuple[Array, float]:
-    """Times of rising edges, and how far they may be off [s]."""
+    """Times of rising edges, and their standard deviation [s]."""
     x = as_signal(values, "tacho")
     clock = as_increasing(time, "time")
     same_length(x, clock, "tacho, time")
@@ -130,7 +131,7 @@ def tacho_angle(
     values, time
         Tacho signal (any unit) and times [s], shape (n,) each.
     pulses_per_revolution
-        Pulses in one turn of the shaft [-].
+        Pulses per revolution of the shaft [-].
     hysteresis
         See `rising_edges`.
 
@@ -147,13 +148,13 @@ def tacho_angle(
 
     Notes
     -----
-    Expected speed at an interval: line through (middle, 1/duration) of nine intervals around it by the median
-    of all slopes [1]_, which is exact at constant acceleration and not moved by single bad pulses. An
-    interval then holds (speed × duration) pulses: rounded, that is the number of pulses it counts for. At
-    either end of the record a gap cannot be distinguished from a slow start: what does not fit there is cut
-    off. Angle: cubic spline through the pulses, or as near as the times of their edges are known (see
-    `angle_spline.angle_between`), speed its derivative [2]_. Valid while the speed changes little from pulse
-    to pulse; what it does within one interval stays unknown.
+    Expected speed of an interval: line through (midpoint, 1/duration) of nine intervals around it by the
+    median of all slopes [1]_, which is exact for constant acceleration and insensitive to single bad pulses.
+    The number of pulses of an interval is speed × duration, rounded. At either end of the record a gap cannot
+    be distinguished from a slow start: intervals that do not fit are cut off there. Angle: cubic spline
+    through the pulses, within the uncertainty of their edges (see `angle_spline.angle_between`); speed: its
+    derivative [2]_. Valid if the speed changes little from pulse to pulse; variations within one interval are
+    not resolved.
 
     References
     ----------
@@ -164,7 +165,7 @@ def tacho_angle(
 
     Examples
     --------
-    Ten turns per second, four pulses per turn, one of them lost:
+    Ten revolutions per second, four pulses per revolution, one of them missing:
 
     >>> t = np.arange(20_000) / 10_000.0
     >>> pulses = np.clip(3.0 * np.sin(80 * np.pi * t), -1.0, 1.0)
@@ -185,7 +186,7 @@ def tacho_angle(
     pulses, doubled = _without_doubles(edges)
     pulses, share = _without_bad_ends(pulses)
     _refuse_no_train(pulses, share, edges.size)
-    # an interval that is short without being a double still is one pulse
+    # a short interval without a surplus pulse is one pulse
     counts = np.maximum(np.rint(share), 1.0)
     number = np.concatenate(([0.0], np.cumsum(counts)))
     gaps = [
@@ -195,7 +196,7 @@ def tacho_angle(
     clock = as_increasing(time, "time")
     inside = np.flatnonzero((clock >= pulses[0]) & (clock <= pulses[-1]))
     if inside.size < 2:
-        raise SignalError("tacho: fewer than two samples lie between its pulses; raise the sample rate")
+        raise SignalError("tacho: has fewer than two samples between its pulses; raise the sample rate")
     angle, speed = angle_between(pulses, pulse_angle, clock[inside], uncertainty=uncertainty)
     return ShaftAngle(
         time=clock[inside],
@@ -210,12 +211,12 @@ def tacho_angle(
 
 
 def angle_channel(angle: ArrayLike, time: ArrayLike) -> ShaftAngle:
-    """Angle and speed from an angle that is known at every sample, simulated or from an encoder.
+    """Angle and speed from an angle channel, simulated or from an encoder.
 
     Parameters
     ----------
     angle, time
-        Angle [rad] and times [s], shape (n,) each. An angle that stays within one turn is taken as wrapped.
+        Angle [rad] and times [s], shape (n,) each. An angle within one revolution is treated as wrapped.
 
     Returns
     -------
@@ -229,7 +230,8 @@ def angle_channel(angle: ArrayLike, time: ArrayLike) -> ShaftAngle:
 
     Notes
     -----
-    Speed by differences of second order, for any spacing [1]_. Valid with more than two samples per turn.
+    Speed by finite differences of second order, for any spacing [1]_. Valid for more than two samples per
+    revolution.
 
     References
     ----------
@@ -247,8 +249,8 @@ def angle_channel(angle: ArrayLike, time: ArrayLike) -> ShaftAngle:
     same_length(phi, clock, "angle, time")
     span = float(np.ptp(phi))
     if span == 0.0:
-        raise SignalError(f"angle: is constant at {phi[0]:g} rad; the shaft does not turn")
-    # a sawtooth never leaves one turn; a run shorter than one turn has no jumps that unwrapping could change
+        raise SignalError(f"angle: is constant at {phi[0]:g} rad; the shaft does not rotate")
+    # unwrapping a record within one revolution changes a sawtooth only
     if span <= 2.0 * np.pi * (1.0 + 1e-9):
         phi = np.unwrap(phi)
     none = np.empty(0)
@@ -256,14 +258,14 @@ def angle_channel(angle: ArrayLike, time: ArrayLike) -> ShaftAngle:
 
 
 def pulse_train(angle: ArrayLike, *, pulses_per_revolution: int) -> Array:
-    """Tacho signal that goes with the angle of a shaft, as a sensor with an anti-aliasing filter gives it.
+    """Tacho signal of a shaft angle, as from a sensor with an anti-aliasing filter.
 
     Parameters
     ----------
     angle
         Unwrapped angle [rad], shape (n,), strictly monotonic.
     pulses_per_revolution
-        Pulses in one turn [-]; each is high over the first half of its pitch.
+        Pulses per revolution [-]; each is high over the first half of its pitch.
 
     Returns
     -------
@@ -273,12 +275,12 @@ def pulse_train(angle: ArrayLike, *, pulses_per_revolution: int) -> Array:
     Raises
     ------
     SignalError
-        If the shaft stops, turns back, or turns more than half a pitch within one sample.
+        If the shaft stops, reverses, or rotates more than half a pulse pitch within one sample.
 
     Notes
     -----
-    A sample is the mean of the pulse over the angle from half-way to the sample before to half-way to the
-    one after (box filter [1]_), so that an edge between two samples leaves its place in their values.
+    A sample is the mean of the pulse signal over the angle from half-way to the preceding sample to half-way
+    to the next (box filter [1]_), so that the position of an edge between two samples can be recovered.
 
     References
     ----------
@@ -293,23 +295,23 @@ def pulse_train(angle: ArrayLike, *, pulses_per_revolution: int) -> Array:
     ppr = whole(pulses_per_revolution, "pulses_per_revolution")
     steps = np.diff(phi)
     if np.any(steps * np.sign(phi[-1] - phi[0]) <= 0.0):
-        raise SignalError("angle: the shaft stops or turns back; cut the record there, or unwrap the angle")
+        raise SignalError("angle: the shaft stops or reverses; cut the record there, or unwrap the angle")
     if float(np.abs(steps).max()) * ppr > np.pi:
         raise SignalError(
-            f"angle: turns more than half a pitch of {ppr} pulses per revolution within one sample; "
+            f"angle: rotates more than half a pitch of {ppr} pulses per revolution within one sample; "
             "raise the sample rate or use fewer pulses"
         )
     half = 0.5 * steps
     ends = np.concatenate(([phi[0] - half[0]], phi[:-1] + half, [phi[-1] + half[-1]])) * ppr / (2.0 * np.pi)
     pitches = np.floor(ends)
-    # integral of a pulse train of pitch 1 that is high over the first half
+    # integral of a pulse train of unit pitch that is high over the first half
     integral = 0.5 * pitches + np.minimum(ends - pitches, 0.5)
     signal: Array = np.diff(integral) / np.diff(ends)
     return signal
 
 
 def _pulses_in(edges: Array) -> Array:
-    """How many pulses each interval should hold by the speed of the intervals around it [-]."""
+    """Expected number of pulses of each interval from the local speed [-]."""
     duration = np.diff(edges)
     middle, speed = edges[:-1] + 0.5 * duration, 1.0 / duration
     size = min(WINDOW, duration.size)
@@ -323,12 +325,12 @@ def _pulses_in(edges: Array) -> Array:
 
 
 def _without_doubles(edges: Array) -> tuple[Array, Array]:
-    """Edges without those that split an interval in two, and those."""
+    """Edges without surplus ones that split an interval in two, and the surplus edges."""
     left_out: list[Array] = []
     while edges.size > FEWEST_PULSES:
         share, duration = _pulses_in(edges), np.diff(edges)
         inner = duration[1:-1]
-        # the longer part of a split interval may fit by chance, the shorter one does not
+        # of a split interval, the longer part may fit by chance, the shorter part does not
         short = (share[1:-1] < SHORT) & (inner <= duration[:-2]) & (inner <= duration[2:])
         surplus = _surplus_edges(share, np.flatnonzero(short) + 1)
         if surplus.size == 0:
@@ -339,15 +341,15 @@ def _without_doubles(edges: Array) -> tuple[Array, Array]:
 
 
 def _surplus_edges(share: Array, short: NDArray[np.intp]) -> NDArray[np.intp]:
-    """For each short interval the edge, at its start or its end, without which its neighbours fit best."""
+    """Surplus edge of each short interval: start or end, whichever removal fits the neighbours best."""
     found: list[int] = []
     for i in short:
         if found and i - found[-1] < WINDOW // 2:
-            continue  # judged again when the one before is gone
+            continue  # checked again after removal of the preceding one
         before, here, after = (float(share[k]) for k in (i - 1, i, i + 1))
         start = _misfit(before + here) + _misfit(after)
         end = _misfit(before) + _misfit(here + after)
-        # both parts of a split interval together are a whole pulse out of place
+        # remove the edge only if it halves the total misfit
         if min(start, end) < 0.5 * (_misfit(before) + _misfit(here) + _misfit(after)):
             found.append(int(i) if start <= end else int(i) + 1)
     return np.array(found, dtype=np.intp)
@@ -359,7 +361,7 @@ def _misfit(share: float) -> float:
 
 
 def _without_bad_ends(pulses: Array) -> tuple[Array, Array]:
-    """Pulses without the intervals at either end that do not fit, and how many pulses each interval holds."""
+    """Pulses without unsuitable intervals at either end, and the number of pulses of each interval."""
     share = _pulses_in(pulses)
     good = np.flatnonzero((share >= SHORT) & (share <= LONG))
     if good.size:
@@ -368,12 +370,12 @@ def _without_bad_ends(pulses: Array) -> tuple[Array, Array]:
 
 
 def _refuse_no_train(pulses: Array, share: Array, edges: int) -> None:
-    """Refuse long gaps, and channels whose edges are not an even train of pulses."""
-    # omitted, cut off at the ends, or in an interval that is too long or too short
+    """Raise for long gaps, and for channels that are not an even train of pulses."""
+    # surplus, cut off at the ends, or in an interval that is too long or too short
     wrong = edges - pulses.size + int(np.count_nonzero(np.abs(share - 1.0) > 1.0 - SHORT))
     if wrong > max(1.0, LARGEST_MISFIT * edges) or pulses.size < FEWEST_PULSES - 1:
         raise SignalError(
-            f"tacho: {wrong} of {edges} pulses are missing, doubled or out of place "
+            f"tacho: {wrong} of {edges} pulses are missing, doubled or displaced "
             f"(limit {LARGEST_MISFIT:.0%}): this is not an even train of pulses; check channel and threshold"
         )
     gap = int(np.argmax(share))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Amplitudes over time and frequency: where a run-up meets its resonances."""
+"""Amplitudes over time and frequency by the short-time Fourier transform."""
 
 from __future__ import annotations
 
@@ -19,12 +19,11 @@ class TimeFrequencyMap:
     Attributes
     ----------
     time
-        Shape (n_frame,). Middle of each frame [s], by the clock of `start`.
+        Shape (n_frame,). Mid-time of each frame [s], from `start`.
     frequency
         Shape (n_line,). Frequency [Hz].
     amplitude
-        Shape (n_frame, n_line). Peak amplitude, in the unit of the signal; the mean of each frame is taken
-        out.
+        Shape (n_frame, n_line). Peak amplitude, in the unit of the signal; the mean of each frame is removed.
     """
 
     time: Array
@@ -42,7 +41,7 @@ def time_frequency_map(
     window_name: str = "hann",
     start: float = 0.0,
 ) -> TimeFrequencyMap:
-    """Short-time Fourier transform as a map of window-corrected peak amplitudes.
+    """Short-time Fourier transform as a map of peak amplitudes, corrected for the window.
 
     Parameters
     ----------
@@ -51,12 +50,12 @@ def time_frequency_map(
     sample_rate
         Sample rate f_s [Hz].
     frame
-        Samples per frame L [-]; default the power of two nearest to √(2n), at least 64, where time and
-        frequency resolution of the picture are alike.
+        Samples per frame L [-]; default the power of two nearest to √(2n), at least 64, which balances time
+        and frequency resolution of the map.
     frames
-        Number of frames at most [-], evenly spread over the record; they overlap as needed.
+        Maximum number of frames [-], evenly distributed over the record; they overlap as needed.
     highest_frequency
-        Highest frequency kept [Hz]; default f_s/2.
+        Highest frequency of the map [Hz]; default f_s/2.
     window_name
         See `spectra.window`.
     start
@@ -74,18 +73,17 @@ def time_frequency_map(
 
     Notes
     -----
-    A(t_j, f_k) = 2 |Σ w_n (x_{n+s_j} - x̄_j) exp(-2πikn/L)| / Σ w_n [1]_. Only n_frame·L values are in memory
-    once at a time, not the whole transform. Valid where amplitude and frequency change little over one frame.
+    A(t_j, f_k) = 2 |Σ w_n (x_{n+s_j} - x̄_j) exp(-2πikn/L)| / Σ w_n [1]_. Frames are transformed one at a
+    time to limit memory. Valid if amplitude and frequency change little within one frame.
 
     References
     ----------
     .. [1] J. B. Allen, L. R. Rabiner, A unified approach to short-time Fourier analysis and synthesis,
-    Proceedings of
-       the IEEE 65(11), 1977, 1558-1564.
+       Proceedings of the IEEE 65(11), 1977, 1558-1564.
 
     Examples
     --------
-    A chirp f = 20 Hz/s · t passes 100 Hz after 5 s, with its amplitude of 3:
+    A chirp f = 20 Hz/s · t with an amplitude of 3 passes 100 Hz at 5 s:
 
     >>> t = np.arange(20000) / 2000.0
     >>> m = time_frequency_map(3.0 * np.cos(2 * np.pi * 10.0 * t**2), 2000.0, frame=256)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sines of any frequency in a sampled record: how much of them there is, and the record without them.
+"""Sines of arbitrary frequencies in a sampled record: Fourier sums, and removal by least squares.
 
 Source: Stoica and Moses, Spectral Analysis of Signals (2005), 4.3.
 """
@@ -13,7 +13,7 @@ from pitchpoint.analysis.sampled import Array, Lines, SignalError, as_signal, po
 
 
 def multiples(known: ArrayLike, top: float, apart: float) -> Array:
-    """All multiples of some frequencies up to a highest one, rising and each only once, shape (m,).
+    """Multiples of frequencies up to a highest one, without duplicates, shape (m,).
 
     Parameters
     ----------
@@ -22,7 +22,7 @@ def multiples(known: ArrayLike, top: float, apart: float) -> Array:
     top
         Highest multiple [Hz].
     apart
-        Frequencies closer than this count as one [Hz].
+        Minimum distance of distinct multiples [Hz].
 
     Examples
     --------
@@ -35,7 +35,7 @@ def multiples(known: ArrayLike, top: float, apart: float) -> Array:
 
 
 def without_tones(values: ArrayLike, sample_rate: float, frequencies: ArrayLike) -> Array:
-    """The signal less its mean and the sines of given frequencies that fit it best.
+    """Signal less its mean and the least-squares fit of sines of given frequencies.
 
     Parameters
     ----------
@@ -49,7 +49,7 @@ def without_tones(values: ArrayLike, sample_rate: float, frequencies: ArrayLike)
     Returns
     -------
     NDArray
-        What is left, shape (n,), in the unit of the signal.
+        Residual, shape (n,), in the unit of the signal.
 
     Raises
     ------
@@ -58,9 +58,9 @@ def without_tones(values: ArrayLike, sample_rate: float, frequencies: ArrayLike)
 
     Notes
     -----
-    Least squares over the whole record [1]_, all sines and the mean at once, so sines that do not fit the
-    record leave nothing behind either. Valid while no frequency is wrong by more than a tenth of 1/record;
-    sines closer to each other than a quarter of that are taken out as one.
+    Simultaneous least-squares fit of the mean and all sines over the whole record [1]_, so that sines without
+    whole periods are removed completely too. Valid for frequency errors up to a tenth of 1/record; sines
+    closer than a quarter of 1/record are treated as one.
 
     References
     ----------
@@ -77,11 +77,11 @@ def without_tones(values: ArrayLike, sample_rate: float, frequencies: ArrayLike)
     rate = positive(sample_rate, "sample_rate")
     f = np.sort([positive(v, "frequency of a tone") for v in np.atleast_1d(np.asarray(frequencies, float))])
     if f.size and f[-1] >= 0.5 * rate:
-        raise SignalError(f"frequencies: {f[-1]:.6g} Hz (limit below {0.5 * rate:.6g} Hz); leave it out")
+        raise SignalError(f"frequencies: {f[-1]:.6g} Hz (limit below {0.5 * rate:.6g} Hz); omit it")
     f = f[np.diff(f, prepend=-np.inf) >= 0.25 * rate / x.size]
     nu = np.concatenate([[0.0], f]) / rate
     right = fourier(x, nu)
-    # time is counted from the middle: cosines and sines have nothing in common, and all is real
+    # time is relative to the middle: cosines and sines are orthogonal, and the equations are real
     apart, together = overlap(nu, nu, x.size), overlap(nu, -nu, x.size)
     cosines = np.linalg.lstsq(0.5 * (apart + together), right.real, rcond=None)[0]
     sines = np.linalg.lstsq(0.5 * (apart - together), -right.imag, rcond=None)[0]
@@ -89,7 +89,7 @@ def without_tones(values: ArrayLike, sample_rate: float, frequencies: ArrayLike)
 
 
 def fourier(x: Array, nu: Array) -> Lines:
-    """Fourier sums at any frequencies, time counted from the middle of the record.
+    """Fourier sums at arbitrary frequencies, time relative to the middle of the record.
 
     Parameters
     ----------
@@ -98,13 +98,13 @@ def fourier(x: Array, nu: Array) -> Lines:
     nu
         Frequencies in cycles per sample, shape (n_line,).
     """
-    # blocks of about the square root: fewest exponentials to compute
+    # a block length of about √n minimises the number of exponentials
     sums, middle = fourier_blocks(x, nu, max(64, int(np.sqrt(x.size))))
     return np.asarray(np.sum(sums * np.exp(-2j * np.pi * np.outer(middle, nu)), axis=0), dtype=np.complex128)
 
 
 def fourier_blocks(x: Array, nu: Array, length: int) -> tuple[Lines, Array]:
-    """Fourier sums of successive blocks, each about its own middle, and where the middles are.
+    """Fourier sums of successive blocks, each relative to its middle, and the positions of the middles.
 
     Parameters
     ----------
@@ -118,8 +118,8 @@ def fourier_blocks(x: Array, nu: Array, length: int) -> tuple[Lines, Array]:
     Returns
     -------
     tuple
-        Sums, shape (n_block, n_line), and middles of the blocks from the middle of the record on [samples],
-        shape (n_block,).
+        Sums, shape (n_block, n_line), and middles of the blocks relative to the middle of the record
+        [samples], shape (n_block,).
     """
     length = min(length, x.size)
     count = -(-x.size // length)
@@ -132,7 +132,7 @@ def fourier_blocks(x: Array, nu: Array, length: int) -> tuple[Lines, Array]:
 
 
 def overlap(first: Array, second: Array, samples: int) -> Array:
-    """Inner products of complex sines over a record, time counted from its middle, shape (n, m).
+    """Inner products of complex sines over a record, time relative to its middle, shape (n, m).
 
     Parameters
     ----------
@@ -150,7 +150,7 @@ def overlap(first: Array, second: Array, samples: int) -> Array:
 
 
 def _sines(amplitude: Lines, nu: Array, samples: int) -> Array:
-    """Real part of the sum of complex sines, time counted from the middle of the record."""
+    """Real part of the sum of complex sines, time relative to the middle of the record."""
     length = min(max(64, int(np.sqrt(samples))), samples)
     count = -(-samples // length)
     within = np.exp(2j * np.pi * np.outer(nu, np.arange(length)))

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The table of analysis functions that work on datasets: a new tool is one row.
+"""Table of the analysis functions for datasets: one row per tool.
 
-A row states which function it is, what of its arguments comes from the dataset, and what the fields of its
-result are: dimensions (those with a field of their own name have coordinates) and units, where `{u}` is the
-unit of the channel. What takes the result of another function, or several records, is not a tool of this
-table.
+A row gives the function, its arguments that come from the dataset, and the fields of its result with
+dimensions (coordinates if a field has the same name) and units, where `{u}` is the unit of the channel.
+Functions that require the result of another function, or several records, are not in this table.
 """
 
 from __future__ import annotations
@@ -15,8 +14,8 @@ from dataclasses import dataclass
 from typing import Any
 
 SOURCES = ("values", "sample_rate", "time", "start", "angle", "samples_per_revolution", "average")
-"""What a dataset can give: samples of the channel, sample rate [Hz], times [s], the first time [s], angle of
-a shaft at the same samples [rad]; of a signal over an angle its samples per revolution [-] and, as `average`,
+"""Arguments that come from a dataset: samples of the channel, sample rate [Hz], times [s], first time [s],
+shaft angle at the samples [rad]; for a signal over an angle its samples per revolution [-] and, as `average`,
 its samples."""
 
 
@@ -29,12 +28,12 @@ class Output:
     field
         Name in the dataclass; `lines.amplitude` is a field of its field `lines`.
     dims
-        Dimensions, separated by spaces; empty for a number.
+        Dimensions, separated by spaces; empty for a scalar.
     unit
         SI unit; `{u}` is that of the channel, `{u2}` its square, `{squared}` its square if the option
         `squared` is set.
     name
-        Name in the dataset, if it is another one.
+        Name in the dataset, if it is different.
     """
 
     field: str
@@ -55,17 +54,17 @@ class Tool:
     Attributes
     ----------
     home
-        Module and function inside `pitchpoint.analysis`.
+        Module and function in `pitchpoint.analysis`.
     summary
-        What it gives, in a line.
+        Description of the result in one line.
     takes
-        Arguments that come from the dataset, each of `SOURCES`; all others are options.
+        Arguments that come from the dataset, all in `SOURCES`; the others are options.
     outputs
         Fields of the result.
     picture
-        How it is drawn: a name in `viz.analysis_pictures.PICTURES`, or `lines` for a curve of each field.
+        Type of plot: a name in `viz.analysis_pictures.PICTURES`, or `lines` for one curve per field.
     without
-        Fields that have no place in a dataset: lists of arrays of different lengths, records of other kinds.
+        Fields that are not stored in a dataset, such as arrays of different lengths.
     """
 
     home: str
@@ -76,7 +75,7 @@ class Tool:
     without: tuple[str, ...] = ()
 
     def load(self) -> Callable[..., Any]:
-        """The function."""
+        """Import the function."""
         module, _, name = self.home.rpartition(".")
         found: Callable[..., Any] = getattr(importlib.import_module(f"pitchpoint.analysis.{module}"), name)
         return found
@@ -98,7 +97,7 @@ _CEPSTRUM = (Output("quefrency", "quefrency", "s"), Output("cepstrum", "quefrenc
 TOOLS: dict[str, Tool] = {
     "signal_statistics": Tool(
         "statistics.signal_statistics",
-        "Mean, rms of the alternating part, smallest and largest value.",
+        "Mean, RMS of the alternating part, minimum and maximum.",
         ("values", "time"),
         (
             Output("mean", "", "{u}"),
@@ -169,7 +168,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "signal_indicators": Tool(
         "indicators.signal_indicators",
-        "Rms, peak, kurtosis, crest, shape and impulse factor.",
+        "RMS, peak, kurtosis, crest, shape and impulse factor.",
         ("values",),
         (
             Output("rms", "", "{u}"),
@@ -210,7 +209,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "sideband_table": Tool(
         "sidebands.sideband_table",
-        "Sidebands of a mesh frequency at distances of a shaft's.",
+        "Sidebands of mesh harmonics at multiples of a shaft frequency.",
         ("values", "sample_rate"),
         (
             Output("harmonic", "harmonic"),
@@ -240,7 +239,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "kurtogram": Tool(
         "kurtogram.kurtogram",
-        "Kurtosis of the envelopes of all bands: where impacts ring.",
+        "Kurtosis of the envelopes of all bands: band of impacts.",
         ("values", "sample_rate"),
         (
             Output("level", "band"),
@@ -263,7 +262,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "synchronous_average": Tool(
         "synchronous_average.synchronous_average",
-        "One mean turn of a shaft.",
+        "Mean revolution of a shaft.",
         ("values", "angle"),
         (
             Output("angle", "angle", "rad"),
@@ -275,7 +274,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "gear_signals": Tool(
         "gear_signals.gear_signals",
-        "Regular, residual and difference signal of a mean turn.",
+        "Regular, residual and difference signal of a synchronous average.",
         ("average",),
         (
             Output("regular", "angle", "{u}"),
@@ -287,7 +286,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "gear_indicators": Tool(
         "gear_indicators.gear_indicators",
-        "FM0, FM4, M6A, M8A and others of a mean turn.",
+        "FM0, FM4, M6A, M8A and others of a synchronous average.",
         ("average",),
         (
             Output("fm0"),
@@ -344,7 +343,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "find_period": Tool(
         "periodicity.find_period",
-        "The period of repeated impacts between two limits, or that there is none.",
+        "Period of repeated impacts between two limits, if there is one.",
         ("values", "sample_rate"),
         (
             Output("found"),
@@ -365,7 +364,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "period_evidence": Tool(
         "periodicity.period_evidence",
-        "What speaks for repeated impacts with given periods, such as turns of the shafts.",
+        "Evidence of repeated impacts with given periods, such as shaft revolutions.",
         ("values", "sample_rate"),
         (
             Output("period", "period", "s"),
@@ -377,7 +376,7 @@ TOOLS: dict[str, Tool] = {
     ),
     "white_noise": Tool(
         "noise.with_white_noise",
-        "The signal with noise of a stated ratio.",
+        "Signal with white noise of a given signal-to-noise ratio.",
         ("values",),
         (
             Output("values", "time", "{u}"),

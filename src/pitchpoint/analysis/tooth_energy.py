@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Does the energy of a mean turn sit in the angle of one tooth, or at every tooth in turn?"""
+"""Distribution of the energy of a synchronous average over the teeth: one tooth or all teeth."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ DRAWS = 999
 
 @dataclass(frozen=True)
 class ToothEnergy:
-    """Where a mean turn has most energy.
+    """Maximum energy of a synchronous average within the angle of one tooth.
 
     Attributes
     ----------
     share
-        Part of the energy in the angle of one tooth [-]; 1/z if it is spread evenly.
+        Share of the energy within the angle of one tooth [-]; 1/z for an even distribution.
     angle
-        Middle of that angle [rad].
+        Middle of the tooth angle [rad].
     probability
-        Probability that Gaussian noise of the same spectrum has as much [-].
+        Probability that Gaussian noise of the same spectrum reaches the share [-].
     """
 
     share: float
@@ -35,19 +35,19 @@ class ToothEnergy:
 
 
 def tooth_energy(residual: ArrayLike, *, teeth: int) -> ToothEnergy:
-    """Largest energy in the angle of one tooth of the residual of a mean turn.
+    """Maximum energy of a residual signal within the angle of one tooth.
 
     Parameters
     ----------
     residual
-        One turn without mesh harmonics, shape (n,), any unit.
+        One revolution without mesh harmonics, shape (n,), any unit.
     teeth
-        Tooth count z [-].
+        Number of teeth z [-].
 
     Returns
     -------
     ToothEnergy
-        Share, place and probability.
+        Share, angle and probability.
 
     Raises
     ------
@@ -56,18 +56,15 @@ def tooth_energy(residual: ArrayLike, *, teeth: int) -> ToothEnergy:
 
     Notes
     -----
-    The window of one tooth is slid in quarters of its width. For Gaussian noise with lines of the power P_k
-    the
-    energies have about ν = 2 (Σ P_k)²/Σ P_k² degrees of freedom, ν/z of them in the window, and the share has
-    a beta distribution; the largest of 4 z windows is bounded by the sum of their probabilities [1]_. Valid
-    for
-    z > 3 and a spectrum that is not of a few lines.
+    A window of one tooth is moved in quarters of its width. For Gaussian noise with lines of the power P_k
+    the energy has about ν = 2 (Σ P_k)²/Σ P_k² degrees of freedom, ν/z of them in the window, and the share
+    has a beta distribution; the probability of the largest of 4 z windows is bounded by the sum of their
+    probabilities [1]_. Valid for z > 3 and a spectrum of more than a few lines.
 
     References
     ----------
     .. [1] W. G. Cochran, The distribution of the largest of a set of estimated variances as a fraction of
-    their
-       total, Annals of Eugenics 11, 1941, 47-52.
+       their total, Annals of Eugenics 11, 1941, 47-52.
 
     Examples
     --------
@@ -106,19 +103,19 @@ def tooth_energy(residual: ArrayLike, *, teeth: int) -> ToothEnergy:
 
 
 def peaked_as_trains(residual: ArrayLike, *, teeth: int) -> float:
-    """Part of modulated trains of strikes, one at each tooth, that are as peaked as a mean turn.
+    """Probability that a train of impacts at all teeth, randomly modulated, is as peaked as a residual.
 
     Parameters
     ----------
     residual
-        One turn without mesh harmonics, shape (n,), any unit.
+        One revolution without mesh harmonics, shape (n,), any unit.
     teeth
-        Tooth count z [-].
+        Number of teeth z [-].
 
     Returns
     -------
     float
-        Part of the trains with at least the kurtosis of the residual [-].
+        Share of the random trains with at least the kurtosis of the residual [-].
 
     Raises
     ------
@@ -127,13 +124,13 @@ def peaked_as_trains(residual: ArrayLike, *, teeth: int) -> float:
 
     Notes
     -----
-    A healthy pair strikes at each tooth, and other meshes change its strikes from tooth to tooth: such a mean
-    turn is as peaked as one strike, but at z places. Its orders fall into classes k mod z: each is a train of
-    strikes with one cosine over the teeth, and the causes of two classes have nothing in common. So trains
-    are made to compare with as signals of the same spectrum are [1]_, but with one random phase for a class:
-    the shape of the strikes stays, and only how they differ from tooth to tooth changes. A local fault has
-    all classes in phase at one tooth, which random phases do not bring about. Valid where the classes that
-    matter are three or more.
+    A healthy pair may have an impact at every tooth, and other meshes modulate these impacts from tooth to
+    tooth: such an average is as peaked as a single impact, but at z angles. Its orders are in classes k mod
+    z: each class is a train of impacts modulated by one cosine over the teeth, and the classes are
+    independent. Comparison trains are therefore surrogate signals of the same spectrum [1]_ with one random
+    phase per class, which keeps the shape of the impacts and changes only their variation from tooth to
+    tooth. A local fault has all classes in phase at one tooth, which random phases do not produce. Valid for
+    three or more significant classes.
 
     References
     ----------
@@ -142,7 +139,7 @@ def peaked_as_trains(residual: ArrayLike, *, teeth: int) -> float:
 
     Examples
     --------
-    Twenty strikes of which each is as large as a cosine gives, and one strike:
+    Twenty impacts modulated by a cosine, and a single impact:
 
     >>> strike = np.zeros((20, 32))
     >>> strike[:, 7] = np.cos(2 * np.pi * 3 * np.arange(20) / 20)
@@ -164,11 +161,11 @@ def peaked_as_trains(residual: ArrayLike, *, teeth: int) -> float:
         phase = np.zeros(z)
         half = (z - 1) // 2
         phase[1 : half + 1] = dice.uniform(0.0, 2.0 * np.pi, half)
-        # orders k and -k belong together, or the signal is not real
+        # opposite phases of k and -k keep the signal real
         phase[-half:] = -phase[half:0:-1]
         if z % 2 == 0:
             phase[z // 2] = np.pi * dice.integers(2)
         drawn = irfft(lines * np.exp(1j * phase)[group], x.size)
-        # what rounding adds to a turn without peaks is none
+        # tolerance for round-off
         reached += standardised_moment(drawn, 4) >= observed * (1.0 - 1e-12)
     return reached / DRAWS

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What turns in a machine, as far as its signals know: shafts with their gears, meshes, rolling bearings.
+"""Rotating parts of a machine for the diagnosis: shafts with their gears, meshes, rolling bearings.
 
-All speeds are orders: turns, or events, in one turn of the reference shaft.
+All speeds are orders: revolutions, or events, per revolution of the reference shaft.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ from pitchpoint.analysis.synchronous_average import shaft_ratio
 
 @dataclass(frozen=True)
 class Shaft:
-    """A shaft, or several that turn equally fast, which no signal distinguishes.
+    """A shaft, or several of equal speed, which no signal distinguishes.
 
     Attributes
     ----------
     name
-        What to call it.
+        Name of the shaft.
     order
-        Turns in one turn of the reference shaft [-].
+        Revolutions per revolution of the reference shaft [-].
     """
 
     name: str
@@ -37,11 +37,11 @@ class Mesh:
     Attributes
     ----------
     name
-        What to call it.
+        Name of the mesh.
     gears
         Names of both gears.
     teeth
-        Their tooth counts [-].
+        Numbers of teeth [-].
     shafts
         Names of their shafts.
     """
@@ -54,17 +54,17 @@ class Mesh:
 
 @dataclass(frozen=True)
 class Bearing:
-    """A rolling bearing by the orders at which its damages show.
+    """A rolling bearing with its characteristic orders.
 
     Attributes
     ----------
     name
-        What to call it.
+        Name of the bearing.
     orders
-        Events in one turn of the reference shaft [-] by the part: `outer ring`, `inner ring`,
+        Events per revolution of the reference shaft [-] by part: `outer ring`, `inner ring`,
         `rolling element`, `cage`.
     shaft
-        Name of the shaft it carries; empty if unknown.
+        Name of the supported shaft; empty if unknown.
     """
 
     name: str
@@ -74,12 +74,12 @@ class Bearing:
 
 @dataclass(frozen=True)
 class TurningParts:
-    """All that turns.
+    """Rotating parts of a machine.
 
     Attributes
     ----------
     shafts, meshes, bearings
-        The parts; shafts are named once each.
+        The parts; the names of the shafts are unique.
     """
 
     shafts: tuple[Shaft, ...]
@@ -87,15 +87,15 @@ class TurningParts:
     bearings: tuple[Bearing, ...] = ()
 
     def shaft(self, name: str) -> Shaft:
-        """The shaft of a name."""
+        """Shaft of a name."""
         return next(shaft for shaft in self.shafts if shaft.name == name)
 
     def mesh_order(self, mesh: Mesh) -> float:
-        """Tooth meshes in one turn of the reference shaft [-]."""
+        """Mesh order: tooth meshes per revolution of the reference shaft [-]."""
         return float(self.shaft(mesh.shafts[0]).order * mesh.teeth[0])
 
     def gears_of(self, shaft: str) -> dict[str, tuple[Mesh, int]]:
-        """Gears of a shaft with one mesh and the tooth count of each."""
+        """Gears of a shaft, each with one of its meshes and its number of teeth."""
         found: dict[str, tuple[Mesh, int]] = {}
         for mesh in self.meshes:
             for gear, teeth, place in zip(mesh.gears, mesh.teeth, mesh.shafts, strict=True):
@@ -105,24 +105,24 @@ class TurningParts:
 
 
 def train_parts(stages: Sequence[tuple[int, int]], bearings: Sequence[Bearing] = ()) -> TurningParts:
-    """Parts of a train of gears: gears Z1, Z2, ..., shafts 1, 2, ..., meshes 1, 2, ... from the input on.
+    """Parts of a gear train: gears Z1, Z2, ..., shafts 1, 2, ..., meshes 1, 2, ... from the input.
 
     Parameters
     ----------
     stages
-        For each mesh the tooth counts (driving, driven) [-].
+        Numbers of teeth (driving, driven) of each mesh [-].
     bearings
         Rolling bearings.
 
     Returns
     -------
     TurningParts
-        The reference shaft is shaft 1.
+        Parts with shaft 1 as the reference shaft.
 
     Raises
     ------
     SignalError
-        If a tooth count is not a whole number from 4 on, or there is no stage.
+        If a number of teeth is not a whole number of at least 4, or there is no stage.
 
     Notes
     -----

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Wavelets: a signal by octaves, or by packets of equal bandwidth.
+"""Wavelet decomposition of a signal into octaves, or into packets of equal bandwidth.
 
-Where a filter would ring, a wavelet keeps a short event short. The transforms themselves are those of
-PyWavelets, with every orthogonal and biorthogonal family it knows. What happens at both ends of a
-record is a choice, the extension, and is stored in every result:
+A wavelet keeps short events short, where a filter would ring. The transforms are those of PyWavelets, with
+all its orthogonal and biorthogonal families. The extension of the record beyond its ends is an option and is
+stored in every result:
 
 `symmetric` mirrors the record, `reflect` mirrors without repeating the last sample, `periodic` repeats it,
-`zero` and `constant` fill up, `smooth` continues along the last slope, `antisymmetric` and `antireflect`
-mirror with the sign changed, `periodization` repeats and keeps as many coefficients as samples, which makes
-energies add up exactly.
+`zero` and `constant` pad it, `smooth` extrapolates with the last slope, `antisymmetric` and `antireflect`
+mirror with reversed sign, `periodization` repeats and keeps as many coefficients as samples, so that energies
+add up exactly.
 """
 
 from __future__ import annotations
@@ -25,26 +25,26 @@ from pitchpoint.core.nearest import hint
 
 @dataclass(frozen=True)
 class WaveletLevels:
-    """A signal as the sum of one approximation and details, octave by octave.
+    """Decomposition of a signal into one approximation and details, one per octave.
 
     Attributes
     ----------
     names
-        Shape (n_level + 1,). `a5`, `d5`, `d4`, ... `d1` for five levels: slow first.
+        Shape (n_level + 1,). `a5`, `d5`, `d4`, ... `d1` for five levels, low frequencies first.
     signals
-        Shape (n_level + 1, n). What each of them contributes to the signal, in its unit; the rows add up to
-        the signal, whose mean is in the first.
+        Shape (n_level + 1, n). Contributions to the signal, in its unit; the rows add up to the signal, whose
+        mean is in the first row.
     coefficients
-        Coefficients of each of them, in the unit of the signal; shapes (n_1,), (n_2,), ...
+        Wavelet coefficients, in the unit of the signal; shapes (n_1,), (n_2,), ...
     lengths
-        Shape (n_level + 1,). How many coefficients that are [-].
+        Shape (n_level + 1,). Numbers of coefficients [-].
     band
-        Shape (n_level + 1, 2). Nominal band of each [Hz]; the filters overlap into the neighbours.
+        Shape (n_level + 1, 2). Nominal bands [Hz]; the filters overlap into the adjacent bands.
     energy_share
-        Shape (n_level + 1,). Share of each in the squares of the coefficients of the signal less its mean
-        [-]; zero throughout for a constant signal.
+        Shape (n_level + 1,). Shares of the sum of squared coefficients of the signal less its mean [-]; zero
+        for a constant signal.
     wavelet, extension
-        What was used.
+        Wavelet and extension used.
     """
 
     names: tuple[str, ...]
@@ -59,22 +59,21 @@ class WaveletLevels:
 
 @dataclass(frozen=True)
 class WaveletPackets:
-    """A signal in 2^levels bands of equal width.
+    """Decomposition of a signal into 2^levels bands of equal width.
 
     Attributes
     ----------
     band
         Shape (n_band, 2). Nominal bands [Hz], from low to high.
     time
-        Shape (n_coefficient,). Nominal time of each coefficient [s], by the clock of `start`; a lopsided
-        wavelet such as `db5` is off by part of its length, (filter length - 1)·(2^levels - 1)/f_s.
+        Shape (n_coefficient,). Nominal time of each coefficient [s], from `start`; for an asymmetric wavelet
+        such as `db5` it is offset by part of the filter length, (filter length - 1)·(2^levels - 1)/f_s.
     coefficients
         Shape (n_band, n_coefficient). Coefficients, in the unit of the signal.
     energy_share
-        Shape (n_band,). Share of each band in the squares of the coefficients of the signal less its mean
-        [-].
+        Shape (n_band,). Shares of the sum of squared coefficients of the signal less its mean [-].
     wavelet, extension
-        What was used.
+        Wavelet and extension used.
     """
 
     band: Array
@@ -93,7 +92,7 @@ def wavelet_levels(
     levels: int = 5,
     extension: str = "symmetric",
 ) -> WaveletLevels:
-    """Discrete wavelet transform, and the part of the signal in every level.
+    """Discrete wavelet transform, and the contribution of every level to the signal.
 
     Parameters
     ----------
@@ -106,12 +105,12 @@ def wavelet_levels(
     levels
         Number of levels L [-].
     extension
-        How the record continues beyond its ends, see the module.
+        Extension of the record beyond its ends, see the module.
 
     Returns
     -------
     WaveletLevels
-        Approximation of the last level, then details from slow to fast.
+        Approximation of the last level, then details from low to high frequencies.
 
     Raises
     ------
@@ -120,10 +119,10 @@ def wavelet_levels(
 
     Notes
     -----
-    Each level halves the band by a pair of filters and drops every second sample [1]_: detail j holds
-    f_s/2^(j+1) to f_s/2^j, the approximation what is below f_s/2^(L+1). A level is worth computing while its
-    input is longer than the filter; beyond that nothing but the extension is left, and it is refused.
-    The rows add up to the signal to round-off, but for `dmey`, whose filters are cut off (0.4 %).
+    Each level halves the band by a pair of filters and drops every second sample [1]_: detail j is the band
+    f_s/2^(j+1) to f_s/2^j, the approximation the band below f_s/2^(L+1). The input of a level must be longer
+    than the filter, as otherwise only the extension is analysed. The rows add up to the signal to round-off,
+    except for `dmey` with its truncated filters (0.4 %).
 
     References
     ----------
@@ -148,7 +147,7 @@ def wavelet_levels(
     family, count = _discrete(wavelet, levels, x.size, extension)
     mean = float(x.mean())
     parts = pywt.wavedec(x, family, mode=extension, level=count)
-    # the mean of a bearing force is larger than all that moves in it and would hide every other share
+    # without the mean, which is usually much larger than the alternating part
     energies = [float(np.sum(c * c)) for c in pywt.wavedec(x - mean, family, mode=extension, level=count)]
     signals = np.empty((count + 1, x.size))
     for row in range(count + 1):
@@ -177,7 +176,7 @@ def wavelet_packets(
     extension: str = "symmetric",
     start: float = 0.0,
 ) -> WaveletPackets:
-    """Wavelet packets: both halves of every band halved again, in order of frequency.
+    """Wavelet packet transform: both halves of every band are halved again; bands in order of frequency.
 
     Parameters
     ----------
@@ -190,7 +189,7 @@ def wavelet_packets(
     levels
         Number of levels L [-]: 2^L bands of f_s/2^(L+1).
     extension
-        How the record continues beyond its ends, see the module.
+        Extension of the record beyond its ends, see the module.
     start
         Time of the first sample [s].
 
@@ -206,8 +205,8 @@ def wavelet_packets(
 
     Notes
     -----
-    Halving a high-pass half turns the order of its two halves round; the bands are put right by the Gray code
-    [1]_. Valid as `wavelet_levels`.
+    Splitting a high-pass band reverses the order of its halves; the bands are sorted by frequency by the Gray
+    code [1]_. Valid as `wavelet_levels`.
 
     References
     ----------
@@ -232,7 +231,7 @@ def wavelet_packets(
     energies = np.array([np.sum(node.data**2) for node in without.get_level(count, order="freq")])
     edges = np.arange(2**count + 1) * rate / 2 ** (count + 1)
     n = coefficients.shape[1]
-    # the extension adds as many coefficients before the record as behind it
+    # the extension adds equal numbers of coefficients before and after the record
     middle = 0.5 * (x.size - 1) + (np.arange(n) - 0.5 * (n - 1)) * 2.0**count
     return WaveletPackets(
         band=np.column_stack([edges[:-1], edges[1:]]),
@@ -245,27 +244,27 @@ def wavelet_packets(
 
 
 def unknown(what: str, name: str, names: list[str]) -> SignalError:
-    """The error for a name that is not in a list, with the nearest one or the first of the list.
+    """Error for a name that is not in a list, with the nearest known name.
 
     Parameters
     ----------
     what
-        What the name represents.
+        Meaning of the name.
     name
-        The name.
+        The unknown name.
     names
-        Those that are known.
+        Known names.
     """
     return SignalError(f"{what}: {name!r} is unknown; {hint(name, names)}")
 
 
 def check_extension(name: str) -> None:
-    """Refuse an extension that PyWavelets does not know.
+    """Raise for an unknown extension.
 
     Raises
     ------
     SignalError
-        If there is no such extension.
+        If PyWavelets does not know the extension.
     """
     import pywt
 
@@ -274,7 +273,7 @@ def check_extension(name: str) -> None:
 
 
 def _discrete(wavelet: str, levels: int, samples: int, extension: str) -> tuple[Any, int]:
-    """Wavelet and number of levels, checked against the length of the record."""
+    """Wavelet and number of levels, after checks against the length of the record."""
     import pywt
 
     check_extension(extension)
@@ -296,7 +295,7 @@ def _discrete(wavelet: str, levels: int, samples: int, extension: str) -> tuple[
 
 
 def _shares(energies: Array, x: Array, mean: float) -> Array:
-    """Shares of the sum; none where nothing but round-off is left next to the mean."""
+    """Shares of the total energy; zero if the alternating part is only round-off."""
     total = float(energies.sum())
     floor = x.size * (np.finfo(np.float64).eps * 16.0 * max(abs(mean), float(np.abs(x).max()))) ** 2
     return energies / total if total > floor else np.zeros_like(energies)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Teeth and pairs of cylindrical involute gears (ISO 21771) and of bevel gears, in SI units and radians.
+"""Geometry of cylindrical involute gears (ISO 21771) and bevel gears and of their pairs; SI units, radians.
 
 Symbols follow the standard; internal gears have negative tooth numbers, diameters and centre distances.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gap between the flanks of a pair at any centre distance, in its three directions."""
+"""Backlash of a gear pair at any centre distance: transverse, circumferential and normal."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 
 class Backlash(NamedTuple):
-    """Total gap between the flanks of a pair at one centre distance.
+    """Backlash of a pair at one centre distance.
 
-    `j_bt` along the base tangent in the transverse section, `j_wt` as arc on the working pitch circles,
-    `j_bn` normal to the flanks [m]; negative values are interference of both flanks.
+    `j_bt` along the base tangent in the transverse section, `j_wt` as an arc on the working pitch circles,
+    `j_bn` normal to the flanks [m]; a negative value means that both flanks interfere.
     """
 
     j_bt: float
@@ -30,7 +30,7 @@ def backlash_at(pair: GearPair, a: float) -> Backlash:
     Parameters
     ----------
     pair
-        The pair; its own centre distance does not matter.
+        The pair; its own centre distance is not used.
     a
         Centre distance [m], negative for a pair with an internal gear.
 
@@ -42,7 +42,7 @@ def backlash_at(pair: GearPair, a: float) -> Backlash:
     Raises
     ------
     GeometryError
-        If the base circles have no common tangent there.
+        If the base circles have no common tangent at this centre distance.
 
     Notes
     -----

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where a function changes its sign: halving, for the few equations of geometry without a closed solution."""
+"""Bisection, for the few equations of gear geometry without a closed-form solution."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from collections.abc import Callable
 
 
 def bisect(function: Callable[[float], float], low: float, high: float) -> float:
-    """Place between two numbers where a function changes its sign, to the last bits.
+    """Root of a function between two numbers by bisection, to machine precision.
 
     Parameters
     ----------
     function
-        Continuous, of opposite signs at both ends; without a change of sign the result is `low`.
+        Continuous, with opposite signs at both ends; without a change of sign the result is `low`.
     low, high
-        The ends, in either order.
+        Ends of the interval, in either order.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Clearances of a pair that is assembled: how near its teeth come to each other, and where.
+"""Clearances of an assembled pair: smallest distances between the teeth, and their locations.
 
-The transverse sections of both gears are rolled through one pitch, at the centre distance of the pair, in
-the middle of their backlash and with the flanks of either side touching. On parallel axes every section of
-helical teeth meets the same places at another angle, so this is what the solids do.
+The transverse sections of both gears are rolled through one pitch at the centre distance of the pair: with
+the backlash centred, and with front or back flanks in contact. On parallel axes every transverse section of
+helical teeth passes through the same positions at another angle, so the results hold for the solids.
 """
 
 from __future__ import annotations
@@ -28,26 +28,26 @@ FloatArray = NDArray[np.float64]
 FRONT, BACK = "front_flanks", "back_flanks"
 TIP_1_ROOT_2, TIP_2_ROOT_1 = "tip_1_root_2", "tip_2_root_1"
 KINDS = (FRONT, BACK, TIP_1_ROOT_2, TIP_2_ROOT_1, "tip_1_fillet_2", "tip_2_fillet_1", "tips")
-"""What may come near each other; `tips` of internal pairs, next to the path of contact."""
+"""Kinds of clearance; `tips` only for internal pairs: tip interference away from the path of contact."""
 ACCURACY = 1e-4
-"""Error of a distance in normal modules, at most: chords of the fillets on both gears."""
+"""Maximum error of a distance in normal modules, from the chords of the fillets on both gears."""
 TIP_ROOT = 0.1
-"""Least clearance between tip and root in normal modules; basic racks of ISO 53 leave 0.25 to 0.4."""
+"""Minimum tip clearance in normal modules; the basic racks of ISO 53 give 0.25 to 0.4."""
 
 _MOVED = 60
-"""Points of a flank that are taken to the mate: their places between two of them follow from rolling."""
+"""Points per flank of the moved gear; rolling covers the positions between two of them."""
 _ROLLED = 24
-"""Positions within a pitch that are looked at before the nearest is looked for."""
+"""Positions within a pitch that are evaluated before the minimum is refined."""
 _GOLDEN = 0.5 * (math.sqrt(5.0) - 1.0)
 _TIMES = 13
-"""Times that the interval is cut: to 1/520 of two steps."""
+"""Golden-section steps: they reduce the interval to 1/520 of two steps."""
 _MARGIN = 0.4
-"""Reach beyond the mate's tip circle within which teeth are looked at, in modules."""
+"""Distance beyond the mate's tip circle up to which points are checked, in normal modules."""
 
 
 @dataclass(frozen=True)
 class Clearance:
-    """The smallest distance of one kind.
+    """Smallest distance of one kind, and the position in which it occurs.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Clearance:
     phi1, phi2
         Rotations of the gears there, as in `mesh_outlines` [rad].
     place1, place2
-        The two places, x and y in the plane of the mesh [m]: axis of gear 1 in the origin, gear 2 at a_w.
+        The two points, x and y in the transverse plane [m]; axis of gear 1 at the origin, of gear 2 at a_w.
     """
 
     distance: float
@@ -68,20 +68,20 @@ class Clearance:
 
 @dataclass(frozen=True)
 class _Mesh:
-    """Both gears as lines, fine ones to measure from and coarse ones to move."""
+    """Outlines of both gears: fine ones to measure distances from, coarse ones whose points are moved."""
 
     pair: GearPair
     fine: tuple[Outline, Outline]
     coarse: tuple[Outline, Outline]
 
     def place(self, which: int, phi: float) -> tuple[complex, complex]:
-        """Turn and axis of a gear at its rotation: points of it times the one, plus the other."""
+        """Factor e^(iφ) and offset of the axis that transform points of a gear at the rotation `phi`."""
         if which == 0:
             return complex(np.exp(1j * phi)), 0.0
         return complex(np.exp(1j * (mesh_offset(self.pair) + phi))), complex(self.pair.a_w)
 
     def moved(self, which: int, phi: float) -> tuple[ComplexArray, NDArray[np.int8]]:
-        """Points of the teeth of a gear that can come near its mate, and their parts."""
+        """Points of a gear close to its mate at the rotation `phi`, and their outline parts."""
         own, mate = (self.pair.gear1, self.pair.gear2)[:: 1 - 2 * which]
         line = self.coarse[which]
         turn, axis = self.place(which, phi)
@@ -97,19 +97,19 @@ class _Mesh:
 
 
 def clearances(pair: GearPair) -> dict[str, Clearance]:
-    """The smallest distances between the teeth of a pair.
+    """Smallest distances between the teeth of a pair.
 
     Parameters
     ----------
     pair
-        External pair, or pinion (gear 1) with internal gear (gear 2). The real teeth count where gears have
-        an outline; modifications do not.
+        External pair, or pinion (gear 1) with internal gear (gear 2). Gears with an outline are taken with
+        their real teeth; flank modifications are neglected.
 
     Returns
     -------
     dict
-        By kind, see `KINDS`; kinds that never come near each other are missing. Flanks count in the middle of
-        the backlash, everything else in the worst position that the backlash allows.
+        By kind, see `KINDS`; kinds that never come close are missing. Flank clearances are given for centred
+        backlash, all others for the worst position within the backlash.
 
     Raises
     ------
@@ -118,8 +118,8 @@ def clearances(pair: GearPair) -> dict[str, Clearance]:
 
     Notes
     -----
-    Of generated teeth the flanks are j_bt/2 apart and tip and root a_w − (d_a1 + d_fE2)/2. A tip that reaches
-    below the mate's root form circle runs into its fillet.
+    For generated teeth the flank clearance is j_bt/2 and the tip clearance a_w − (d_a1 + d_fE2)/2. A tip that
+    reaches below the mate's root form circle interferes with the fillet.
 
     Examples
     --------
@@ -135,7 +135,7 @@ def clearances(pair: GearPair) -> dict[str, Clearance]:
 
 @lru_cache(maxsize=64)
 def _found(pair: GearPair) -> tuple[tuple[str, Clearance], ...]:
-    """Kinds and clearances; the planets of a set are looked at once."""
+    """Kinds and clearances, cached: equal planets are evaluated once."""
     gears = (pair.gear1, pair.gear2)
     mesh = _Mesh(
         pair,
@@ -162,7 +162,7 @@ def _found(pair: GearPair) -> tuple[tuple[str, Clearance], ...]:
 
 
 def _tips_to_roots(mesh: _Mesh) -> dict[str, Clearance]:
-    """Tips that point to the axis of the mate, and the bottom of its space there."""
+    """Tip clearances, on the line of centres."""
     pair = mesh.pair
     one, two = (np.abs(line.pitch) for line in mesh.fine)
     side = pair.gear2.sign
@@ -178,7 +178,7 @@ def _tips_to_roots(mesh: _Mesh) -> dict[str, Clearance]:
 
 
 def _rolled(mesh: _Mesh, play: float) -> dict[str, Clearance]:
-    """The nearest of some positions within a pitch; gear 2 is turned by `play` from the middle."""
+    """Smallest clearances over `_ROLLED` positions; gear 2 rotated by `play` from centred backlash."""
     pitch = 2.0 * math.pi / mesh.pair.gear1.z
     found: dict[str, Clearance] = {}
     for k in range(_ROLLED):
@@ -187,11 +187,11 @@ def _rolled(mesh: _Mesh, play: float) -> dict[str, Clearance]:
 
 
 def _refined(mesh: _Mesh, kind: str, play: float, best: Clearance) -> Clearance:
-    """The nearest position of one kind around the nearest so far, by the golden section."""
+    """Refine the smallest clearance of one kind by golden-section search."""
     found = {kind: best}
 
     def distance(phi1: float) -> float:
-        """Distance in one position, which is kept if it is the smallest."""
+        """Clearance in one position; stored in `found` if it is the smallest."""
         near = _at(mesh, phi1, play).get(kind)
         _keep(found, {} if near is None else {kind: near})
         return math.inf if near is None else near.distance
@@ -219,7 +219,7 @@ def _keep(found: dict[str, Clearance], others: dict[str, Clearance]) -> None:
 
 
 def _at(mesh: _Mesh, phi1: float, play: float) -> dict[str, Clearance]:
-    """The nearest places of every kind in one position."""
+    """Smallest clearance of every kind in one position."""
     pair = mesh.pair
     phi2 = -phi1 * pair.gear1.z / pair.gear2.z + play
     found: dict[str, Clearance] = {}
@@ -250,7 +250,7 @@ def _kinds(
     parts: tuple[NDArray[np.int8], NDArray[np.int8]],
     phi1: float,
 ) -> dict[str, NDArray[np.bool_]]:
-    """Which pairs of places belong to which kind."""
+    """Masks that assign the pairs of points to their kinds."""
     pair, (one, two) = mesh.pair, parts
     high = [
         gear.sign * (np.abs(end - axis) - 0.25 * abs(gear.d_a + gear.d_Ff)) > 0.0
@@ -259,7 +259,7 @@ def _kinds(
     tips = (one == TIP) & (two == TIP) | (one == TIP) & (two == FLANK) & high[1]
     tips |= (one == FLANK) & (two == TIP) & high[0]
     flanks = (one >= FLANK) & (two >= FLANK) & ~tips
-    # turning gear 1 counter-clockwise brings its left flanks to those of gear 2
+    # counter-clockwise rotation of gear 1 closes the gap at its left flanks
     pitch = 2.0 * math.pi / pair.gear1.z
     beside = (np.angle(ends[0]) - phi1 + 0.5 * pitch) % pitch - 0.5 * pitch
     return {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Deviations of single teeth as data - pitch, runout, measured flank maps - and the gap they leave.
+"""Deviations of single teeth - pitch, runout, measured flank maps - and the gap that they cause.
 
-Teeth are numbered counter-clockwise seen from +z, tooth 0 on the +x axis of the gear. Seen so with a tooth
-pointing up, its left flank is the one on the counter-clockwise side (for internal gears too).
+Teeth are numbered counter-clockwise seen from +z, tooth 0 on the +x axis of the gear. The left flank of a
+tooth is the one on its counter-clockwise side (for internal gears too).
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ FLANKS = ("left", "right")
 
 @dataclass(frozen=True, kw_only=True)
 class Runout:
-    """Eccentricity of the teeth against the axis of rotation.
+    """Eccentricity of the teeth relative to the axis of rotation.
 
     Parameters
     ----------
@@ -60,8 +60,8 @@ class FlankMap:
         "left" or "right".
     values
         Shape (n_roll, n_z): rows from the root form circle to the tip form circle at equal roll lengths,
-        columns from z = −b/2 to b/2 [m]. Along the transverse base tangent as gear measuring machines state
-        it (ISO 1328-1); positive is more material.
+        columns from z = −b/2 to b/2 [m]. Measured along the transverse base tangent, as by gear measuring
+        machines (ISO 1328-1); positive is more material.
     """
 
     tooth: int
@@ -76,14 +76,14 @@ class Deviations:
     Parameters
     ----------
     pitch
-        Single pitch deviations f_pt of both flanks [m], arcs on the reference circle: entry i belongs to
-        the pitch from tooth i − 1 to tooth i, positive when it is too long. Empty = none.
+        Single pitch deviations f_pt of both flanks [m], arcs on the reference circle: entry i is for the
+        pitch from tooth i − 1 to tooth i, positive if it is too long. Empty = none.
     pitch_right
-        The same for the right flanks where they differ; `pitch` then holds the left ones.
+        The same for the right flanks if they differ; `pitch` then holds those of the left flanks.
     runout
         Eccentricity, or None.
     flank_maps
-        Measured flanks; flanks without a map are perfect.
+        Measured flanks; flanks without a map are ideal.
     """
 
     pitch: Sequence[float] = ()
@@ -97,7 +97,7 @@ def _refuse(where: str, message: str, value: object, limit: str) -> GeometryErro
 
 
 def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str = "") -> list[Message]:
-    """Deviations that no tooth of a gear can have.
+    """Deviations that are too large to be possible for a gear.
 
     Parameters
     ----------
@@ -106,7 +106,7 @@ def deviation_problems(deviations: Deviations, gear: CylindricalGear, where: str
     gear
         External or internal gear.
     where
-        Place of the deviations in their description, put before the name of the offending key.
+        Path of the deviations in the model, prefix of the key in each message.
 
     Examples
     --------
@@ -130,7 +130,7 @@ def _largest(values: ArrayLike) -> float:
 
 
 def index_deviations(pitch: ArrayLike) -> FloatArray:
-    """Displacement of each tooth from its ideal place, from the single pitch deviations.
+    """Displacement of each tooth from its ideal position, from the single pitch deviations.
 
     Parameters
     ----------
@@ -140,8 +140,8 @@ def index_deviations(pitch: ArrayLike) -> FloatArray:
     Returns
     -------
     ndarray, shape (z,)
-        Displacement [m] in the direction of counting, mean zero. The mean of `pitch` is taken off first:
-        the pitches of a gear close after one turn.
+        Displacement [m] in the direction of counting, zero mean. The mean of `pitch` is subtracted first,
+        because the pitches of a gear add up to one revolution.
 
     Notes
     -----
@@ -158,7 +158,7 @@ def index_deviations(pitch: ArrayLike) -> FloatArray:
 
 
 def _pitch_gap(deviations: Deviations, gear: CylindricalGear, flank: str) -> FloatArray:
-    """Gap of each tooth from its displacement, shape (z,)."""
+    """Gap due to the displacement of each tooth [m], shape (z,)."""
     z = abs(gear.z)
     pitch = deviations.pitch
     if flank == "right" and deviations.pitch_right is not None:
@@ -168,7 +168,7 @@ def _pitch_gap(deviations: Deviations, gear: CylindricalGear, flank: str) -> Flo
         return np.zeros(z)
     if values.shape != (z,) or not np.isfinite(values).all():
         raise _refuse("deviations.pitch", "is not one finite number per tooth", values.shape, f"({z},)")
-    # A left flank displaced counter-clockwise, outwards from its tooth, comes nearer to its mate.
+    # A left flank displaced counter-clockwise, outwards from its tooth, reduces the gap.
     outwards = 1.0 if flank == "left" else -1.0
     return -outwards * index_deviations(values) * math.cos(gear.alpha_t)
 
@@ -176,19 +176,19 @@ def _pitch_gap(deviations: Deviations, gear: CylindricalGear, flank: str) -> Flo
 def _runout_gap(
     runout: Runout, gear: CylindricalGear, flank: str, z: FloatArray, roll: FloatArray
 ) -> FloatArray:
-    """Gap from an eccentricity, shape (z, n_z, n_roll).
+    """Gap due to an eccentricity [m], shape (z, n_z, n_roll).
 
     The flank normal at the roll angle ξ = L/r_b is the direction of the base tangent there; the gap is minus
-    the displacement along it. Helical teeth turn with the width, so that all points of a contact line have
-    the same normal.
+    the displacement along it. Helical teeth rotate with z, so that all points of a contact line have the same
+    normal.
     """
     if not (0.0 <= runout.amount < math.inf and math.isfinite(runout.phase)):
         raise _refuse("deviations.runout", "is not possible", runout, "finite, amount >= 0")
     side = 1.0 if flank == "left" else -1.0
     tooth = 2.0 * math.pi / abs(gear.z) * np.arange(abs(gear.z))
     xi = roll / abs(gear.r_b)
-    # |ψ_b| is the half tooth angle for external gears; for internal ones it is taken to where the same
-    # involute starts, hence the sign of the gear in both terms.
+    # For internal gears |ψ_b| is the half angle to the start of the same involute, hence the sign of the gear
+    # in both terms.
     turned = 2.0 * math.tan(gear.beta) / abs(gear.d) * z
     tangent = tooth[:, None, None] + turned[:, None] + side * gear.sign * (gear.psi_b - xi)
     normal = tangent + side * 0.5 * math.pi
@@ -203,7 +203,7 @@ def _resample(values: ArrayLike, z: FloatArray, roll: FloatArray, gear: Cylindri
     root, tip = flank_range(gear)
 
     def weights(share: FloatArray, n: int) -> FloatArray:
-        """Weights of n stations at places given as shares of the length: hat functions, shape (m, n) [-]."""
+        """Hat functions of n stations at relative positions `share`, shape (m, n) [-]."""
         place = np.clip(share, 0.0, 1.0) * (n - 1)
         return np.maximum(0.0, 1.0 - np.abs(place[:, None] - np.arange(n)[None, :]))
 
@@ -221,7 +221,7 @@ def separation(
     modifications: FlankModifications | None = None,
     deviations: Deviations | None = None,
 ) -> FloatArray:
-    """Gap between the real and the perfect flanks of a gear, along the transverse base tangent.
+    """Gap between the real and the ideal flanks of a gear, along the transverse base tangent.
 
     Parameters
     ----------
@@ -230,19 +230,19 @@ def separation(
     flank
         "left" or "right".
     z
-        Places along the face width [m], shape (n_z,), −b/2 to b/2.
+        Positions along the face width [m], shape (n_z,), −b/2 to b/2.
     roll
         Roll lengths [m], shape (n_roll,).
     modifications
-        Micro-geometry that all flanks of this kind share.
+        Micro-geometry common to all flanks of this side.
     deviations
         Deviations of single teeth.
 
     Returns
     -------
     ndarray, shape (|z|, n_z, n_roll)
-        Sum of all of them and of what the `outline` of the gear lacks [m]; positive = gap, negative = too
-        much material.
+        Sum of modifications, deviations and the gap of the gear's `outline` [m]; positive = gap, negative =
+        excess material.
 
     Raises
     ------
@@ -251,8 +251,8 @@ def separation(
 
     Notes
     -----
-    First order in the deviations. Pitch: f cos α_t, as a turn of the tooth by f/r moves its flank along the
-    base tangent by r_b f/r. Runout: the part of the eccentricity along the flank normal of each point.
+    First order in the deviations. Pitch: f cos α_t, because a rotation of the tooth by f/r moves its flank
+    along the base tangent by r_b f/r. Runout: component of the eccentricity along the flank normal.
 
     Examples
     --------

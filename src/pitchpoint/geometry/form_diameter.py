@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the usable involute ends at the root, in the signed diameters of ISO 21771.
+"""Root form diameters, signed as in ISO 21771.
 
-The tools themselves, and the fillets they leave, are in `rack_fillet` and `cutter`, in positive lengths.
+The tools and the fillets that they generate are in `rack_fillet` and `cutter`, in positive lengths.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def root_form_diameter_rack(
     x_E
         Generating profile shift coefficient [-] (thickness allowance included).
     h_fP_star, rho_fP_star
-        Dedendum and root radius of the basic rack [-]; a radius that does not fit is replaced by the full
+        Dedendum and root radius of the basic rack [-]; a radius that does not fit is replaced by full
         rounding.
 
     Returns
@@ -54,7 +54,7 @@ def root_form_diameter_rack(
 
     Examples
     --------
-    Stage 3 of the KISSsoft report of the 5 MW gearbox prints 328.991 mm:
+    Stage 3 of the 5 MW gearbox; the KISSsoft report gives 328.991 mm:
 
     >>> d_Ff, undercut = root_form_diameter_rack(z=24, m_n=0.014, alpha_n=math.radians(20),
     ...     beta=math.radians(10), x_E=0.48, h_fP_star=1.25, rho_fP_star=0.38)
@@ -97,8 +97,7 @@ def root_form_diameter_internal(
     cutter
         The tool, or None for a circular fillet between flank and root.
     d_f
-        Root diameter that is made [m], < 0 (the cutter's tip circle is then taken where it reaches it), or
-        None to let the cutter's addendum decide.
+        Root diameter [m], < 0, to which the cutter's tip circle is set; None = from the cutter's addendum.
     rho_fP_star
         Radius of the circular fillet [-], used without a cutter.
 
@@ -118,7 +117,7 @@ def root_form_diameter_internal(
 
     Examples
     --------
-    The ring of stage 1 of the 5 MW gearbox; the report prints 2662.682 mm for 36 cutter teeth:
+    Ring gear of stage 1 of the 5 MW gearbox; the KISSsoft report gives 2662.682 mm for 36 cutter teeth:
 
     >>> d_Ff, d_f = root_form_diameter_internal(z=-56, m_n=0.045, alpha_n=math.radians(20), beta=0.0,
     ...     x_E=-0.5013, cutter=PinionCutter(z_0=36, rho_aP0_star=0.3), d_f=-2.677617)

@@ -43,8 +43,8 @@ class GearPair:
     Raises
     ------
     GeometryError
-        If the centre distance is not finite, is zero or has the wrong sign. What merely makes a bad pair
-        is listed by `problems`; properties that have no meaning then raise GeometryError.
+        If the centre distance is not finite, is zero or has the wrong sign. `problems` lists what else makes
+        the pair impossible; properties that are then undefined raise GeometryError.
 
     Examples
     --------
@@ -103,10 +103,10 @@ class GearPair:
 
     @classmethod
     def from_profile_shifts(cls, gear1: CylindricalGear, gear2: CylindricalGear) -> GearPair:
-        """Pair at the centre distance where the nominal profile shifts leave no backlash.
+        """Pair at the centre distance of zero backlash for the nominal profile shifts.
 
-        Thickness allowances do not count: they make the backlash there. GeometryError if the shifts are too
-        negative for any centre distance.
+        Thickness allowances are not included; they give the backlash at this distance. GeometryError if the
+        shifts are too negative for any centre distance.
 
         Examples
         --------
@@ -163,7 +163,7 @@ class GearPair:
 
     @cached_property
     def inv_alpha_w0(self) -> float:
-        """inv α_w0 of the given profile shifts: where the pair has no backlash, allowances not counted.
+        """inv α_w0 at zero backlash for the given profile shifts, without thickness allowances.
 
         Raises
         ------
@@ -183,13 +183,13 @@ class GearPair:
 
     @cached_property
     def x_sum(self) -> float:
-        """Sum of the profile shifts that would leave no backlash at `a_w` [-]."""
+        """Sum of the profile shifts for zero backlash at `a_w` [-]."""
         g = self.gear1
         return 0.5 * self.z_sum * (inv(self.alpha_wt) - inv(g.alpha_t)) / math.tan(g.alpha_n)
 
     @property
     def x_sum_given(self) -> float:
-        """Sum of the profile shifts the gears have [-]."""
+        """Sum of the profile shifts of the gears [-]."""
         return self.gear1.x + self.gear2.x
 
     @cached_property
@@ -224,30 +224,30 @@ class GearPair:
 
     @cached_property
     def T1A(self) -> float:
-        """Start of contact, where gear 2's tip enters the line of action [m].
+        """Start of contact A, at the tip circle of gear 2 [m].
 
-        The tips alone decide, as in the standard; for root form circles see `T1A_form` and `eps_alpha_form`.
+        Only the tip circles count, as in the standard; for root form circles see `eps_alpha_form`.
         """
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Fa, self.gear2.d_b)
 
     @cached_property
     def T1E(self) -> float:
-        """End of contact, where gear 1's tip leaves the line of action [m]."""
+        """End of contact E, at the tip circle of gear 1 [m]."""
         return _leg(self.gear1.d_Fa, self.gear1.d_b)
 
     @cached_property
     def T1A_form(self) -> float:
-        """Lowest path coordinate that gear 1's involute reaches (its root form circle) [m]."""
+        """Lowest path coordinate on the involute of gear 1, at its root form circle [m]."""
         return _leg(self.gear1.d_Ff, self.gear1.d_b)
 
     @cached_property
     def T1E_form(self) -> float:
-        """Highest path coordinate that gear 2's involute reaches (its root form circle) [m]."""
+        """Highest path coordinate on the involute of gear 2, at its root form circle [m]."""
         return self.T1T2 - self.gear2.sign * _leg(self.gear2.d_Ff, self.gear2.d_b)
 
     @property
     def T1B(self) -> float:
-        """Start of the inner range, T1E − p_et [m]: the pair before has just left at E."""
+        """Point B, T1E − p_et [m]: single contact starts, as the preceding tooth pair leaves at E."""
         return self.T1E - self.p_et
 
     @cached_property
@@ -257,12 +257,12 @@ class GearPair:
 
     @property
     def T1D(self) -> float:
-        """End of the inner range, T1A + p_et [m]: the next pair comes in at A."""
+        """Point D, T1A + p_et [m]: single contact ends, as the next tooth pair enters at A."""
         return self.T1A + self.p_et
 
     @property
     def g_alpha(self) -> float:
-        """Length of the path of contact A-E [m]; zero if the flanks never meet."""
+        """Length of the path of contact A-E [m]; 0 without contact."""
         return max(0.0, self.T1E - self.T1A)
 
     @property
@@ -303,7 +303,7 @@ class GearPair:
 
     @property
     def eps_alpha_form(self) -> float:
-        """Transverse contact ratio of what the root form circles leave of the path A-E [-]."""
+        """Transverse contact ratio of the path A-E limited by the root form circles [-]."""
         usable = min(self.T1E, self.T1E_form) - max(self.T1A, self.T1A_form)
         return max(0.0, usable) / self.p_et
 
@@ -331,8 +331,8 @@ class GearPair:
     def l_min(self) -> float:
         """Smallest total length of the contact lines over a mesh cycle [m].
 
-        The number of teeth in contact, averaged over ε_β base pitches, leaves n_α n_β or
-        (1 − n_α)(1 − n_β) of its mean, with n the fractional parts (ISO/TR 13989, KISSsoft's Lmin).
+        The number of teeth in contact, averaged over ε_β base pitches, is at least ε_α less n_α n_β / ε_β
+        or (1 − n_α)(1 − n_β) / ε_β, with n the fractional parts (ISO/TR 13989, KISSsoft's Lmin).
         """
         eps_alpha, eps_beta = self.eps_alpha, self.eps_beta
         n_alpha = eps_alpha - math.floor(eps_alpha)
@@ -383,9 +383,9 @@ class GearPair:
         Parameters
         ----------
         where
-            Place of the pair in its description, put before the name of the offending key.
+            Path of the pair in the model, prefix of the key in each message.
         names
-            How the messages call the gears.
+            Names of the gears in the messages.
         gears
             Also list the problems of each gear alone.
         """
@@ -394,7 +394,7 @@ class GearPair:
         return pair_problems(self, where, names, gears)
 
     def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Message]:
-        """What runs, but not as the involute promises: tips that reach below the mate's root form circle."""
+        """Unusual properties of a pair that can run, such as tips below the mate's root form circle."""
         from pitchpoint.geometry.problems import pair_warnings
 
         return pair_warnings(self, where, names)

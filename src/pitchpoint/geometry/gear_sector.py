@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One pitch of a gear as a piece of its surface: turned copies of it make the whole gear.
+"""Triangulated surface of one pitch of a cylindrical gear; rotated copies form the whole gear.
 
-Points of the flanks are chosen by how far the chords between them lie off the exact tooth. Teeth may lack
-something on their flanks, and may end below their tips.
+Flank points are chosen by the chord error. Teeth may lack material on their flanks and may be broken off
+below their tips.
 
 Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
@@ -26,25 +26,25 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 Gap = Callable[[str, float, FloatArray], FloatArray]
-"""Material [m] that a flank lacks along the base tangent, of (flank, height z [m], lengths of roll [m])."""
+"""Gap of a flank along the base tangent [m] as a function of (flank, height z [m], roll lengths [m])."""
 
 DENSE = 241
-"""Points of a flank that are chosen from: their own chords are within 0.25 µm of teeth of module 40 mm."""
+"""Flank points from which the outline is chosen; their own chord error is 0.25 µm for m_n = 40 mm."""
 MOST_SLICES = 32
 ROUND = 48
-"""Corners of a drawn bore, at least; as many as teeth where these are more."""
+"""Minimum number of corners of a drawn bore; the number of teeth if that is larger."""
 
 
 @dataclass(frozen=True)
 class Sector:
-    """A piece of a surface.
+    """Triangulated surface of one pitch.
 
     Parameters
     ----------
     points, triangles
         Shape (n, 3) [m]; shape (m, 3), counter-clockwise seen from outside.
     blank
-        Number of the first triangle of the blank; those before are the tooth and its root.
+        Index of the first triangle of the blank; the triangles before it are the tooth and its root.
     """
 
     points: FloatArray
@@ -58,14 +58,16 @@ class Sector:
 
 
 def thinned(line: NDArray[np.complex128], error: float) -> IntArray:
-    """Numbers of points of a line whose chords leave no other by more than `error`, with the ends.
+    """Indices of the points of a simplified line whose chord error is at most `error`.
+
+    The ends are always included.
 
     Parameters
     ----------
     line
         Points x + iy, shape (n,).
     error
-        Largest distance, in their unit.
+        Maximum distance of an omitted point from its chord, in the unit of the points.
 
     Examples
     --------
@@ -106,7 +108,7 @@ class Outline:
     points: NDArray[np.complex128]
 
     def flank(self, side: str) -> IntArray:
-        """Numbers of the points of a flank from root to tip, shape (n,); right is the clockwise flank."""
+        """Indices of the points of a flank from root to tip, shape (n,); right is the clockwise flank."""
         found = np.flatnonzero(self.region == 1)
         tip = int(np.argmax(self.region == 3))
         return found[found < tip] if side == "right" else found[found > tip][::-1]
@@ -115,18 +117,18 @@ class Outline:
 def pitch_outline(
     gear: CylindricalGear, error: float, resolution: int | None = None, elsewhere: float | None = None
 ) -> Outline:
-    """Points of one pitch, as few as keep the chords between them near enough to the exact tooth.
+    """Outline of one pitch with the fewest points that keep the chord error below a limit.
 
     Parameters
     ----------
     gear
         External or internal gear.
     error
-        Largest distance of a chord from the tooth [m].
+        Maximum chord error of the flanks [m].
     resolution
-        Number of points of each flank instead, at least 5.
+        Number of points per flank, at least 5; replaces the limit of the chord error.
     elsewhere
-        Largest distance off the flanks: fillets, tips and roots touch nothing [m].
+        Maximum chord error of fillets, tips and roots, which are not in contact [m]; None: `error`.
 
     Examples
     --------
@@ -153,21 +155,21 @@ def pitch_outline(
         right, left = right[chosen], left[chosen]
         land, before, after = (line[thinned(plane[line], off)] for line in (land, before, after))
     land = land[1:-1] if land.size > 2 else tip[[tip.size // 2]]
-    # of a fully rounded root the last point is the first of the next pitch
+    # with full rounding the last point is the first of the next pitch
     parts = (before[:-1], right, land, left[::-1][left[::-1] < n_cell], after[1:-1])
     found = np.repeat(np.array([0, 1, 3, 1, 0], np.int8), [part.size for part in parts])
     return Outline(found, plane[np.concatenate(parts)])
 
 
 def slices_for(gear: CylindricalGear, error: float) -> FloatArray:
-    """Heights between which a helical tooth may be drawn straight [m], from -b/2 to b/2, shape (n,).
+    """Heights z [m] of the sections of a tooth, from -b/2 to b/2, shape (n,).
 
     Parameters
     ----------
     gear
         The gear.
     error
-        Largest distance of a chord from its tip helix [m].
+        Maximum chord error of the tip helix [m].
 
     Examples
     --------
@@ -178,7 +180,7 @@ def slices_for(gear: CylindricalGear, error: float) -> FloatArray:
     twist = abs(2.0 * math.tan(gear.beta) / gear.d * gear.b)
     step = math.sqrt(8.0 * error / (0.5 * abs(gear.d_a)))
     count = max(1, math.ceil(twist / step))
-    # the middle of the face, where teeth are looked at, is a section of its own
+    # an even number of slices includes the middle plane
     count = min(MOST_SLICES, count + count % 2) if count > 1 else 1
     return np.linspace(-0.5, 0.5, count + 1) * gear.b
 
@@ -193,7 +195,7 @@ def gear_sector(
     rim_thickness: float | None = None,
     web_thickness: float | None = None,
 ) -> Sector:
-    """Surface of the pitch of tooth 0: copies turned by 2 pi k/z about the axis close it.
+    """Surface of the pitch of tooth 0; z copies rotated by 2 pi k/z about the axis form the closed gear.
 
     Parameters
     ----------
@@ -202,17 +204,17 @@ def gear_sector(
     outline
         Points of the pitch.
     sections
-        Heights from -b/2 to b/2 [m], and the radius at which the tooth ends there [m], none for a whole one.
-        Two sections at one height make a step.
+        Heights from -b/2 to b/2 [m], each with the radius at which the tooth ends [m], None for a complete
+        tooth. Two sections at one height form a step.
     gap
-        What its flanks lack.
+        Missing material of the flanks.
     bore_diameter, rim_thickness, web_thickness
-        The blank, as in `pitchpoint.geometry.mass_properties.gear_mass_properties` [m].
+        Size of the blank, as in `pitchpoint.geometry.mass_properties.gear_mass_properties` [m].
 
     Raises
     ------
     GeometryError
-        If there is no such tooth or blank.
+        If the tooth or the blank is not possible.
     """
     made = Pieces()
     rate = 2.0 * math.tan(gear.beta) / abs(gear.d)
@@ -255,7 +257,7 @@ def gear_sector(
 
 
 class Pieces:
-    """Points and triangles that are added one after the other."""
+    """Builder of a triangulated surface from points and faces."""
 
     def __init__(self) -> None:
         self.points: list[FloatArray] = []
@@ -263,27 +265,27 @@ class Pieces:
         self.count = 0
 
     def add(self, plane: NDArray[np.complex128], z: float, turn: float) -> IntArray:
-        """Add points x + iy, shape (n,), at a height, turned about the axis; returns their numbers."""
+        """Add points x + iy, shape (n,), at height z, rotated by `turn` about the axis; their indices."""
         turned = plane * np.exp(1j * turn)
         return self.put(np.column_stack([turned.real, turned.imag, np.full(plane.size, z)]))
 
     def put(self, points: FloatArray) -> IntArray:
-        """Put points, shape (n, 3); gives their numbers."""
+        """Add points, shape (n, 3) [m]; their indices."""
         self.points.append(points)
         self.count += len(points)
         return np.arange(self.count - len(points), self.count)
 
     def quads(self, first: IntArray, second: IntArray) -> None:
-        """Join two lines of equally many points, given by their numbers, shapes (n,)."""
+        """Add triangles between two lines with equal numbers of points; indices, shapes (n,)."""
         a, b, c, d = first[:-1], first[1:], second[1:], second[:-1]
         self.faces += [np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]
 
     def zip(self, first: IntArray, at: FloatArray, second: IntArray, other: FloatArray) -> None:
-        """Join two parallel lines of points, shapes (n,) and (m,), in the order of their coordinates."""
+        """Add triangles between two parallel lines of points, shapes (n,) and (m,), by their coordinates."""
         i = j = 0
         found = []
         while i < first.size - 1 or j < second.size - 1:
-            # the line that lags behind continues, by the middle of its next piece
+            # advance on the line whose next segment has the smaller midpoint
             mine = 0.5 * (at[i] + at[i + 1]) if i < first.size - 1 else math.inf
             theirs = 0.5 * (other[j] + other[j + 1]) if j < second.size - 1 else math.inf
             if mine <= theirs:
@@ -295,7 +297,7 @@ class Pieces:
         self.faces.append(np.array(found, np.int64))
 
     def sector(self, blank: int, flipped: bool) -> Sector:
-        """All of it; triangles without area are omitted. The blank begins with a list of faces."""
+        """Sector without degenerate triangles; `blank` is the index of the first face list of the blank."""
         points, faces = np.concatenate(self.points), np.concatenate(self.faces)
         a, b, c = (points[faces[:, k]] for k in range(3))
         area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
@@ -307,14 +309,14 @@ class Pieces:
 
 
 def _thinner(gear: CylindricalGear, outline: Outline, z: float, gap: Gap) -> NDArray[np.complex128]:
-    """Points of a section whose flanks lack something: involutes turned by the gap over r_b."""
+    """Points of a section with a gap on its flanks: involutes rotated by the gap over r_b."""
     r_b, plane = 0.5 * abs(gear.d_b), outline.points.copy()
     form = 0.5 * abs(gear.d_Ff)
     for side, towards in (("right", 1.0), ("left", -1.0)):
         ids = outline.flank(side)
         r = np.abs(plane[ids])
         lacks = gap(side, z, np.sqrt(np.maximum(r**2 - r_b**2, 0.0)))
-        # below the flank the gap fades out in the fillet
+        # in the fillet the gap decreases linearly to zero at the root
         foot = r[0]
         share = np.clip((r - foot) / (form - foot), 0.0, 1.0) if form != foot else np.ones(r.size)
         half = np.abs(np.angle(plane[ids]))
@@ -326,7 +328,7 @@ def _thinner(gear: CylindricalGear, outline: Outline, z: float, gap: Gap) -> NDA
 def _ended(
     outline: Outline, plane: NDArray[np.complex128], limit: float, is_internal: bool
 ) -> NDArray[np.complex128]:
-    """Points of a section whose tooth ends at a radius: what is beyond lies on the line across it."""
+    """Points of a section whose tooth is cut off at a radius; points beyond it are moved to the cut."""
     out = -1.0 if is_internal else 1.0
     ends = []
     for side in ("right", "left"):

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The involute function, its inverse, and the one conversion between normal and transverse section.
+"""Involute function, its inverse, and conversion of angles between normal and transverse section.
 
-Every other file asks here for α_t and β_b: at least five public code bases got this conversion wrong
-somewhere, so it exists once and is property-tested.
+All modules take α_t and β_b from here.
 
 Source: ISO 21771; inverse by Newton's method.
 """
@@ -27,7 +26,7 @@ def inv(alpha: float) -> float:
     Returns
     -------
     float
-        inv α [rad]. Small angles use the series α³/3 + 2α⁵/15 + 17α⁷/315, so that no digits cancel.
+        inv α [rad]. Small angles use the series α³/3 + 2α⁵/15 + 17α⁷/315, which avoids cancellation.
 
     Raises
     ------
@@ -72,12 +71,12 @@ def inverse_inv(value: float) -> float:
     Raises
     ------
     GeometryError
-        If the value is negative or not finite: no involute has it.
+        If the value is negative or not finite.
 
     Notes
     -----
-    Newton's method on t − atan t = value with t = tan α; the function is convex for t > 0, so after one
-    step the iteration comes from above and cannot leave the domain.
+    Newton's method on t − atan t = value with t = tan α. The function is convex for t > 0: after one step
+    the iterates decrease monotonically to the root and stay in the domain.
 
     Examples
     --------
@@ -126,7 +125,7 @@ def transverse_pressure_angle(alpha_n: float, beta: float) -> float:
 
     Notes
     -----
-    ISO 21771. Even in β: the hand does not matter.
+    ISO 21771. Even in β: independent of the hand.
 
     Examples
     --------
@@ -164,7 +163,7 @@ def base_helix_angle(alpha_n: float, beta: float) -> float:
 
 
 def working_pressure_angle(*, z_sum: int, alpha_n: float, beta: float = 0.0, x_sum: float = 0.0) -> float:
-    """Transverse pressure angle at which a pair with the given shifts runs without backlash.
+    """Working transverse pressure angle of a pair with given profile shifts at zero backlash.
 
     Parameters
     ----------
@@ -183,7 +182,7 @@ def working_pressure_angle(*, z_sum: int, alpha_n: float, beta: float = 0.0, x_s
     Raises
     ------
     GeometryError
-        If z₁ + z₂ = 0, or if no real angle exists.
+        If z₁ + z₂ = 0, or if there is no real solution.
 
     Notes
     -----

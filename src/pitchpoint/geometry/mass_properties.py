@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mass and moments of inertia of a gear from its real tooth profile, its blank and its density.
+"""Mass and moments of inertia of a cylindrical gear from tooth profile, blank and density.
 
 Derivation: docs/theory/geometry.md, "Mass and inertia".
 """
@@ -21,20 +21,20 @@ if TYPE_CHECKING:
 
 PROFILES = ("exact", "mean_cylinder", "reference_cylinder")
 RIM_OF_RING = 3.5
-"""Rim thickness of an internal gear that states none, in normal modules: from there on ISO 6336-3 takes the
-rim as stiff (rim thickness factor Y_B = 1 for s_R ≥ 3.5 m_n)."""
+"""Default rim thickness of an internal gear in normal modules: ISO 6336-3 has the rim thickness factor
+Y_B = 1 for s_R ≥ 3.5 m_n."""
 
 _DEGREE = 40
 
 
 @dataclass(frozen=True)
 class MassProperties:
-    """Mass and central moments of inertia of a gear; its centre of mass is the middle of the axis.
+    """Mass and central moments of inertia of a gear; the centre of mass is on the axis at mid-face.
 
     Parameters
     ----------
     mass
-        [kg].
+        Mass [kg].
     polar_inertia
         About the gear axis [kg m²].
     transverse_inertia
@@ -63,8 +63,8 @@ def section_integrals(form: ToothForm) -> tuple[float, float]:
     -----
     Green's theorem in polar coordinates, A = ½ ∮ r² dθ and I_p = ¼ ∮ r⁴ dθ. Arcs are elementary. On the
     involute dθ = ∓tan² α dα with r = r_b/cos α, so that with t = tan α
-    ∫ r² dθ = ∓r_b² t³/3 and ∫ r⁴ dθ = ∓r_b⁴ (t³/3 + t⁵/5). On the fillet both integrands are analytic in
-    its parameter and are integrated as Chebyshev series, to round-off.
+    ∫ r² dθ = ∓r_b² t³/3 and ∫ r⁴ dθ = ∓r_b⁴ (t³/3 + t⁵/5). On the fillet both integrands are analytic in its
+    parameter; integrated as Chebyshev series to round-off.
 
     Examples
     --------
@@ -93,8 +93,8 @@ def section_integrals(form: ToothForm) -> tuple[float, float]:
 
     totals = []
     for power, square in ((2, False), (4, True)):
-        # From the middle of the root over one flank to the middle of the tip; the half angle falls, so the
-        # sign of the flank terms turns.
+        # From the middle of the root over one flank to the middle of the tip. The half angle decreases, hence
+        # the negative sign of the flank terms.
         root = form.r_f**power * (form.half_pitch_angle - form.root_half_angle)
         tip = form.r_a**power * form.tip_half_angle
         totals.append(root - along_fillet(r**power) - along_involute(square) + tip)
@@ -107,7 +107,7 @@ def _ring(outer: float, inner: float) -> np.ndarray:
 
 
 def _toothed(gear: CylindricalGear, profile: str) -> tuple[np.ndarray, float]:
-    """Section inside the outline by the chosen rule, and the root radius."""
+    """Area and polar second moment inside the outline by the chosen rule, and the root radius."""
     d_f = gear.sign * gear.d_fE
     if profile == "exact":
         if gear.outline is not None:
@@ -127,7 +127,7 @@ def _refuse(where: str, value: float, limit: str) -> GeometryError:
 def _external_layers(
     section: np.ndarray, r_f: float, b: float, bore: float, rim: float | None, web: float | None
 ) -> list[tuple[np.ndarray, float]]:
-    """Sections and their thickness: the toothed rim over the face width, the web inside."""
+    """Sections with their thicknesses: toothed rim over the face width, web inside it."""
     if not 0.0 <= bore < r_f:
         raise _refuse("bore_diameter", 2.0 * bore, f"0 to the root diameter {2e3 * r_f:.6g} mm")
     inner = bore if rim is None else max(bore, r_f - rim)
@@ -146,27 +146,27 @@ def gear_mass_properties(
     polar_inertia: float | None = None,
     transverse_inertia: float | None = None,
 ) -> MassProperties:
-    """Mass and central moments of inertia of a gear; given values win over computed ones.
+    """Mass and central moments of inertia of a gear; given values replace computed ones.
 
     Parameters
     ----------
     gear
         External or internal gear, spur or helical.
     density
-        [kg/m³].
+        Density [kg/m³].
     rim_thickness
-        External: ring under the root circle that has the whole face width; None = a solid body. Internal:
-        ring outside the root circle; None = 3.5 m_n, unless the outer diameter is given.
+        External: thickness of the ring below the root circle over the full face width [m]; None = solid
+        body. Internal: ring outside the root circle; None = 3.5 m_n, unless the outer diameter is given.
     web_thickness
-        Axial thickness of the disc between rim and bore [m], needs `rim_thickness`; None = the face width.
+        Axial thickness of the disc between rim and bore [m], requires `rim_thickness`; None = face width.
     bore_diameter
-        External: bore [m], 0 = none. Internal: outer diameter of the ring [m], 0 = by `rim_thickness`.
+        External: bore [m], 0 = none. Internal: outer diameter of the ring [m], 0 = from `rim_thickness`.
     profile
         "exact": the real teeth, from the outline of the gear if it has one. "mean_cylinder": a cylinder of
         diameter (d_a + d_f)/2 for the toothed part, the rule of KISSsoft's reports. "reference_cylinder": a
         cylinder of the reference diameter d.
     mass, polar_inertia, transverse_inertia
-        Values that replace the computed ones, each for itself [kg, kg m²].
+        Values that replace the computed ones, each independently [kg, kg m²].
 
     Returns
     -------
@@ -179,13 +179,13 @@ def gear_mass_properties(
 
     Notes
     -----
-    A helical gear has the section of a spur gear in every plane, only turned. Three or more equal teeth make
-    the section isotropic, so that J_t = J_p/2 + Σ m t²/12 over the layers of thickness t, all of them
-    symmetric to the middle plane.
+    The transverse sections of a helical gear are those of a spur gear, rotated. With three or more equal
+    teeth the section is isotropic, so that J_t = J_p/2 + Σ m t²/12 over the layers of thickness t, all
+    symmetric about the middle plane.
 
     Examples
     --------
-    Stage 3 of the 5 MW gearbox, pinion: the report prints 3.87681 kg m²; the real teeth 4 % more.
+    Pinion of stage 3 of the 5 MW gearbox: the KISSsoft report gives 3.87681 kg m², the exact teeth 4 % more.
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> pinion = CylindricalGear(
@@ -204,7 +204,7 @@ def gear_mass_properties(
             raise _refuse(where, length, "above 0")
     if web_thickness is not None and rim_thickness is None and not gear.is_internal:
         raise GeometryError(
-            "needs a rim to end at", where="web_thickness", remedy="set rim_thickness too, or leave both out"
+            "needs a rim to end at", where="web_thickness", remedy="set rim_thickness too, or omit both"
         )
     section, r_f = _toothed(gear, profile)
     if gear.is_internal:

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic properties and densities of gear materials: one dataclass and a small library.
+"""Elastic properties and densities of gear materials.
 
 The constants are the usual values at 20 °C. E and ν of steels, grey irons and tin bronzes are those of the
 table of elastic constants in ISO 6336-2 and DIN 3990-2 (steel 206 GPa, cast steel 202 GPa, nodular iron
-173 GPa, grey iron 118 to 126 GPa, tin bronze 103 to 113 GPa; ν = 0.3), so that Z_E and c' agree with rated
-gears. The nodular grades take what their own standard EN 1563 states. The modulus of grey iron falls with
-the stress, EN 1561 gives 88 to 118 GPa for the grades here; that of a plastic falls steeply with
-temperature, and that of a polyamide with humidity: give measured values where it matters.
+173 GPa, grey iron 118 to 126 GPa, tin bronze 103 to 113 GPa; ν = 0.3), so that Z_E and c' agree with gear
+rating. The values of nodular grades are those of EN 1563. The modulus of grey iron decreases with stress,
+EN 1561 gives 88 to 118 GPa for the grades here; that of plastics decreases steeply with temperature, that of
+polyamides with humidity: use measured values where it matters.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Material:
     Parameters
     ----------
     name
-        Name in the library, or anything else for an own material.
+        Name in the library, or any other name for a user-defined material.
     youngs_modulus
         E [Pa], > 0.
     poisson_ratio
@@ -33,7 +33,7 @@ class Material:
     density
         ρ [kg/m³], > 0.
     source
-        Where the numbers come from.
+        Source of the values.
 
     Raises
     ------
@@ -110,17 +110,17 @@ LIBRARY: dict[str, Material] = {
 
 
 def material(name: str) -> Material:
-    """Material of the library.
+    """Look up a material of the library.
 
     Parameters
     ----------
     name
-        A key of `LIBRARY`; case, blanks, hyphens and underscores do not matter.
+        A key of `LIBRARY`; case, blanks, hyphens and underscores are ignored.
 
     Raises
     ------
     GeometryError
-        If there is no such material; the message offers the nearest spelling.
+        If the library does not have the material; the message suggests the nearest spelling.
 
     Examples
     --------

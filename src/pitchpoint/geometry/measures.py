@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is measured over several teeth: span, dimension over balls and pins (ISO 21771, DIN 3960).
+"""Inspection dimensions: span measurement, dimensions over balls and pins (ISO 21771, DIN 3960).
 
-Diameters are signed like the gear's (negative for internal gears); measures over teeth come out positive.
+Diameters are signed like those of the gear (negative for internal gears); the dimensions are positive.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def span_tooth_count(gear: CylindricalGear) -> int:
-    """Number of teeth (internal: spaces) to span so that the anvils touch near d + 2 x m_n.
+    """Number of teeth (internal: spaces) to span for contact of the anvils near d + 2 x m_n.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ def span_tooth_count(gear: CylindricalGear) -> int:
 
 
 def _base_first(gear: CylindricalGear) -> float:
-    """Normal thickness at the base cylinder of the one tooth (internal: space) that k = 1 spans [m]."""
+    """Normal base thickness of one tooth (internal: base width of one space), the span for k = 1 [m]."""
     tooth = gear.d_b * gear.psi_b * math.cos(gear.beta_b)
     return gear.p_bn - tooth if gear.is_internal else tooth
 
@@ -56,7 +56,7 @@ def span(gear: CylindricalGear, k: int) -> float:
     Parameters
     ----------
     gear
-        The gear; its thickness allowance counts.
+        The gear; its thickness allowance is included.
     k
         Number of teeth or spaces spanned, ≥ 1.
 
@@ -68,13 +68,13 @@ def span(gear: CylindricalGear, k: int) -> float:
     Raises
     ------
     GeometryError
-        If k is not a such number.
+        If k is not a whole number of at least 1.
 
     Notes
     -----
     W_k = (k − 1) p_bn + s_bn, the same as m_n cos α_n ((k − 0.5) π + z inv α_t) + 2 x m_n sin α_n for an
-    external gear (ISO 21771). An internal one has the base space width in place of s_bn, which puts |z| and
-    −x into the formula. Measurable on a helical gear only if b > W_k sin |β_b|.
+    external gear (ISO 21771). For an internal gear the base space width replaces s_bn: |z| and −x in the
+    formula. Measurable on a helical gear only if b > W_k sin |β_b|.
 
     Examples
     --------
@@ -90,7 +90,7 @@ def span(gear: CylindricalGear, k: int) -> float:
 
 
 def span_contact_diameter(gear: CylindricalGear, k: int) -> float:
-    """Diameter at which the anvils of a span measurement touch.
+    """Contact diameter of the anvils in a span measurement.
 
     Parameters
     ----------
@@ -115,12 +115,12 @@ def span_contact_diameter(gear: CylindricalGear, k: int) -> float:
 
 
 def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
-    """Transverse pressure angle at the centre of a ball that touches both flanks of a space.
+    """Transverse pressure angle at the centre of a ball in contact with both flanks of a space.
 
     Parameters
     ----------
     gear
-        The gear; its thickness allowance counts.
+        The gear; its thickness allowance is included.
     D_M
         Diameter of the ball or pin [m], > 0.
 
@@ -132,8 +132,8 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
     Raises
     ------
     GeometryError
-        If the ball would not touch the usable flanks: one too small lies on the root fillets, one too large
-        on the tips.
+        If the ball would not touch the usable flanks: a ball too small touches the fillets, one too large
+        the tips.
 
     Notes
     -----
@@ -149,7 +149,7 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
     if not 0.0 < D_M < math.inf:
         raise GeometryError("is not a ball diameter", where="D_M", value=f"{D_M!r} m", limit="above 0")
     value = gear.psi_b - math.pi / gear.z + D_M / (gear.d_b * math.cos(gear.beta_b))
-    # Inside the base circle there is no flank: the root of an external gear, the tips of an internal one.
+    # There is no flank inside the base circle: the root of an external gear, the tips of an internal one.
     at_root, at_tip = not gear.is_internal, gear.is_internal
     alpha, contact = 0.0, 0.0
     if value >= 0.0:
@@ -157,7 +157,7 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
         reach = math.tan(alpha) - D_M * math.cos(gear.beta_b) / gear.d_b
         if reach >= 0.0:
             contact = gear.d_b * math.hypot(1.0, reach)
-            # signed diameters grow from root to tip, for internal gears too
+            # signed diameters increase from root to tip, for internal gears too
             slack = 1e-9 * abs(gear.d)
             at_root, at_tip = contact < gear.d_Ff - slack, contact > gear.d_Fa + slack
     if at_root or at_tip:
@@ -228,8 +228,8 @@ def dimension_over_balls(gear: CylindricalGear, D_M: float) -> float:
 def dimension_over_pins(gear: CylindricalGear, D_M: float) -> float:
     """Diametral dimension over (internal: between) two pins.
 
-    Pins in opposite spaces of a helical gear slide along the helix until they face each other, so an odd
-    number of teeth needs no correction there; on a spur gear they measure what balls do (DIN 3960).
+    Pins in opposite spaces of a helical gear slide along the helix until they face each other, so that an odd
+    number of teeth needs no correction; on a spur gear the dimension is that over balls (DIN 3960).
 
     Parameters
     ----------
@@ -254,7 +254,7 @@ def dimension_over_pins(gear: CylindricalGear, D_M: float) -> float:
 
 
 def ball_contact_diameter(gear: CylindricalGear, D_M: float) -> float:
-    """Diameter at which a ball touches the flanks.
+    """Contact diameter of a ball on the flanks.
 
     Parameters
     ----------
@@ -278,7 +278,7 @@ def ball_contact_diameter(gear: CylindricalGear, D_M: float) -> float:
 
 
 def ideal_ball_diameter(gear: CylindricalGear) -> float:
-    """Ball that touches the flanks at the diameter d + 2 x m_n.
+    """Diameter of the ball that touches the flanks at d + 2 x m_n.
 
     Parameters
     ----------
@@ -288,7 +288,7 @@ def ideal_ball_diameter(gear: CylindricalGear) -> float:
     Returns
     -------
     float
-        D_M [m]; a ready-made ball of the next size serves.
+        D_M [m]; in practice the nearest standard ball is used.
 
     Raises
     ------
@@ -306,10 +306,10 @@ def ideal_ball_diameter(gear: CylindricalGear) -> float:
     cos2 = math.cos(gear.beta_b) * math.cos(gear.beta_b)
     offset = gear.psi_b - math.pi / gear.z
 
-    # Contact geometry gives tan α_K − tan α_v = D cos β_b / d_b, the involute gives inv α_K; eliminating D
-    # leaves one equation in tan α_K whose residual falls monotonically.
+    # Contact geometry gives tan α_K − tan α_v = D cos β_b / d_b, the involute gives inv α_K. Elimination of D
+    # leaves one equation in tan α_K with a monotonically decreasing residual.
     def residual(t: float) -> float:
-        """Equation of the roll angle t whose root is wanted [rad]."""
+        """Residual of the equation in t = tan α_K [rad]."""
         return t - math.atan(t) - offset - (t - tan_v) / cos2
 
     low, high = (0.0, tan_v) if gear.is_internal else (tan_v, tan_v + 10.0)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Intended micro-geometry of a flank: tip and root relief, crowning, slopes, end relief.
+"""Flank modifications: tip and root relief, crowning, slopes, end relief.
 
-Amounts are measured normal to the flank, as drawings state them; `base_tangent` turns them into the
-transverse base-tangent direction in which the contact laws count. Positive results are removed material.
+Amounts are normal to the flank, as on drawings; `base_tangent` converts them to the transverse base tangent
+direction, in which the contact laws are formulated. Positive results are removed material.
 Along the profile the coordinate is the roll length L = √(r² − r_b²); along the face width it is z, from
 −b/2 to b/2.
 
@@ -29,7 +29,7 @@ FloatArray = NDArray[np.float64]
 
 SHAPES = {"linear": 1, "parabolic": 2}
 
-# Lengths may reach exactly to the end of the flank, as far as the digits of a file go.
+# Relative tolerance of lengths that end exactly at the end of the flank, for rounded input.
 _FIT = 1e-6
 
 
@@ -46,16 +46,16 @@ def _shape(shape: str) -> None:
 
 @dataclass(frozen=True, kw_only=True)
 class Relief:
-    """Relief of tip or root: nothing at its start, `amount` at the end of the usable flank.
+    """Tip or root relief: zero at its start, `amount` at the end of the usable flank.
 
     Parameters
     ----------
     amount
         Material removed at the tip or root form circle, normal to the flank [m], ≥ 0.
     start_diameter
-        Diameter where it starts [m], positive.
+        Diameter at the start of the relief [m], positive.
     length
-        Roll length from its start to its end [m]; one of `start_diameter` and `length` is given.
+        Roll length of the relief [m]; exactly one of `start_diameter` and `length` is given.
     shape
         "linear" or "parabolic" over the roll length.
     """
@@ -104,22 +104,22 @@ class EndRelief:
 
 @dataclass(frozen=True, kw_only=True)
 class FlankModifications:
-    """All modifications of one kind of flank; what is omitted is zero.
+    """Modifications of the left or the right flanks; omitted ones are zero.
 
     Parameters
     ----------
     tip_relief, root_relief
         Reliefs of the profile.
     profile_crowning
-        Barrelling of the profile, C_α [m]: removed at both form circles, nothing in the middle of the roll.
+        Profile crowning (barrelling) C_α [m]: C_α at both form circles, zero at mid-roll.
     lead_crowning
-        Crowning along the face width, C_β [m]: removed at both faces, nothing in the middle.
+        Lead crowning C_β [m]: C_β at both end faces, zero at mid-face.
     profile_slope
-        Deviation of the profile's slope over the usable roll length [m]; positive adds material towards the
-        tip (sign of f_Hα in ISO 1328-1). Zero in the middle of the roll, so that pitch and backlash stay.
+        Profile slope deviation over the usable roll length [m]; positive adds material towards the tip (sign
+        of f_Hα in ISO 1328-1). Zero at mid-roll, so that pitch and backlash are unchanged.
     helix_slope
-        Deviation of the helix slope over the face width [m]; positive adds material towards z = +b/2. Zero
-        in the middle.
+        Helix slope deviation over the face width [m]; positive adds material towards z = +b/2. Zero at
+        mid-face.
     end_relief
         Relief of both ends.
     """
@@ -169,7 +169,7 @@ def flank_range(gear: CylindricalGear) -> tuple[float, float]:
 
 
 def base_tangent(normal: ArrayLike, gear: CylindricalGear) -> FloatArray:
-    """Length along the transverse base tangent from a length normal to the flank, u_n / cos β_b.
+    """Convert a length normal to the flank to the transverse base tangent, u_n / cos β_b.
 
     Parameters
     ----------
@@ -180,7 +180,7 @@ def base_tangent(normal: ArrayLike, gear: CylindricalGear) -> FloatArray:
 
     Notes
     -----
-    u_n = u_bt cos β_b: the flank normal is inclined against the transverse plane by β_b.
+    u_n = u_bt cos β_b: the flank normal is inclined to the transverse plane by β_b.
 
     Examples
     --------
@@ -195,16 +195,16 @@ def base_tangent(normal: ArrayLike, gear: CylindricalGear) -> FloatArray:
 def modification_problems(
     modifications: FlankModifications, gear: CylindricalGear, where: str = ""
 ) -> list[Message]:
-    """Everything in the modifications that does not fit the flanks of a gear.
+    """Problems of modifications that do not fit the flanks of a gear.
 
     Parameters
     ----------
     modifications
-        Modifications of one kind of flank.
+        Modifications of the left or the right flanks.
     gear
         External or internal gear.
     where
-        Place of the modifications in their description, put before the name of the offending key.
+        Path of the modifications in the model, prefix of the key in each message.
 
     Examples
     --------
@@ -272,12 +272,12 @@ def modification_problems(
 
 
 def size_problems(amounts: Mapping[str, float], gear: CylindricalGear | BevelGear) -> list[Message]:
-    """Changes of a flank that are larger than the module, by their places: a unit was forgotten.
+    """Problems of flank deviations larger than the module, usually due to a missing unit.
 
     Parameters
     ----------
     amounts
-        Amounts by their places [m].
+        Amounts by their paths in the model [m].
     gear
         The gear.
 
@@ -303,7 +303,7 @@ def size_problems(amounts: Mapping[str, float], gear: CylindricalGear | BevelGea
 def _relief(
     relief: Relief | None, gear: CylindricalGear, length: FloatArray, end: float, out: int
 ) -> FloatArray:
-    """Removed material of a relief; `out` is +1 where the roll length grows towards its end."""
+    """Removed material of a relief [m]; `out` is +1 if the roll length increases towards its end."""
     if relief is None:
         return np.zeros_like(length)
     if relief.length is not None:
@@ -328,13 +328,13 @@ def deviation(
     Parameters
     ----------
     modifications
-        Modifications of this kind of flank.
+        Modifications of this flank.
     gear
         External or internal gear.
     roll
-        Place along the profile: roll lengths [m], or diameters [m] with `coordinate="diameter"`.
+        Position along the profile: roll lengths [m], or diameters [m] with `coordinate="diameter"`.
     z
-        Place along the face width [m], −b/2 to b/2.
+        Position along the face width [m], −b/2 to b/2.
     coordinate
         "roll_length" or "diameter".
 
@@ -352,7 +352,7 @@ def deviation(
     -----
     With t from 0 at the root form circle to 1 at the tip form circle and ζ = 2 z/b: crownings
     C_α (2t − 1)² and C_β ζ², slopes −C_Hα (t − ½) and −C_Hβ ζ/2, reliefs linear or quadratic from their
-    start (definitions of ISO 21771). The formulas continue unchanged outside the usable flank.
+    start (definitions of ISO 21771). The formulas also hold outside the usable flank.
 
     Examples
     --------

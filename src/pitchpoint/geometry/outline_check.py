@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the points of a tooth must be to belong to a gear: one closed, simple pitch near the nominal tooth.
+"""Checks of the points of a real tooth: one closed, simple pitch close to the nominal tooth of the gear.
 
-Points are complex numbers x + iy [m] with the tooth on the +x axis. Numbers and names of the input are there
-for the messages; whatever does not fit raises an `OutlineError`.
+Points are complex numbers x + iy [m] with the tooth on the +x axis. `index` and `part` identify the points of
+the input in messages. A failed check raises an `OutlineError`.
 
 Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
@@ -27,21 +27,21 @@ ComplexArray = NDArray[np.complex128]
 IntArray = NDArray[np.int64]
 
 OFF_INVOLUTE = 0.2
-"""Largest distance of a flank or tip from the nominal one, in normal modules; beyond it is another gear."""
+"""Maximum distance of a flank or tip from the nominal one in normal modules; beyond it is another gear."""
 OFF_ROOT = 0.5
-"""The same for the root circle, which tools set more freely."""
+"""The same for the root circle, which varies more with the tool."""
 UNCOVERED = 0.1
-"""Share of the usable flank that points may omit at either end; the last deviation continues there."""
+"""Share of the usable flank that points may omit at either end; the last deviation is extrapolated."""
 MOST_POINTS = 2000
 LEAST_TOOTH, LEAST_FLANK = 10, 5
-# Within so many modules of the tip, steps with such a slope of deviation over roll are tip, not flank.
+# Distance from the tip in normal modules, and slope of deviation over roll length, that identify tip points.
 _EDGE, _STEEP = 0.02, 5.0
-# Share of a pitch by which the points of a tooth may reach into the next one.
+# Share of a pitch by which the points of a tooth may extend into the next pitch.
 _OVERLAP = 0.02
 
 
 class OutlineError(GeometryError):
-    """A tooth that cannot belong to its gear; `point` counts the points of the offending `part` from 0."""
+    """Error in the points of a tooth; `point` is the index of the point in the input `part`, from 0."""
 
     def __init__(self, part: str, point: int | None, message: str, **more: str | None) -> None:
         super().__init__(message, where=part if point is None else f"{part}[{point}]", **more)
@@ -49,7 +49,7 @@ class OutlineError(GeometryError):
 
 
 def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray, IntArray]:
-    """Points x + iy without repetitions, and their numbers in the input, shape (m,) each.
+    """Points as complex numbers without repetitions, and their indices in the input, shape (m,) each.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
     part
         Name of the input.
     least
-        Least number of points.
+        Minimum number of points.
 
     Raises
     ------
@@ -87,10 +87,10 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
         raise OutlineError(
             part,
             None,
-            "points do not describe it" if plane.size < least else "points are more than one tooth needs",
+            "points are too few" if plane.size < least else "points are too many",
             value=f"{plane.size}",
             limit=f"{least} to {MOST_POINTS}",
-            remedy="give more points" if plane.size < least else "leave points out",
+            remedy="give more points" if plane.size < least else "omit points",
         )
     return plane, index
 
@@ -98,7 +98,7 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
 def one_pitch(
     gear: CylindricalGear, plane: ComplexArray, index: IntArray, part: str
 ) -> tuple[ComplexArray, IntArray]:
-    """The points without the one that closes the pitch; refuses what is not a pitch around the +x axis.
+    """Points of exactly one pitch around the +x axis, without the closing point.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ def one_pitch(
         )
     span = float(angle[-1] - angle[0])
     if span <= (1.0 + _OVERLAP) * pitch:
-        # the point that closes the pitch, or a little of the next root
+        # drop the closing point, or a small part of the next root
         own = int(np.nonzero(angle - angle[0] < (1.0 - 1e-6) * pitch)[0][-1]) + 1
         plane, index, span = plane[:own], index[:own], float(angle[own - 1] - angle[0])
     if not 0.75 * pitch <= span < pitch:
@@ -145,7 +145,7 @@ def one_pitch(
         raise OutlineError(
             part,
             int(index[-1]),
-            "is not closed: it ends off the radius where it begins",
+            "is not closed: the radii at its start and end differ",
             value=f"{1e3 * step:.4g} mm",
             limit=f"{1e3 * OFF_INVOLUTE * gear.m_n:.4g} mm, {OFF_INVOLUTE:g} m_n",
             remedy="give the points from root to root",
@@ -154,13 +154,13 @@ def one_pitch(
 
 
 def sides(plane: ComplexArray) -> tuple[IntArray, IntArray]:
-    """Numbers of the points of the right and the left side from root to tip; shapes add up to (n,)."""
+    """Indices of the points of the right and the left side, root to tip; shapes add up to (n,)."""
     split = int(np.argmax(np.angle(plane) >= 0.0))
     return np.arange(split), np.arange(plane.size - 1, split - 1, -1)
 
 
 def check_height(gear: CylindricalGear, plane: ComplexArray, index: IntArray, part: str) -> None:
-    """Tip and root circles are about those of the gear.
+    """Check that the tip and root circles agree with those of the gear.
 
     Parameters
     ----------
@@ -196,7 +196,7 @@ def check_height(gear: CylindricalGear, plane: ComplexArray, index: IntArray, pa
 
 
 def flank_part(gear: CylindricalGear, path: ComplexArray) -> slice:
-    """The points of a side, root to tip, that belong to the usable flank; at its ends one beyond or on it.
+    """Slice of the points of a side, root to tip, on the usable flank, with one point on or beyond each end.
 
     Parameters
     ----------
@@ -208,8 +208,8 @@ def flank_part(gear: CylindricalGear, path: ComplexArray) -> slice:
     height = gear.sign * np.abs(path)
     slack = 1e-6 * gear.m_n
     tip = int(np.argmax(height >= min(0.5 * gear.d_Fa, float(height.max())) - slack))
-    # the first point of the tip land is not a flank when the edge before it is sharp and a little below the
-    # tip
+    # the first point of the tip land is not a flank point if the edge before it is sharp and slightly below
+    # the tip
     near = height >= min(0.5 * gear.d_Fa, float(height.max())) - _EDGE * gear.m_n
     length, missing = missing_material(gear, path)
     while (
@@ -223,7 +223,7 @@ def flank_part(gear: CylindricalGear, path: ComplexArray) -> slice:
 
 
 def missing_material(gear: CylindricalGear, path: ComplexArray) -> tuple[FloatArray, FloatArray]:
-    """Length of roll and missing material of points of a left (or mirrored right) flank [m].
+    """Roll length and missing material at points of a left (or mirrored right) flank [m].
 
     Parameters
     ----------
@@ -243,7 +243,7 @@ def missing_material(gear: CylindricalGear, path: ComplexArray) -> tuple[FloatAr
 
 
 def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part: str) -> None:
-    """A left (or mirrored right) side rises steadily over the usable flank and keeps near the involute.
+    """Check that a left (or mirrored right) flank is monotonic in radius and close to the involute.
 
     Parameters
     ----------
@@ -259,7 +259,8 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
     Raises
     ------
     OutlineError
-        If a side turns back, has too few points, is not the involute of the gear, or covers too little of it.
+        If the radius is not monotonic, or the points are too few, off the involute of the gear, or cover too
+        little of it.
     """
     part_of = flank_part(gear, path)
     path, index = path[part_of], index[part_of]
@@ -268,7 +269,7 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
         raise OutlineError(
             part,
             int(index[back[0] + 1]),
-            "turns back towards the root on the flank",
+            "reverses towards the root on the flank",
             remedy="put the points in order from root to tip, or omit those that scatter",
         )
     if path.size < LEAST_FLANK:
@@ -308,7 +309,7 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
 
 
 def check_simple(gear: CylindricalGear, plane: ComplexArray, index: IntArray | None, part: str) -> None:
-    """The outline crosses neither itself nor that of the next tooth.
+    """Check that the outline crosses neither itself nor that of the next tooth.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far points are from the outline of a gear, and on which side of it.
+"""Signed distance of points from the outline of a gear.
 
 Points are complex numbers x + iy [m] in the transverse plane of the gear, tooth 0 on the +x axis.
 
@@ -26,26 +26,26 @@ FloatArray = NDArray[np.float64]
 Parts = NDArray[np.int8]
 
 ROOT, FILLET, FLANK, TIP = range(4)
-"""Parts of an outline, as in `pitchpoint.geometry.tooth_form.REGIONS`; the corner of a tip belongs to it."""
+"""Parts of an outline, as in `pitchpoint.geometry.tooth_form.REGIONS`; tip corners are part of the tip."""
 N_FLANK = 400
-"""Points of a flank from which distances are taken: chords stay within 5e-5 modules of the fillet."""
+"""Points per flank for distances: the chord error in the fillet is below 5e-5 modules."""
 
 _STEP = 8.0
-"""Largest distance of two points in modules, times the number of points of a flank."""
+"""Maximum distance of adjacent points in modules, times the number of points per flank."""
 
 
 @dataclass(frozen=True)
 class Nearest:
-    """The nearest places of an outline to some points, arrays of one shape.
+    """Nearest points of an outline to given points, arrays of one shape.
 
     Attributes
     ----------
     distance
-        [m], negative for points inside the material.
+        Distance [m], negative for points inside the material.
     foot
-        The places x + iy [m].
+        Nearest points x + iy [m].
     part
-        `ROOT`, `FILLET`, `FLANK` or `TIP`.
+        Part of the outline: `ROOT`, `FILLET`, `FLANK` or `TIP`.
     """
 
     distance: FloatArray
@@ -55,7 +55,7 @@ class Nearest:
 
 @dataclass(frozen=True)
 class Outline:
-    """One pitch of a gear as a line of points, which all its pitches repeat.
+    """Outline of one pitch of a gear; the other pitches repeat it.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Outline:
     pitch
         Points x + iy [m] of the pitch of tooth 0, counter-clockwise.
     part
-        Part of the outline that each of them belongs to.
+        Part of the outline of each point.
     """
 
     z: int
@@ -76,7 +76,7 @@ class Outline:
 
     @cached_property
     def _chain(self) -> tuple[ComplexArray, Parts]:
-        """Three pitches: what is nearest to a point of one may lie on the next tooth."""
+        """Outline of three pitches, because the nearest point may be on an adjacent tooth."""
         turn = np.exp(2j * math.pi / self.z)
         line = np.concatenate([self.pitch / turn, self.pitch, self.pitch * turn])
         return line, np.tile(self.part, 3)
@@ -89,7 +89,7 @@ class Outline:
         return cKDTree(np.column_stack([line.real, line.imag]))
 
     def nearest(self, points: ComplexArray) -> Nearest:
-        """The nearest place of the outline for every point x + iy [m], shape (n,)."""
+        """Nearest point of the outline for every point x + iy [m], shape (n,)."""
         line, parts = self._chain
         turn = np.exp(2j * math.pi / self.z * np.rint(np.angle(points) * self.z / (2.0 * math.pi)))
         local = points / turn
@@ -114,18 +114,18 @@ class Outline:
             part = np.where(
                 closer, np.where(share <= 0.0, ends[0], np.where(share >= 1.0, ends[1], within)), part
             )
-        # the outline runs counter-clockwise: on its left lies the material, of an internal gear the hole
+        # the outline is counter-clockwise: the material (internal gear: the hole) is on its left
         signed = np.where(self.sign * side > 0.0, -distance, distance)
         return Nearest(signed, foot * turn, part)
 
 
 def _between(one: Parts, two: Parts) -> Parts:
-    """Part of what lies between two points: flank next to the corner of a tip and behind a fillet."""
+    """Part of the outline between two points of parts `one` and `two`."""
     return np.asarray(np.where(one == two, one, np.minimum(np.maximum(one, two), FLANK)), dtype=np.int8)
 
 
 def _divided(plane: ComplexArray, part: Parts, turn: complex, step: float) -> tuple[ComplexArray, Parts]:
-    """Points no farther apart than a step, which the search for the nearest of them relies on."""
+    """Subdivide an outline so that adjacent points are at most `step` apart, as `nearest` requires."""
     after, part_after = np.append(plane[1:], plane[0] * turn), np.append(part[1:], part[0])
     count = np.maximum(1, np.ceil(np.abs(after - plane) / step)).astype(np.int64)
     start = np.repeat(np.arange(plane.size), count)
@@ -136,7 +136,7 @@ def _divided(plane: ComplexArray, part: Parts, turn: complex, step: float) -> tu
 
 @lru_cache(maxsize=32)
 def gear_line(gear: CylindricalGear, n_flank: int = N_FLANK) -> Outline:
-    """Outline of a gear, with its real tooth if it has one.
+    """Outline of a gear, from its real tooth if it has one.
 
     Parameters
     ----------
@@ -148,7 +148,7 @@ def gear_line(gear: CylindricalGear, n_flank: int = N_FLANK) -> Outline:
     Raises
     ------
     GeometryError
-        If there is no such tooth.
+        If the tooth is not possible.
 
     Examples
     --------

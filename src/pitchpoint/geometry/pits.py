@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pits and spalls: elliptic hollows in a flank, given one by one or as a random pattern.
+"""Pits and spalls: elliptic hollows in a flank, given individually or as a random pattern.
 
 Derivation: docs/theory/geometry.md, "Micro-geometry, deviations, damage".
 """
@@ -23,30 +23,30 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 
 CELLS = 8
-"""Cells of a grid across the shortest patch in either direction."""
+"""Grid cells across the shortest patch in either direction."""
 
 FINEST = (64, 128)
-"""How often the shortest patch may fit into the face width and into the length of roll of a flank."""
+"""Largest ratio of face width, and of roll length of the flank, to the size of a patch."""
 
 _FIT = 1e-9
 
 
 @dataclass(frozen=True, kw_only=True)
 class Patch:
-    """One hollow with an elliptic edge, deepest in its middle.
+    """One hollow with an elliptic edge, deepest at its centre.
 
     Parameters
     ----------
     position
-        Middle along the face width [m], from z = −b/2.
+        Position of the centre along the face width [m], from z = −b/2.
     diameter
-        Diameter of its middle on the flank [m], positive.
+        Diameter at the centre on the flank [m], positive.
     length
-        Axis along the face [m].
+        Axis of the ellipse along the face width [m].
     height
-        Axis along the profile, radially [m].
+        Axis of the ellipse along the profile, measured radially [m].
     depth
-        Depth in the middle, normal to the flank [m].
+        Depth at the centre, normal to the flank [m].
     """
 
     position: float
@@ -57,13 +57,13 @@ class Patch:
 
 
 def _rolls(patch: Patch, gear: CylindricalGear) -> float:
-    """Length of roll that a patch covers [m]: its height times dL/dr = r/L."""
+    """Roll length covered by a patch [m]: its height times dL/dr = r/L."""
     L = max(float(roll_length(gear, patch.diameter)), 1e-3 * abs(gear.d))
     return patch.height * 0.5 * patch.diameter / L
 
 
 def patch_problems(patch: Patch, gear: CylindricalGear, where: str = "") -> list[Message]:
-    """Everything in a patch that does not fit the flank of a gear or the finest grid.
+    """Problems of a patch that does not fit the flank of a gear or the finest grid.
 
     Parameters
     ----------
@@ -72,7 +72,7 @@ def patch_problems(patch: Patch, gear: CylindricalGear, where: str = "") -> list
     gear
         External or internal gear.
     where
-        Place of the patch in its description, put before the name of the offending key.
+        Path of the patch in the model, prefix of the key in each message.
 
     Examples
     --------
@@ -112,7 +112,7 @@ def _tiny(where: str, value: float, whole: float, parts: int, of: str) -> Messag
 
 
 def stations(patches: Sequence[Patch], gear: CylindricalGear, least: tuple[int, int]) -> tuple[int, int]:
-    """Stations of a grid over width and roll that give the shortest patch `CELLS` cells.
+    """Numbers of grid stations over face width and roll length that resolve the shortest patch by `CELLS`.
 
     Parameters
     ----------
@@ -121,7 +121,7 @@ def stations(patches: Sequence[Patch], gear: CylindricalGear, least: tuple[int, 
     gear
         External or internal gear.
     least
-        Fewest stations.
+        Minimum numbers of stations.
 
     Examples
     --------
@@ -142,25 +142,25 @@ def stations(patches: Sequence[Patch], gear: CylindricalGear, least: tuple[int, 
 def pit_level(
     gear: CylindricalGear, z: ArrayLike, roll: ArrayLike, patches: Sequence[Patch], severity: float = 1.0
 ) -> FloatArray:
-    """Level of all patches together: the gap along the base tangent where it is positive.
+    """Level function of all patches: where it is positive, the gap along the base tangent.
 
     Parameters
     ----------
     gear
         External or internal gear.
     z
-        Places along the face width [m], shape (n_z,), −b/2 to b/2.
+        Positions along the face width [m], shape (n_z,), −b/2 to b/2.
     roll
         Roll lengths [m], shape (n_roll,).
     patches
         The patches.
     severity
-        Share s of both axes of every ellipse; the depth goes with s², the bottom keeps its curvature.
+        Scale s of both axes of every ellipse; the depth scales with s², the curvature at the bottom is kept.
 
     Returns
     -------
     ndarray, shape (n_z, n_roll)
-        Largest of depth (s² − ρ²)/cos β_b of all patches [m], ρ = 1 on the ellipse.
+        Maximum over all patches of depth (s² − ρ²)/cos β_b [m], with ρ = 1 on the ellipse.
 
     Examples
     --------
@@ -185,18 +185,18 @@ def pit_level(
 def random_patches(
     gear: CylindricalGear, *, number: int, seed: int, length: float, height: float, depth: float
 ) -> tuple[Patch, ...]:
-    """Patches scattered evenly over a flank, of half to all of the given sizes.
+    """Patches uniformly distributed over a flank, with sizes from half to all of the given ones.
 
     Parameters
     ----------
     gear
         External or internal gear.
     number
-        How many.
+        Number of patches.
     seed
-        Start of the random numbers; the same seed gives the same patches.
+        Seed of the random number generator; the same seed gives the same patches.
     length, height, depth
-        Largest sizes [m].
+        Maximum sizes [m].
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two gears drawn in mesh: where their outlines are at given rotation angles.
+"""Outlines of two gears in mesh at given rotation angles.
 
 Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
@@ -21,14 +21,14 @@ FloatArray = NDArray[np.float64]
 
 
 def mesh_offset(pair: GearPair, direction: float = 0.0) -> float:
-    """Angle of tooth 0 of gear 2 at which both gears are in the middle of their backlash.
+    """Angle of tooth 0 of gear 2 at which the backlash is centred.
 
     Parameters
     ----------
     pair
         External or internal pair.
     direction
-        Angle at which the pitch point is seen from the axis of gear 1 [rad].
+        Direction of the pitch point from the axis of gear 1 [rad].
 
     Returns
     -------
@@ -37,7 +37,7 @@ def mesh_offset(pair: GearPair, direction: float = 0.0) -> float:
 
     Notes
     -----
-    Gear 2 then shows the middle of a space to the pitch point, which lies at `direction` + π from the axis of
+    The middle of a space of gear 2 is then at the pitch point, which is at `direction` + π from the axis of
     an external gear 2 and at `direction` from that of an internal one.
 
     Examples
@@ -72,16 +72,16 @@ def mesh_outlines(
         Points per flank.
     phi2
         Rotation of gear 2 [rad], counter-clockwise; None = −phi1 z₁/z₂, half of the backlash on either flank.
-        The front flanks touch where r_b1 φ₁ + r_b2 φ₂ = j_bt/2.
+        The front flanks touch for r_b1 φ₁ + r_b2 φ₂ = j_bt/2.
     direction
-        Angle at which the pitch point is seen from the axis of gear 1 [rad].
+        Direction of the pitch point from the axis of gear 1 [rad].
 
     Returns
     -------
     outline1, outline2 : ndarray, shape (n, 2)
-        Closed polygons [m], the axis of gear 1 in the origin. The axis of gear 2 is at the signed centre
-        distance in `direction`: on the other side of the pitch point for external, behind gear 1 for
-        internal pairs.
+        Closed polygons [m], the axis of gear 1 at the origin. The axis of gear 2 is at the signed centre
+        distance along `direction`: beyond the pitch point for external pairs, on the opposite side of the
+        axis of gear 1 for internal pairs.
 
     Examples
     --------

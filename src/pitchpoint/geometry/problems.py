@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a cylindrical gear or a pair of them impossible or odd, listed completely: where, value, limit,
-remedy.
+"""Problems and warnings of cylindrical gears and pairs, each with key, value, limit and remedy.
 
 Source: ISO 21771. Derivation: docs/theory/geometry.md, "A pair".
 """
@@ -47,13 +46,13 @@ def _degrees(angle: float) -> str:
 
 
 def _largest_shift(gear: CylindricalGear) -> str:
-    """Advice for a pointed tooth: the largest shift that keeps the tip thick enough, if there is one."""
+    """Remedy for a thin tip: the largest profile shift with sufficient tip thickness, if there is one."""
     if gear.tip_diameter is not None:
         return "reduce tip_diameter" if not gear.is_internal else "increase tip_diameter"
     limit, low = TIP_THICKNESS_LIMIT * gear.m_n, gear.x - 0.05
 
     def spare(x: float) -> float:
-        """Thickness at the tip above the limit, at a profile shift coefficient x [m]."""
+        """Tip thickness above the limit at the profile shift coefficient x [m]."""
         return tip_thickness(gear.replace(x=x)) - limit
 
     try:
@@ -73,12 +72,12 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Message]:
     gear
         The gear.
     where
-        Place of the gear in its description, put before the name of the offending key.
+        Path of the gear in the model, prefix of the key in each message.
 
     Returns
     -------
     list of Message
-        Empty for a gear that can be made.
+        Empty for a possible gear.
 
     Examples
     --------
@@ -99,19 +98,19 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Message]:
 
 
 def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Message]:
-    """What is unusual about a gear that can be made: a thin tip, a tool without room for its root radius.
+    """Unusual properties of a possible gear: a thin tip, a root radius too large for the tool tip.
 
     Parameters
     ----------
     gear
         The gear.
     where
-        Place of the gear in its description.
+        Path of the gear in the model.
 
     Returns
     -------
     list of Message
-        Empty for most, and for impossible gears.
+        Empty for usual gears, and for impossible ones.
 
     Examples
     --------
@@ -138,7 +137,7 @@ def _thin_tip(gear: CylindricalGear) -> Found | None:
 
 
 def _no_tooth(gear: CylindricalGear) -> Found | None:
-    """Why a gear has no tooth or no flank; what else is wrong follows."""
+    """First reason why a gear has no tooth or no flank; None if it has both."""
     if not gear.s_n > 0.0 or not gear.e_n > 0.0:
         message = f"leaves no {'tooth' if gear.s_n <= 0.0 else 'space'} on the reference circle"
         limit = f"tooth thickness 0 to {_mm(gear.p_n)}"
@@ -173,9 +172,9 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
     pair
         The pair.
     where
-        Place of the pair in its description, put before the name of the offending key.
+        Path of the pair in the model, prefix of the key in each message.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
     gears
         Also list the problems of each gear alone.
 
@@ -203,7 +202,7 @@ def pair_problems(pair: GearPair, where: str, names: tuple[str, str], gears: boo
 
 
 def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
-    """Two gears that cannot belong together, whatever the centre distance."""
+    """Differences between the gears that prevent meshing at any centre distance."""
     g1, g2 = pair.gear1, pair.gear2
     place = at_key(where, "gears")
     if g1.is_internal and g2.is_internal:
@@ -247,7 +246,7 @@ def _mismatches(pair: GearPair, where: str, names: tuple[str, str]) -> list[Mess
 
 
 def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
-    """No contact, interference, tips in roots: what depends on the centre distance."""
+    """Problems that depend on the centre distance: no contact, interference, tips in roots."""
     g1, g2, a = pair.gear1, pair.gear2, pair.a_w
     place = at_key(where, "center_distance")
     farther = "reduce" if not pair.is_internal else "increase"
@@ -269,9 +268,9 @@ def _contact_problems(pair: GearPair, where: str, names: tuple[str, str]) -> lis
 
 
 def _interference(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
-    """A tip that wants contact beyond the mate's base circle, or runs through the mate's tip (internal)."""
+    """Interference of a tip beyond the mate's base circle, or of the tips of an internal pair."""
     place = at_key(where, "gears")
-    # the tip of a pinion passes the base of a ring, which is on its other side
+    # in an internal pair the pinion tip cannot interfere at the base circle of the ring gear
     beyond = (-pair.T1A, *(() if pair.is_internal else (pair.T1E - pair.T1T2,)))
     slack = INTERFERENCE_TOLERANCE * pair.gear1.m_n
     found = interferences(pair, place, beyond, slack, names, _words(pair))
@@ -293,27 +292,27 @@ def _words(pair: GearPair) -> Words:
         heights=f"{closer} the centre distance, or change tip_diameter or dedendum",
         shifts="increase the mate's profile shift, shorten the tip (tip_diameter) or change the centre "
         "distance",
-        lengths="bring the axes closer together or lengthen the teeth",
+        lengths="reduce the distance of the axes or lengthen the teeth",
     )
 
 
 def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Message]:
-    """What is odd about a pair that can be built: flank missing below its mate's tip, gaps between contacts.
+    """Unusual properties of a possible pair: tips below the mate's involute, moments without contact.
 
     Parameters
     ----------
     pair
         The pair.
     where
-        Place of the pair in its description.
+        Path of the pair in the model.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
 
     Returns
     -------
     list of Message
-        Empty where the involutes cover the whole path of contact and one pair always carries, and for
-        impossible pairs.
+        Empty if the involutes cover the whole path of contact and at least one tooth pair is always in
+        contact; empty for impossible pairs.
 
     Examples
     --------
@@ -335,7 +334,7 @@ def pair_warnings(pair: GearPair, where: str, names: tuple[str, str]) -> list[Me
 
 
 def tip_overlap_gap(pair: GearPair) -> float:
-    """Angular gap between the tips of an internal pair where the tip circles cross, at the ring [rad].
+    """Angular gap between the tips of an internal pair where the tip circles cross, at the ring gear [rad].
 
     Parameters
     ----------
@@ -345,8 +344,7 @@ def tip_overlap_gap(pair: GearPair) -> float:
     Returns
     -------
     float
-        Gap [rad]; negative when the pinion's tip runs through the ring's. Infinite if the tip circles do not
-        cross.
+        Gap [rad]; negative if the tips interfere. Infinite if the tip circles do not cross.
 
     Notes
     -----

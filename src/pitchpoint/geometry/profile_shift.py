@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Between profile shift coefficients and centre distance, in both directions.
+"""Relations between profile shift coefficients and centre distance.
 
-All centre distances are signed as in ISO 21771: negative for a pair with an internal gear.
+Centre distances are signed as in ISO 21771: negative for a pair with an internal gear.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def reference_center_distance(z_sum: int, m_n: float, beta: float = 0.0) -> floa
 def center_distance_for_profile_shift(
     *, z_sum: int, m_n: float, alpha_n: float, beta: float = 0.0, x_sum: float = 0.0
 ) -> float:
-    """Centre distance at which a pair with the given shifts has no backlash.
+    """Centre distance of zero backlash for given profile shifts.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def center_distance_for_profile_shift(
     Raises
     ------
     GeometryError
-        If there is no such distance (shift too negative, or z_sum = 0).
+        If no such distance exists (profile shift too negative, or z_sum = 0).
 
     Notes
     -----
@@ -98,8 +98,7 @@ def pressure_angle_at_center_distance(
     Raises
     ------
     GeometryError
-        If the base circles are farther apart than that (external: they overlap), so that no line of
-        action exists.
+        If the base circles have no common tangent, so that no line of action exists.
 
     Examples
     --------
@@ -123,7 +122,7 @@ def pressure_angle_at_center_distance(
 def profile_shift_for_center_distance(
     *, z_sum: int, m_n: float, alpha_n: float, beta: float = 0.0, a_w: float
 ) -> float:
-    """Sum of the profile shift coefficients that leaves no backlash at a centre distance.
+    """Sum of the profile shift coefficients for zero backlash at a centre distance.
 
     Parameters
     ----------
@@ -159,19 +158,19 @@ def profile_shift_for_center_distance(
 def missing_profile_shift(
     *, z_sum: int, m_n: float, alpha_n: float, beta: float = 0.0, a_w: float, x_known: float
 ) -> float:
-    """Coefficient of the second gear that makes the pair run without backlash at a centre distance.
+    """Profile shift coefficient of one gear for zero backlash at a centre distance, that of the other known.
 
     Parameters
     ----------
     z_sum, m_n, alpha_n, beta, a_w
         As in `profile_shift_for_center_distance`.
     x_known
-        Profile shift coefficient of the gear that has one [-].
+        Known profile shift coefficient of the other gear [-].
 
     Returns
     -------
     float
-        The other coefficient [-].
+        The missing coefficient [-].
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The standard basic rack tooth profile (ISO 53): the tool-independent shape every gear refers to."""
+"""Standard basic rack tooth profile (ISO 53), the tool-independent reference profile of a gear."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from pitchpoint.core.errors import GeometryError
 
 @dataclass(frozen=True, kw_only=True)
 class BasicRack:
-    """Basic rack of a gear, all lengths in normal modules.
+    """Basic rack of a gear, lengths in normal modules.
 
     Parameters
     ----------
     h_aP_star
-        Addendum of the basic rack, h_aP* [-]; the gear's tip.
+        Addendum of the basic rack, h_aP* [-].
     h_fP_star
-        Dedendum of the basic rack, h_fP* [-]; the gear's root, that is the tip of the generating tool.
+        Dedendum of the basic rack, h_fP* [-]; the addendum of the generating tool.
     rho_fP_star
         Root fillet radius of the basic rack, ρ_fP* [-]; the tip radius of the generating tool.
 
@@ -70,12 +70,13 @@ class BasicRack:
         return self.h_fP_star - self.rho_fP_star * (1.0 - math.sin(alpha_n))
 
     def rho_fP_star_max(self, alpha_n: float) -> float:
-        """Largest root radius that the space of the rack has room for (full rounding) [-].
+        """Largest possible root radius of the rack (full rounding) [-].
 
         Notes
         -----
-        The centre of the fillet lies π/4 − h_fP* tan α_n − ρ (1 − sin α_n)/cos α_n modules from the middle
-        of the space; zero is the full rounding (ISO 53). Negative means that the flanks cross above the root.
+        The centre of the fillet is π/4 − h_fP* tan α_n − ρ (1 − sin α_n)/cos α_n modules from the middle of
+        the space; zero is full rounding (ISO 53). A negative radius means that the flanks cross above the
+        root.
 
         Examples
         --------

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A stepped, hollow shaft as a solid: its mass in closed form, its outline, its triangles.
+"""Solid of a stepped, hollow shaft: mass properties, half-section outline and triangulated surface.
 
-Sections are (length, diameter, bore) [m] in the order in which they follow along the z axis from z = 0.
+Sections are (length, diameter, bore) [m] in order along the z axis from z = 0.
 
 Derivation: docs/theory/geometry.md, "Mass and inertia".
 """
@@ -21,19 +21,19 @@ FloatArray = NDArray[np.float64]
 Section = tuple[float, float, float]
 
 ROUND = 180
-"""Corners of a circle in triangles: the inscribed polygon lacks 2·10⁻⁴ of its area."""
+"""Corners of a triangulated circle: the area of the inscribed polygon is 2·10⁻⁴ too small."""
 
 
 @dataclass(frozen=True)
 class RoundMass:
-    """Mass of a body of revolution and how it lies: of a shaft from its start, of a bevel gear from its apex.
+    """Mass, centre of mass and central moments of inertia of a body of revolution.
 
     Parameters
     ----------
     mass
-        [kg].
+        Mass [kg].
     center
-        Centre of mass along the axis, from the start or the apex [m].
+        Centre of mass along the axis, from the start of a shaft or the apex of a bevel gear [m].
     polar_inertia
         About the axis [kg m²].
     transverse_inertia
@@ -54,7 +54,7 @@ def shaft_mass_properties(sections: Sequence[Section], density: float) -> RoundM
     sections
         (length, diameter, bore) of each [m].
     density
-        [kg/m³].
+        Density [kg/m³].
 
     Raises
     ------
@@ -63,8 +63,8 @@ def shaft_mass_properties(sections: Sequence[Section], density: float) -> RoundM
 
     Notes
     -----
-    Cylinders minus cylinders: m = ρ π/4 (D² − d²) l, J_p = m (D² + d²)/8, J_t = J_p/2 + m l²/12 about the
-    middle of each, moved to the common centre of mass by the parallel axis theorem.
+    Hollow cylinders: m = ρ π/4 (D² − d²) l, J_p = m (D² + d²)/8, J_t = J_p/2 + m l²/12 about the centre of
+    each, transferred to the common centre of mass by the parallel axis theorem.
 
     Examples
     --------
@@ -87,7 +87,7 @@ def shaft_mass_properties(sections: Sequence[Section], density: float) -> RoundM
 
 
 def shaft_outline(sections: Sequence[Section]) -> list[tuple[float, float]]:
-    """Corners (radius, z) of the half section of a shaft, once round it.
+    """Corners (radius, z) of the half section of a shaft.
 
     Parameters
     ----------
@@ -97,13 +97,13 @@ def shaft_outline(sections: Sequence[Section]) -> list[tuple[float, float]]:
     Returns
     -------
     list
-        Along the outside to the end, then back along the bore, which is the axis where there is none. No two
-        neighbours are the same, none lies between two others on a line.
+        Along the outside to the end, then back along the bore, or along the axis without a bore. Adjacent
+        corners differ, and no three successive corners are collinear.
 
     Raises
     ------
     GeometryError
-        If a section has no material, or two neighbours touch nowhere.
+        If a section has no material, or two adjacent sections do not touch.
 
     Examples
     --------
@@ -123,7 +123,7 @@ def shaft_outline(sections: Sequence[Section]) -> list[tuple[float, float]]:
             )
         if k and not max(bore, sections[k - 1][2]) < min(outer, sections[k - 1][1]):
             raise GeometryError(
-                "touches the section before it nowhere",
+                "does not touch the preceding section",
                 where=f"sections.{k}",
                 value=f"bores and diameters {1e3 * bore:g}/{1e3 * outer:g} mm and "
                 f"{1e3 * sections[k - 1][2]:g}/{1e3 * sections[k - 1][1]:g} mm",
@@ -146,18 +146,18 @@ def shaft_solid(sections: Sequence[Section], n_round: int = ROUND) -> FloatArray
     sections
         (length, diameter, bore) of each [m].
     n_round
-        Corners of a circle, at least 3. All of them lie on the circle: mass and inertia come out too small,
+        Corners of a circle, at least 3. They are on the circle, so that mass and polar inertia are too small
         by the factors (n/2π) sin(2π/n) and (n/2π) sin(2π/n) (2 + cos(2π/n))/3.
 
     Returns
     -------
     ndarray, shape (n, 3, 3)
-        Triangles, their corners in counter-clockwise order seen from outside [m]; axis z, start at z = 0.
+        Triangles, corners counter-clockwise seen from outside [m]; axis z, start at z = 0.
 
     Raises
     ------
     GeometryError
-        If the sections do not form a shaft, or there are too few corners.
+        If the sections do not form a shaft, or `n_round` is below 3.
 
     Examples
     --------
@@ -165,7 +165,7 @@ def shaft_solid(sections: Sequence[Section], n_round: int = ROUND) -> FloatArray
     (24, 3, 3)
     """
     if n_round < 3:
-        raise GeometryError("make no circle", where="n_round", value=f"{n_round}", limit="at least 3")
+        raise GeometryError("corners are too few", where="n_round", value=f"{n_round}", limit="at least 3")
     corners = shaft_outline(sections)
     angle = 2.0 * math.pi / n_round * np.arange(n_round)
     x, y = np.cos(angle), np.sin(angle)

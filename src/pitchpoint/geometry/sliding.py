@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the flanks slide on each other: specific sliding, sliding factors, the tooth loss factor H_V.
+"""Sliding of the flanks: specific sliding, sliding factors, tooth loss factor H_V.
 
 Gear 1 drives; path coordinates T1Y run along the line of action from the foot of gear 1's base tangent.
 
@@ -46,8 +46,8 @@ def specific_sliding_at(pair: GearPair, T1Y: float) -> tuple[float, float]:
     Returns
     -------
     zeta_1, zeta_2 : float
-        (v_1 − v_2)/v_1 and (v_2 − v_1)/v_2 with the rolling velocities v of the two flanks [-]; −inf where
-        a flank does not roll (at its base circle).
+        (v_1 − v_2)/v_1 and (v_2 − v_1)/v_2 with the rolling velocities v of the two flanks [-]; −inf at zero
+        rolling velocity (at the base circle).
 
     Notes
     -----
@@ -160,16 +160,17 @@ def loss_factor_ohlendorf(pair: GearPair) -> float:
     Raises
     ------
     GeometryError
-        If the pitch point lies outside the path of contact (the formula does not hold there).
+        If the pitch point is outside the path of contact, where the formula is not valid.
 
     Notes
     -----
     H_V = π (u + 1)/(z₁ u cos β_b) (1 − ε_α + ε₁² + ε₂²)  (Ohlendorf 1958, as used by Niemann and Winter),
-    with u counted negative for internal pairs. Load is shared ½/1 between pairs, friction is constant.
+    with u negative for internal pairs. The load is shared equally by two pairs in contact, the coefficient
+    of friction is constant.
 
     Examples
     --------
-    FZG type C gears, printed 0.1986:
+    FZG type C gears, published value 0.1986:
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> from pitchpoint.geometry.gear_pair import GearPair
@@ -196,12 +197,12 @@ def _pitch_point_inside(pair: GearPair) -> None:
 
 
 def loss_factor_integral(pair: GearPair) -> float:
-    """Tooth loss factor H_V as the direct integral over the path of contact.
+    """Tooth loss factor H_V by integration over the path of contact.
 
     Parameters
     ----------
     pair
-        Any pair; the load is shared equally by the pairs in contact of its transverse section.
+        Any pair; the load is shared equally by the tooth pairs in contact in the transverse section.
 
     Returns
     -------
@@ -211,9 +212,9 @@ def loss_factor_integral(pair: GearPair) -> float:
     Notes
     -----
     H_V = 1/(p_et cos β_b cos α_wt) ∫_A^E (F/F_b) |v_g|/v_tw dy with F/F_b = 1/(number of pairs in contact).
-    Between two changes of that number and the pitch point the integrand is linear, so the trapezium
-    rule on these pieces is exact. For 1 ≤ ε_α ≤ 2 and the pitch point in the inner range this equals
-    `loss_factor_ohlendorf` identically.
+    The integrand is piecewise linear with breaks at the pitch point and where that number changes, so that
+    the integration is exact. For 1 ≤ ε_α ≤ 2 and the pitch point in the range of single contact the result
+    is that of `loss_factor_ohlendorf`.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The gear as a closed triangulated solid: exact section, twisted along the face width, with its blank.
+"""Closed triangulated solid of a cylindrical gear: exact section, twisted along the face width, with blank.
 
 Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
@@ -26,29 +26,29 @@ _TWIST_STEP = math.radians(0.5)
 
 
 def _quads(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Triangles of the band between two closed rings of vertices, shape (2 n, 3, 3)."""
+    """Triangles between two closed rings of vertices, shape (2 n, 3, 3)."""
     a, b = first, np.roll(first, -1, axis=0)
     c, d = np.roll(second, -1, axis=0), second
     return np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
 
 
 def _fan(ring: FloatArray, z: float) -> FloatArray:
-    """Triangles between a closed ring and the axis at the height z, oriented along the ring."""
+    """Triangles from a closed ring to the axis at the height z, oriented along the ring."""
     centre = np.broadcast_to(np.array([0.0, 0.0, z]), ring.shape)
     return np.stack([ring, np.roll(ring, -1, axis=0), centre], axis=1)
 
 
 def tooth_cell(region: NDArray[np.int8], n_foot: int, is_internal: bool) -> tuple[IntArray, IntArray]:
-    """Numbers of the triangles that fill the tooth of one pitch of an even profile, and of its root points.
+    """Triangulation of the tooth section of one even profile, and its root points, as point indices.
 
-    Points at the same height of both flanks bound a strip, so undercut teeth need no special case.
+    Corresponding points of both flanks bound a strip, so undercut teeth need no special case.
 
     Parameters
     ----------
     region
         Regions of the points as in `pitchpoint.geometry.tooth_form.even_profile`, shape (n_point,).
     n_foot
-        Points of the straight line between the feet of the tooth: they have the numbers -1, -2, ...
+        Points on the straight line between the feet of the tooth; their indices are -1, -2, ...
     is_internal
         Whether the gear is internal.
 
@@ -57,21 +57,21 @@ def tooth_cell(region: NDArray[np.int8], n_foot: int, is_internal: bool) -> tupl
     ndarray, shape (n, 3)
         Triangles, counter-clockwise.
     ndarray
-        Points of the root from the first of the pitch to its last, counter-clockwise.
+        Root points of the pitch, counter-clockwise.
     """
     n_cell = region.size
     n_tip = int((region == 3).sum())
     start = int(np.argmax(region != 0))
     n = int(np.argmax(region == 3)) - start
     right = start + np.arange(n)
-    # With a fully rounded root the last left point is the first right point of the next tooth.
+    # with full rounding the last left point is the first right point of the next tooth
     left = start + 2 * n + n_tip - 1 - np.arange(n)
     foot = np.concatenate([right[:1], -1 - np.arange(n_foot), left[:1]])
     last = n - 2 if is_internal else n - 1
     arc = np.arange(right[-1], left[-1] + 1)
 
     def fan(apex: int, line: IntArray) -> IntArray:
-        """Triangles from one point to all pieces of a line, shape (n - 1, 3)."""
+        """Triangles from one point to all segments of a line, shape (n - 1, 3)."""
         return np.stack([np.full(line.size - 1, apex), line[:-1], line[1:]], axis=1)
 
     strips = [
@@ -81,7 +81,7 @@ def tooth_cell(region: NDArray[np.int8], n_foot: int, is_internal: bool) -> tupl
         np.stack([right[1:last], left[2 : last + 1], left[1:last]], axis=1),
     ]
     if is_internal:
-        # The tip arc of an internal tooth bulges into the tooth: no strip may reach its chord.
+        # the tip arc of an internal tooth curves into the tooth: no strip may cross it
         strips += [fan(right[-2], arc), np.array([[right[-2], left[-1], left[-2]]])]
     else:
         strips.append(fan(arc[0], arc[1:]))
@@ -90,7 +90,7 @@ def tooth_cell(region: NDArray[np.int8], n_foot: int, is_internal: bool) -> tupl
 
 
 def _all_teeth(cell: IntArray, n_cell: int, z: int, n_foot: int) -> IntArray:
-    """Numbers of points of the first pitch, for all; negative ones are behind the outlines."""
+    """Repeat point indices of the first pitch for all teeth; negative ones are stored after the outline."""
     n_all = n_cell * z
     tooth = np.arange(z).reshape((z,) + (1,) * cell.ndim)
     return np.where(cell < 0, n_all + n_foot * tooth - 1 - cell, (cell + n_cell * tooth) % n_all)
@@ -99,16 +99,16 @@ def _all_teeth(cell: IntArray, n_cell: int, z: int, n_foot: int) -> IntArray:
 def blank_section(
     gear: CylindricalGear, bore: float, rim: float | None, web: float | None
 ) -> tuple[list[tuple[float, float]], bool]:
-    """Upper half of the blank's section from the root inwards as (radius, z); whether it ends at a wall.
+    """Upper half of the blank section from the root inwards as (radius, z), and whether there is a bore.
 
     Parameters
     ----------
     gear
         The gear.
     bore
-        Radius of the bore, of internal gears that of the outside; 0 where none is given [m].
+        Radius of the bore, for internal gears the outer radius [m]; 0 if not given.
     rim, web
-        Thickness of rim and web [m]; none for a full disc.
+        Thickness of rim and web [m]; None for a full disc.
 
     Raises
     ------
@@ -123,7 +123,7 @@ def blank_section(
                 "does not reach around the teeth", where="bore_diameter", value=f"{2e3 * outer:.6g} mm"
             )
         return [(outer, half)], True
-    # The solid joins the feet of the teeth by straight lines; the blank must stay inside of these.
+    # straight lines connect the feet of the teeth; the blank must be inside these
     limit = r_f * math.cos(math.pi / gear.z)
     if not 0.0 <= bore < limit:
         raise GeometryError(
@@ -155,23 +155,23 @@ def gear_solid(
     Parameters
     ----------
     gear
-        External or internal gear; β > 0 turns the section counter-clockwise towards +z.
+        External or internal gear; β > 0 rotates the section counter-clockwise towards +z.
     n_flank
         Points per flank, at least 5.
     n_slices
         Slices along the face width; None = 1 for spur gears, one per 0.5° of twist for helical ones.
     bore_diameter, rim_thickness, web_thickness
-        The blank, as in `pitchpoint.geometry.mass_properties.gear_mass_properties` [m].
+        Size of the blank, as in `pitchpoint.geometry.mass_properties.gear_mass_properties` [m].
 
     Returns
     -------
     ndarray, shape (n, 3, 3)
-        Triangles, their corners in counter-clockwise order seen from outside [m]; axis z, middle plane z = 0.
+        Triangles, corners counter-clockwise seen from outside [m]; axis z, middle plane z = 0.
 
     Raises
     ------
     GeometryError
-        If there is no such tooth or blank.
+        If the tooth or the blank is not possible.
 
     Examples
     --------
@@ -184,7 +184,7 @@ def gear_solid(
     if n_slices is None:
         n_slices = max(1, math.ceil(abs(twist_rate * gear.b) / _TWIST_STEP)) if beta != 0.0 else 1
     if n_slices < 1:
-        raise GeometryError("slices make no solid", where="n_slices", value=f"{n_slices}", limit="at least 1")
+        raise GeometryError("slices are too few", where="n_slices", value=f"{n_slices}", limit="at least 1")
     profile = even_profile(gear, n_flank)
     flat = around(profile, abs(gear.z))
     n_outline, z, n_foot = flat.size, abs(gear.z), max(2, n_flank // 4)
@@ -197,7 +197,7 @@ def gear_solid(
     flat = np.append(flat, foot[None, :] * np.exp(2j * math.pi / z * np.arange(z))[:, None])
 
     def lift(points: NDArray[np.complex128], z: float, level: float) -> FloatArray:
-        """Ring at the height z, turned as the section at the height `level` is."""
+        """Ring at the height z with the rotation of the section at the height `level`."""
         turned = points * np.exp(1j * twist_rate * level)
         return np.column_stack([turned.real, turned.imag, np.full(points.size, z)])
 

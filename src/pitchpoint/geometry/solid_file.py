@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Solids from files of CAD programs: STL, and STEP through OCC."""
+"""Read solids from CAD files: STL, and STEP through OCC."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ FloatArray = NDArray[np.float64]
 STEP = (".step", ".stp", ".p21")
 STL = (".stl", ".npy")
 MOST_TRIANGLES = 2_000_000
-"""Triangles of one solid whose volume is taken."""
+"""Maximum number of triangles of one solid."""
 
 
 def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
@@ -34,15 +34,14 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
     Returns
     -------
     SolidFile
-        All triangles of an STL file are one solid without a name. A solid of a STEP file has the name of its
-        product; several of one name are counted: 'shaft', 'shaft (2)'. Solids of an assembly lie where the
-        assembly has them.
+        An STL file is one solid without a name. A solid of a STEP file has the name of its product; equal
+        names are numbered: 'shaft', 'shaft (2)'. Solids of an assembly have their positions in the assembly.
 
     Raises
     ------
     GeometryError
-        If the file cannot be read, is cut short, holds no solid, or one that is not closed or inside out, and
-        if the unit is missing or not wanted.
+        If the file cannot be read or is truncated, if it has no solid or one that is open or inside out, or
+        if the unit is missing or not allowed.
     MissingDependencyError
         If OCC is needed and not installed.
 
@@ -62,7 +61,7 @@ def read_solids(file: str | Path, unit: float | None = None) -> SolidFile:
     kind = path.suffix.lower()
     if kind not in STEP + STL:
         raise GeometryError(
-            "is not a kind of solid that is read",
+            "is not a supported file type",
             where="file",
             value=f"'{path.name}'",
             limit=", ".join(STEP + STL),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Closed solids: volume, centre of mass, inertia, and the axis about which a solid is round.
+"""Closed solids: volume, centre of mass, inertia, and the axis of rotational symmetry.
 
 Derivation: docs/theory/geometry.md, "Mass and inertia".
 """
@@ -16,10 +16,10 @@ from pitchpoint.core.errors import GeometryError
 FloatArray = NDArray[np.float64]
 
 UNEVEN = 0.02
-"""Difference of the moments of inertia across an axis, per largest one, up to which a solid is round:
-keyways and holes are below, a lever is far above."""
+"""Maximum difference of the transverse moments of inertia, relative to the largest moment, of a solid that
+counts as rotationally symmetric: keyways and holes are below, a lever is far above."""
 APART = 1e-3
-"""Minimum difference of the moment about the axis from those across it that identifies the axis, relative."""
+"""Minimum relative difference between polar and transverse moments of inertia that identifies the axis."""
 
 
 @dataclass(frozen=True)
@@ -29,14 +29,14 @@ class Solid:
     Parameters
     ----------
     name
-        As the file has it; '' if it has none.
+        Name in the file; '' if it has none.
     volume
-        [m³].
+        Volume [m³].
     center
-        Centre of volume from the origin of the file, along its axes [m].
+        Centre of volume in the coordinates of the file [m].
     moments
-        Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of volume along the axes of the file, for the density 1
-        [m⁵]; products are the entries of the matrix, Ixy = −∫ x y dV.
+        Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of volume along the axes of the file, for unit density
+        [m⁵]; products are entries of the inertia matrix, Ixy = −∫ x y dV.
     """
 
     name: str
@@ -46,33 +46,33 @@ class Solid:
 
     @property
     def matrix(self) -> FloatArray:
-        """Inertia about the centre of volume for the density 1, shape (3, 3) [m⁵]."""
+        """Inertia matrix about the centre of volume for unit density, shape (3, 3) [m⁵]."""
         xx, yy, zz, xy, yz, zx = self.moments
         return np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
 
 
 @dataclass(frozen=True)
 class SolidFile:
-    """The solids of a file.
+    """Solids of a file.
 
     Parameters
     ----------
     solids
-        In the order of the file.
+        Solids in the order of the file.
     unit
-        Unit of length in words.
+        Unit of length as text.
     """
 
     solids: tuple[Solid, ...]
     unit: str
 
     def part(self, name: str | None = None) -> Solid:
-        """Find the solid of a name; None if there is only one.
+        """Solid of a name; the name may be None if there is only one.
 
         Raises
         ------
         GeometryError
-            If there are several and none is named, or there is none of this name; lists them.
+            If there are several and no name is given, or there is none of this name; lists the names.
         """
         if name is None and len(self.solids) == 1:
             return self.solids[0]
@@ -91,18 +91,18 @@ class SolidFile:
 
 @dataclass(frozen=True)
 class RoundInertia:
-    """Inertia of a solid that is round about an axis, for the density 1.
+    """Inertia of a solid that is rotationally symmetric about an axis, for unit density.
 
     Parameters
     ----------
     axis
-        Direction of the axis in the file, length 1.
+        Unit vector of the axis in the file.
     polar
-        Moment of inertia about it [m⁵].
+        Moment of inertia about the axis [m⁵].
     transverse
-        Mean moment of inertia about diameters through the centre of volume [m⁵].
+        Mean transverse moment of inertia about the centre of volume [m⁵].
     uneven
-        Difference of the greatest and smallest of those, per largest moment [-].
+        Difference of the transverse moments, relative to the largest moment [-].
     """
 
     axis: tuple[float, float, float]
@@ -112,20 +112,20 @@ class RoundInertia:
 
 
 def solid_of_triangles(corners: ArrayLike, name: str = "") -> Solid:
-    """Volume, centre and inertia of what a closed surface of triangles encloses.
+    """Volume, centre and inertia of a solid bounded by a closed triangulated surface.
 
     Parameters
     ----------
     corners
-        Counter-clockwise seen from outside, shape (n, 3, 3) [m].
+        Corners of the triangles, counter-clockwise seen from outside, shape (n, 3, 3) [m].
     name
         Name of the solid.
 
     Notes
     -----
-    Every triangle and the middle of the surface make a tetrahedron; with the corners a, b, c from there and
-    s = a + b + c: V = a·(b×c)/6, ∫ x dV = V s/4, ∫ x xᵀ dV = V (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/20. Exact but for
-    round-off, for any closed surface.
+    Every triangle forms a tetrahedron with the middle of the surface. With the corners a, b, c relative to it
+    and s = a + b + c: V = a·(b×c)/6, ∫ x dV = V s/4, ∫ x xᵀ dV = V (a aᵀ + b bᵀ + c cᵀ + s sᵀ)/20. Exact to
+    round-off for any closed surface.
 
     Examples
     --------
@@ -160,11 +160,11 @@ def solid_of(name: str, volume: float, center: ArrayLike, inertia: ArrayLike) ->
     name
         Name.
     volume
-        [m³].
+        Volume [m³].
     center
-        Shape (3,) [m].
+        Centre of volume, shape (3,) [m].
     inertia
-        About the centre for the density 1, shape (3, 3) [m⁵].
+        Inertia matrix about the centre for unit density, shape (3, 3) [m⁵].
     """
     x, y, z = (float(v) for v in np.asarray(center, float))
     i = np.asarray(inertia, float)
@@ -173,25 +173,25 @@ def solid_of(name: str, volume: float, center: ArrayLike, inertia: ArrayLike) ->
 
 
 def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
-    """Axis of a gear or a shaft, and its moments of inertia about it and across.
+    """Axis of a rotationally symmetric solid, and its polar and transverse moments of inertia.
 
     Parameters
     ----------
     solid
         The solid.
     axis
-        Direction of the axis in the file, shape (3,), of any length; None finds it.
+        Direction of the axis in the file, shape (3,), of any length; None: axis identified from the inertia.
 
     Returns
     -------
     RoundInertia
-        The found axis points along that axis of the file which is nearest to it.
+        An identified axis points in the positive direction of the nearest coordinate axis of the file.
 
     Raises
     ------
     GeometryError
-        If the solid is not round about the axis, or no axis can be identified because all principal moments
-        are about equal, as those of a cylinder whose length is √3 of its radius.
+        If the solid is not rotationally symmetric about the axis, or if no axis can be identified because all
+        principal moments are about equal, as for a cylinder with a length of √3 times its radius.
 
     Notes
     -----
@@ -212,7 +212,7 @@ def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
         low, high = (moments[1] - moments[0]) / largest, (moments[2] - moments[1]) / largest
         uneven, apart = float(min(low, high)), float(max(low, high))
         if uneven > UNEVEN:
-            raise _not_round(moments, "give axes: {z: [0, 0, 1]} if it turns about an axis all the same")
+            raise _not_round(moments, "give axes: {z: [0, 0, 1]} if it nevertheless rotates about an axis")
         if apart < max(APART, 5.0 * uneven):
             raise GeometryError(
                 "does not define an axis: its principal moments of inertia are about equal",
@@ -231,7 +231,7 @@ def round_inertia(solid: Solid, axis: ArrayLike | None = None) -> RoundInertia:
         beside = inertia - polar * np.outer(along, along) - transverse * (np.eye(3) - np.outer(along, along))
         uneven = 2.0 * float(np.abs(np.linalg.eigvalsh(beside)).max()) / largest
         if uneven > UNEVEN:
-            raise _not_round(moments, "correct axes, or leave them out so that the axis is found")
+            raise _not_round(moments, "correct axes, or omit them so that the axis is found")
     x, y, z = (round(float(v), 12) + 0.0 for v in along)
     return RoundInertia((x, y, z), polar, transverse, uneven)
 

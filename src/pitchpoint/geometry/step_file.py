@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Solids of STEP files (ISO 10303-21) through OCC, which the extra `cad` brings."""
+"""Solids of STEP files (ISO 10303-21) through OCC, installed by the extra `cad`."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ _ENTITY = re.compile(rb"#(\d+)\s*=")
 
 
 def need_occ() -> None:
-    """Make OCC ready and quiet: it would write its progress on stdout.
+    """Import OCC and silence its progress messages on stdout.
 
     Raises
     ------
     MissingDependencyError
-        If it is not installed.
+        If OCC is not installed.
     """
     try:
         from OCP.Message import Message, Message_Printer
@@ -53,17 +53,17 @@ def _missing() -> MissingDependencyError:
 def read_step(file: str | Path) -> SolidFile:
     """Read all solids of a STEP file.
 
-    A process of its own reads it: damaged files can make OCC end its process.
+    The file is read in a separate process, because OCC may crash on damaged files.
 
     Parameters
     ----------
     file
-        Its path.
+        Path of the file.
 
     Raises
     ------
     GeometryError
-        If it cannot be read, is cut short, or holds no solid, or one that is not closed or inside out.
+        If the file cannot be read or is truncated, or if it has no solid or one that is open or inside out.
     MissingDependencyError
         If OCC is not installed.
     """
@@ -75,21 +75,21 @@ def read_step(file: str | Path) -> SolidFile:
 
 
 def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
-    """Answer of a module that reads a STEP file in a separate process.
+    """Run a module that reads a STEP file in a separate process, and return its result.
 
     Parameters
     ----------
     module
-        One that is run with the path of the file and the arguments and prints the result of `answered`.
+        Module that is run with the path of the file and the arguments; prints the result of `answered`.
     file
-        Its path.
+        Path of the file.
     *arguments
-        What else the module needs.
+        Further arguments of the module.
 
     Raises
     ------
     GeometryError
-        The problem that the module reports, or that it ended before it could report one.
+        If the module reports a problem, or if its process crashed.
     MissingDependencyError
         If OCC is not installed.
     """
@@ -110,14 +110,14 @@ def ask(module: str, file: str | Path, *arguments: str) -> dict[str, Any]:
 
 
 def answered(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str, Any]:
-    """The answer of a process that reads a file, or what is wrong with the file.
+    """Result of a function that reads a file, or the problem of the file, as JSON data.
 
     Parameters
     ----------
     answer
-        What the process does.
+        Function that reads the file.
     *arguments
-        The path of the file and what else `answer` takes.
+        Arguments of `answer`, the path of the file first.
     """
     try:
         return answer(*arguments)
@@ -128,17 +128,17 @@ def answered(answer: Callable[..., dict[str, Any]], *arguments: str) -> dict[str
 
 
 def named_solids(file: str) -> tuple[str, Iterator[tuple[str, Any]]]:
-    """Unit of a file in words, and every solid as a shape of OCC in millimetres with a name of its own.
+    """Unit of a file as text, and its solids with unique names as OCC shapes in millimetres.
 
     Parameters
     ----------
     file
-        Its path.
+        Path of the file.
 
     Raises
     ------
     GeometryError
-        If it cannot be read.
+        If the file cannot be read.
     MissingDependencyError
         If OCC is not installed.
     """
@@ -148,7 +148,7 @@ def named_solids(file: str) -> tuple[str, Iterator[tuple[str, Any]]]:
     document, unit = _document(name, file)
 
     def labelled() -> Iterator[tuple[str, Any]]:
-        """Solids of one product are counted."""
+        """Yield the solids with unique names; solids of one product are numbered."""
         seen: dict[str, int] = {}
         for product, shape in _solids(document):
             count = seen[product] = seen.get(product, 0) + 1
@@ -158,7 +158,7 @@ def named_solids(file: str) -> tuple[str, Iterator[tuple[str, Any]]]:
 
 
 def _answer(file: str) -> dict[str, Any]:
-    """Unit, and name, volume, centre and moments of every solid."""
+    """Unit of the file, and name, volume, centre and moments of every solid."""
     from pitchpoint.geometry.solid_mass import solid_of
 
     name = Path(file).name
@@ -177,7 +177,7 @@ def _answer(file: str) -> dict[str, Any]:
 
 
 def solid_integrals(shape: Any) -> tuple[float, np.ndarray, np.ndarray]:
-    """Volume [m³], centre [m] and inertia about it for the density 1 [m⁵] of a shape of OCC in millimetres.
+    """Volume [m³], centre [m] and central inertia for unit density [m⁵] of an OCC shape in millimetres.
 
     Parameters
     ----------
@@ -186,8 +186,7 @@ def solid_integrals(shape: Any) -> tuple[float, np.ndarray, np.ndarray]:
 
     Notes
     -----
-    By Gauss quadrature over the faces, exact for planes and cylinders and to about 10⁻⁹ for the flanks of
-    gears.
+    Gauss quadrature over the faces: exact for planes and cylinders, to about 10⁻⁹ for gear flanks.
     """
     from OCP.BRepGProp import BRepGProp
     from OCP.GProp import GProp_GProps
@@ -200,22 +199,22 @@ def solid_integrals(shape: Any) -> tuple[float, np.ndarray, np.ndarray]:
 
 
 def refused(name: str, message: str, value: str | None = None, remedy: str = _AGAIN) -> GeometryError:
-    """The error that a file cannot be used.
+    """Error for a file that cannot be used.
 
     Parameters
     ----------
     name
-        Of the file.
+        Name of the file.
     message
-        What is wrong with it, as the rest of a sentence.
+        Problem, continues the sentence "the file ...".
     value, remedy
-        As of `GeometryError`.
+        As in `GeometryError`.
     """
     return GeometryError(f"the file '{name}' {message}", where="file", value=value, remedy=remedy)
 
 
 def _check_whole(name: str, path: Path) -> None:
-    """Refuse files that are not STEP files, or only the first part of one, before OCC guesses."""
+    """Raise for files that are not STEP files or are truncated; OCC may accept them."""
     try:
         with path.open("rb") as file:
             head = file.read(4096)
@@ -231,7 +230,7 @@ def _check_whole(name: str, path: Path) -> None:
 
 
 def _check_references(name: str, data: bytes) -> None:
-    """Every entity that is named exists: OCC would omit what needs it, or end its process."""
+    """Raise for references to missing entities, on which OCC omits solids or crashes."""
     bare = _QUOTED.sub(b"", data)
     lost = set(_REFERENCE.findall(bare)) - set(_ENTITY.findall(bare))
     if lost:
@@ -240,7 +239,7 @@ def _check_references(name: str, data: bytes) -> None:
 
 
 def _document(name: str, file: str) -> tuple[Any, str]:
-    """Document of OCC with the products of a file in millimetres, and the unit that the file has."""
+    """OCC document with the products of a file in millimetres, and the unit of the file."""
     from OCP.collections import Sequence_TCollection_AsciiString as Texts
     from OCP.IFSelect import IFSelect_ReturnStatus
     from OCP.STEPCAFControl import STEPCAFControl_Reader
@@ -252,7 +251,7 @@ def _document(name: str, file: str) -> tuple[Any, str]:
     document = TDocStd_Document(TCollection_ExtendedString("pitchpoint"))
     try:
         good = reader.ReadFile(file) == IFSelect_ReturnStatus.IFSelect_RetDone and reader.Transfer(document)
-    except RuntimeError as error:  # what OCC throws comes as this
+    except RuntimeError as error:  # type of all OCC exceptions
         raise refused(name, f"cannot be read: {error}") from None
     if not good:
         raise refused(name, "cannot be read: it contains no model")
@@ -263,7 +262,7 @@ def _document(name: str, file: str) -> tuple[Any, str]:
 
 
 def _solids(document: Any) -> Iterator[tuple[str, Any]]:
-    """Every solid of a document in its place, with the name of its product."""
+    """Every solid of a document in its assembly position, with the name of its product."""
     from OCP.collections import Sequence_TDF_Label
     from OCP.TopLoc import TopLoc_Location
     from OCP.XCAFDoc import XCAFDoc_DocumentTool
@@ -306,7 +305,7 @@ def _name(label: Any) -> str:
 
 
 def _check_closed(name: str, label: str, shape: Any) -> None:
-    """Every edge of every shell belongs to two faces."""
+    """Raise for a shell with an edge that is not shared by two faces."""
     from OCP.BRep import BRep_Tool
     from OCP.TopAbs import TopAbs_ShapeEnum
     from OCP.TopExp import TopExp_Explorer

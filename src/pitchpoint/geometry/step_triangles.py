@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangles of solids of STEP files, for drawings; OCC, which the extra `cad` brings, makes them."""
+"""Triangulated surfaces of solids of STEP files, for drawing; through OCC, installed by the extra `cad`."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from pitchpoint.geometry.step_file import ask, named_solids, refused
 FloatArray = NDArray[np.float64]
 
 CHORDS = (1e-3, 4e-3, 1.6e-2)
-"""Distances of chords from the surface in parts of the size of a solid; the finest that is not too much."""
+"""Chord errors relative to the size of a solid; the finest that does not exceed `MOST` triangles is used."""
 MOST = 50_000
-"""Triangles of one drawn solid."""
+"""Maximum number of triangles of one drawn solid."""
 _ANGLE = 0.3
-"""Largest turn of the surface along a chord [rad]: small rounds stay round, and less than an edge turns."""
+"""Maximum angle of the surface along a chord [rad]: resolves small radii, below that of sharp edges."""
 _MM = 1e-3
 
 
@@ -34,7 +34,7 @@ def step_triangles(file: str | Path, part: str) -> FloatArray:
     Parameters
     ----------
     file
-        Its path.
+        Path of the file.
     part
         Name of the solid, as `step_file.read_step` gives it.
 
@@ -46,7 +46,7 @@ def step_triangles(file: str | Path, part: str) -> FloatArray:
     Raises
     ------
     GeometryError
-        If the file cannot be read or its surface cannot be divided.
+        If the file cannot be read or has no such solid, or if the solid needs too many triangles.
     MissingDependencyError
         If OCC is not installed.
     """
@@ -60,7 +60,7 @@ def step_triangles(file: str | Path, part: str) -> FloatArray:
 
 @functools.lru_cache(maxsize=16)
 def _divided(file: str, part: str, stamp: int, size: int) -> FloatArray:
-    """Run a separate process; a file with the same modification time and size is not read again."""
+    """Triangulate in a separate process, cached by modification time and size of the file."""
     with TemporaryDirectory() as folder:
         target = Path(folder) / "corners.npy"
         ask("pitchpoint.geometry.step_triangles", file, part, str(target))
@@ -70,7 +70,7 @@ def _divided(file: str, part: str, stamp: int, size: int) -> FloatArray:
 
 
 def _answer(file: str, part: str, target: str) -> dict[str, Any]:
-    """Write the corners to a file; the answer is empty."""
+    """Write the corners to the file `target`; the result is empty."""
     name = Path(file).name
     shape = next((shape for label, shape in named_solids(file)[1] if label == part), None)
     if shape is None:
@@ -92,7 +92,7 @@ def _answer(file: str, part: str, target: str) -> dict[str, Any]:
 
 
 def _corners(shape: Any, chord: float) -> FloatArray:
-    """Triangles of a shape of OCC [mm]."""
+    """Triangles of an OCC shape [mm]."""
     from OCP.Bnd import Bnd_Box
     from OCP.BRepBndLib import BRepBndLib
     from OCP.BRepMesh import BRepMesh_IncrementalMesh
@@ -118,7 +118,7 @@ def _faces(shape: Any) -> Iterator[Any]:
 
 
 def _of_face(face: Any) -> Iterator[FloatArray]:
-    """Its triangles in the place of the face, turned outwards."""
+    """Triangles of a face in its assembly position, oriented outwards."""
     from OCP.BRep import BRep_Tool
     from OCP.TopAbs import TopAbs_Orientation
     from OCP.TopLoc import TopLoc_Location

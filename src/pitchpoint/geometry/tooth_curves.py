@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The exact tooth as Bezier curves, from which CAD programs make smooth faces.
+"""Exact tooth as Bezier curves, for smooth faces in CAD programs.
 
 Frame as in `pitchpoint.geometry.tooth_form`; points of the transverse plane are complex numbers x + iy.
 
@@ -24,14 +24,14 @@ if TYPE_CHECKING:
 
 ComplexArray = NDArray[np.complex128]
 Curve = Callable[[NDArray[np.float64]], ComplexArray]
-"""Points of a curve at parameters from 0 to 1."""
+"""Function that gives the points of a curve at parameters from 0 to 1."""
 
 MOST_DEGREE = 7
-"""Curves that need more are halved: programs differ in what they accept beyond."""
+"""Maximum degree, above which curves are halved: not all CAD programs accept higher degrees."""
 LEAST_TOLERANCE = 1e-9
-"""Of a curve per length of its size; finer fits end in round-off."""
+"""Minimum tolerance relative to the size of a curve, limited by round-off."""
 _ARC = 1e-9
-"""Root arcs shorter than this share of a pitch are none: the root is fully rounded."""
+"""Share of half a pitch below which a root arc is omitted: the root is fully rounded."""
 
 
 def bernstein(degree: int, t: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -40,7 +40,7 @@ def bernstein(degree: int, t: NDArray[np.float64]) -> NDArray[np.float64]:
     Parameters
     ----------
     degree
-        At least 1.
+        Degree, at least 1.
     t
         Parameters.
 
@@ -55,24 +55,24 @@ def bernstein(degree: int, t: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def bezier_curves(curve: Curve, tolerance: float) -> list[ComplexArray]:
-    """Bezier curves in a row that follow a curve, of the lowest degree that is near enough.
+    """Approximate a curve by successive Bezier curves of the lowest sufficient degree.
 
     Parameters
     ----------
     curve
         Smooth curve.
     tolerance
-        Largest distance between points of the same parameter, in the unit of the curve.
+        Maximum distance between points of the same parameter, in the unit of the curve.
 
     Returns
     -------
     list of ndarray
-        Control points of each, shape (degree + 1,); the first and last lie on the curve, neighbours share
-        theirs.
+        Control points of each curve, shape (degree + 1,); the first and last are on the curve, adjacent
+        curves share an end point.
 
     Notes
     -----
-    Interpolation at Chebyshev points of the second kind, ends included, so that neighbours meet exactly.
+    Interpolation at Chebyshev points of the second kind, ends included, so that adjacent curves meet exactly.
 
     Examples
     --------
@@ -96,24 +96,24 @@ def bezier_curves(curve: Curve, tolerance: float) -> list[ComplexArray]:
 
 
 def _pieces(form: ToothForm) -> list[Curve]:
-    """Curves of one pitch: root, right fillet, right flank, tip, left flank, left fillet."""
+    """Exact curves of one pitch: root, right fillet, right flank, tip, left flank, left fillet."""
     half, foot = form.half_pitch_angle, form.root_half_angle
     low, high = np.sqrt(np.maximum(np.array([form.r_Ff, form.r_Fa]) ** 2 / form.r_b**2 - 1.0, 0.0))
     tip = form.tip_half_angle
 
     def fillet(t: NDArray[np.float64]) -> ComplexArray:
-        """Points of the fillet, 0 at the root and 1 at the flank, complex [m]."""
+        """Points of the fillet, complex [m]; t = 0 at the root, 1 at the flank."""
         r, angle = form.fillet_polar(form.fillet.theta_root + t * (form.theta_form - form.fillet.theta_root))
         return np.asarray(r * np.exp(1j * angle))
 
     def involute(t: NDArray[np.float64]) -> ComplexArray:
-        """Points of the flank, 0 at its root end and 1 at its tip end, complex [m]."""
+        """Points of the involute, complex [m]; t = 0 at its root end, 1 at its tip end."""
         roll = low + t * (high - low)
         angle = form.psi_b - form.sign * (roll - np.arctan(roll))
         return np.asarray(form.r_b * np.hypot(1.0, roll) * np.exp(1j * angle))
 
     def radial(t: NDArray[np.float64]) -> ComplexArray:
-        """Points of the straight piece from the flank to the tip circle, complex [m]."""
+        """Points of the radial line from the involute to the tip circle, complex [m]."""
         return np.asarray((form.r_Fa + t * (form.r_a - form.r_Fa)) * np.exp(1j * tip))
 
     left: list[Curve] = [fillet, involute]
@@ -129,27 +129,26 @@ def _pieces(form: ToothForm) -> list[Curve]:
 
 
 def pitch_curves(gear: CylindricalGear, tolerance: float = 1e-6) -> list[ComplexArray]:
-    """Control points of the Bezier curves of one pitch of a gear, from a root over the tooth on the x axis.
+    """Control points of the Bezier curves of one pitch of a gear, with the tooth on the x axis.
 
     Parameters
     ----------
     gear
-        External or internal gear without points of its own.
+        External or internal gear without an outline.
     tolerance
-        Largest distance from the exact tooth, in modules.
+        Maximum distance from the exact tooth, in modules.
 
     Returns
     -------
     list of ndarray
-        Control points [m], shapes (degree + 1,), of successive curves, counter-clockwise, from the end of
-        the left fillet of the tooth before to that of this tooth. The area they enclose differs from the
-        exact one by about
-        `tolerance` modules times the length of the outline at most.
+        Control points [m], shapes (degree + 1,), of successive curves, counter-clockwise, from the end of the
+        left fillet of the preceding tooth to that of this tooth. The error of the enclosed area is at most
+        about `tolerance` modules times the length of the outline.
 
     Raises
     ------
     GeometryError
-        If the gear has no such tooth, or an outline of measured points.
+        If the tooth is not possible, or if the gear has an outline of measured points.
 
     Examples
     --------
@@ -164,7 +163,7 @@ def pitch_curves(gear: CylindricalGear, tolerance: float = 1e-6) -> list[Complex
             "are points, not curves, which would give one face for each",
             where="tooth_profile",
             value=f"{len(gear.outline.points)} points a tooth",
-            remedy="export STL instead, or leave tooth_profile out",
+            remedy="export STL instead, or omit tooth_profile",
         )
     limit = max(tolerance, LEAST_TOLERANCE) * gear.m_n
     found = [poles for piece in _pieces(tooth_form(gear)) for poles in bezier_curves(piece, limit)]
@@ -175,16 +174,17 @@ def pitch_curves(gear: CylindricalGear, tolerance: float = 1e-6) -> list[Complex
 
 
 def twist_curves(angle: float, tolerance: float = 1e-6) -> list[ComplexArray]:
-    """Control points of exp(iφ) from φ = −angle/2 to angle/2 at equal steps of φ: a section along a helix.
+    """Control points of exp(iφ) for φ = −angle/2 to angle/2, parametrised by φ: the twist along a helix.
 
-    A point p of the section follows p times these curves at constant rise; each has shape (degree + 1,).
+    A point p of the transverse section traces p times these curves at constant rise; each has shape
+    (degree + 1,).
 
     Parameters
     ----------
     angle
         Twist over the face width [rad]; 0 gives one straight line.
     tolerance
-        Largest distance of the unit circle.
+        Maximum distance from the unit circle.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is missing of a damaged tooth, as levels over its flank: nothing where they are negative.
+"""Tooth damage as level functions over the flank.
 
-Where a level is positive it is the gap that the damage leaves along the base tangent; its zero line is the
-edge of the damage. Places on the flank are z along the face width, −b/2 to b/2, and roll lengths as in
-`geometry.modifications`; heights count radially.
+Where a level is positive it is the gap of the damage along the base tangent; its zero line is the edge of the
+damage; where it is negative the flank is intact. Positions on the flank are z along the face width, −b/2 to
+b/2, and roll lengths as in `geometry.modifications`; heights are radial.
 
 Derivation: docs/theory/geometry.md, "Micro-geometry, deviations, damage".
 """
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 
 FRACTURE_SLOPE = 1.0
-"""Gap along the base tangent over the distance from the edge of a fracture: its surface goes into the tooth
-under 45 degrees. Elastic teeth reach some 20 µm beyond the edge before they part."""
+"""Gap along the base tangent per distance from the edge of a fracture: a surface at 45 degrees. Elastic
+deflection extends contact about 20 µm beyond the edge."""
 
 _FIT = 1e-9
 
@@ -49,16 +49,16 @@ def tooth_height(gear: CylindricalGear) -> float:
 
 
 def break_problems(width: float, height: float, gear: CylindricalGear, where: str = "") -> list[Message]:
-    """Sizes of a break that are larger than the tooth.
+    """Problems of a break that is larger than the tooth.
 
     Parameters
     ----------
     width, height
-        Missing part [m].
+        Size of the missing part [m].
     gear
         External or internal gear.
     where
-        Place of the sizes in their description, put before the name of the offending key.
+        Path of the sizes in the model, prefix of the key in each message.
 
     Examples
     --------
@@ -78,14 +78,14 @@ def break_problems(width: float, height: float, gear: CylindricalGear, where: st
 
 
 def wider_than_face(width: float, face_width: float, where: str = "width") -> list[Message]:
-    """A missing width that is larger than the face.
+    """Problem of a missing width that is larger than the face width.
 
     Parameters
     ----------
     width, face_width
         Missing width and face width [m].
     where
-        Place of the width in its description.
+        Path of the width in the model.
 
     Examples
     --------
@@ -108,27 +108,27 @@ def break_level(
     at: str = "start",
     corner: bool = False,
 ) -> FloatArray:
-    """Level of a break: distance from its straight edges times `FRACTURE_SLOPE`, positive where it is gone.
+    """Level function of a break: distance from its straight edges times `FRACTURE_SLOPE`.
 
     Parameters
     ----------
     gear
         External or internal gear.
     z
-        Places along the face width [m], shape (n_z,).
+        Positions along the face width [m], shape (n_z,).
     roll
         Roll lengths [m], shape (n_roll,).
     width, height
-        Missing part at the tip and at the end of the face [m]; 0 breaks nothing out.
+        Size of the missing part at the tip and at the end of the face [m]; 0 for no break.
     at
         "start" (z = −b/2) or "end".
     corner
-        Only the triangle between the tip and the end of the face is missing, not the whole rectangle.
+        True if only the triangle between the tip and the end of the face is missing, not the rectangle.
 
     Returns
     -------
     ndarray, shape (n_z, n_roll)
-        Level [m].
+        Level [m], positive in the missing part.
 
     Raises
     ------
@@ -138,8 +138,8 @@ def break_level(
     Notes
     -----
     With ζ from the end of the face and η from the tip: corner 1 − ζ/width − η/height over
-    √(1/width² + 1/height²), rectangle min(width − ζ, height − η); a width of the whole face has no edge
-    across.
+    √(1/width² + 1/height²), rectangle min(width − ζ, height − η); a break over the whole face has no edge
+    across it.
 
     Examples
     --------
@@ -176,12 +176,12 @@ def break_level(
 
 
 def displaced_gap(gear: CylindricalGear | BevelGear, flank: str, amount: float) -> float:
-    """Gap along the base tangent of a flank whose tooth is displaced on the reference circle [m].
+    """Gap along the base tangent of a flank whose tooth is displaced along the reference circle [m].
 
     Parameters
     ----------
     gear
-        Cylindrical gear, or bevel gear, whose circle is that of the pitch cone in the middle of the face.
+        Cylindrical gear, or bevel gear with the displacement along its pitch circle at mid-face.
     flank
         "left" or "right".
     amount

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The exact tooth of a gear, and points of its profile and of its whole outline for drawings and exports.
+"""Exact tooth of a gear, and points of its profile and outline for drawings and exports.
 
-Frame: z axis = gear axis, tooth 0 on the +x axis, counter-clockwise positive. Lengths are positive also
-for internal gears, whose outline is the boundary of the hole.
+Frame: z axis = gear axis, tooth 0 on the +x axis, counter-clockwise positive. Lengths are positive, also for
+internal gears; their outline is the boundary of the hole.
 
 Source: ISO 21771. Derivation: docs/theory/geometry.md, "Generation by the tool".
 """
@@ -27,7 +27,7 @@ FloatArray = NDArray[np.float64]
 
 REGIONS = ("root", "fillet", "involute", "tip")
 
-# Points of a given outline this near to its highest and lowest one lie on tip and root, in modules.
+# Distance from the highest and lowest point of an outline within which points are tip and root, in modules.
 _LAND = 0.005
 
 
@@ -42,9 +42,9 @@ class ToothProfile:
     region
         Shape (n,): index into `REGIONS` of each point.
     diameters
-        Region name → (diameter nearer to the root, nearer to the tip) [m], positive.
+        Region name → (diameter at its root end, at its tip end) [m], positive.
     is_undercut
-        True when fillet and involute meet in a corner.
+        True if fillet and involute meet in a corner.
     """
 
     points: FloatArray
@@ -65,12 +65,12 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
     Raises
     ------
     GeometryError
-        If there is no such tooth (see `pitchpoint.geometry.tooth_generation`).
+        If the tooth is not possible (see `pitchpoint.geometry.tooth_generation`).
 
     Notes
     -----
-    The root lies at `d_fE`, at the tool position that also makes the thickness allowance. An internal
-    gear without a cutter gets a circular fillet of the rack's root radius.
+    The root diameter is `d_fE`, with the tool position that includes the thickness allowance. An internal
+    gear without a cutter has a circular fillet with the root radius of the rack.
     """
     z, m_n = abs(gear.z), gear.m_n
     r_f, r_a = 0.5 * gear.sign * gear.d_fE, 0.5 * gear.sign * gear.d_a
@@ -83,19 +83,19 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
 
 
 def root_radius(gear: CylindricalGear) -> float:
-    """Radius of the root [m], positive: of the outline of the gear if it has one, else as generated."""
+    """Root radius [m], positive: of the outline of the gear if it has one, else as generated."""
     return tooth_form(gear).r_f if gear.outline is None else gear.outline.root_radius(gear)
 
 
 def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
-    """Points of one whole pitch of a gear.
+    """Points of one pitch of a gear.
 
     Parameters
     ----------
     gear
-        External or internal gear. The points of its `outline`, if it has one, come as they are.
+        External or internal gear. The points of its `outline`, if it has one, are used unchanged.
     n_flank
-        Points per flank (fillet and involute) of a generated tooth, at least 5; the arcs get a fifth of it,
+        Points per flank (fillet and involute) of a generated tooth, at least 5; the arcs have a fifth of it,
         at least two.
 
     Returns
@@ -107,7 +107,7 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
     Raises
     ------
     GeometryError
-        If the gear has no such tooth, or `n_flank` is too small.
+        If the tooth is not possible, or `n_flank` is too small.
 
     Examples
     --------
@@ -123,7 +123,7 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
     n_arc = max(2, n_flank // 5)
     flank_region = np.where(np.arange(n_flank) < n_fillet, 1, 2)
     tip = np.linspace(-half[-1], half[-1], n_arc + 2)[1:-1]
-    # A fully rounded root has no arc, only its deepest point, which the fillet holds already.
+    # A fully rounded root has no arc; its deepest point is part of the fillet.
     has_arc = form.half_pitch_angle - half[0] > 1e-9 * form.half_pitch_angle
     arc = np.linspace(form.half_pitch_angle, half[0], n_arc + 1)[:-1] if has_arc else np.empty(0)
     angle = np.concatenate([-arc, -half, tip, half[::-1], arc[:0:-1]])
@@ -148,7 +148,7 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
 
 
 def _given_profile(gear: CylindricalGear, plane: NDArray[np.complex128]) -> ToothProfile:
-    """Profile from the points of an outline, with the regions given by their heights."""
+    """Profile from the points of an outline, with regions assigned by height."""
     height = gear.sign * np.abs(plane)
     land = _LAND * gear.m_n
     region = np.full(plane.size, 2, dtype=np.int8)
@@ -162,12 +162,12 @@ def _given_profile(gear: CylindricalGear, plane: NDArray[np.complex128]) -> Toot
 
 
 def even_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
-    """Profile with as many points on the left as on the right flank, as a triangulation needs it.
+    """Profile with equal numbers of points on the left and right flanks, as required by triangulation.
 
     Parameters
     ----------
     gear
-        External or internal gear. Its `outline`, if it has one, is divided anew at equal lengths.
+        External or internal gear. Its `outline`, if it has one, is resampled at equal arc lengths.
     n_flank
         Points per flank, at least 5.
 
@@ -210,7 +210,7 @@ def even_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
 
 
 def _divided(line: NDArray[np.complex128], n: int) -> NDArray[np.complex128]:
-    """Points at equal distances along a line of points, ends included."""
+    """Resample a polyline at equal arc lengths, ends included."""
     length = np.append(0.0, np.cumsum(np.abs(np.diff(line))))
     at = np.linspace(0.0, length[-1], n)
     return np.asarray(np.interp(at, length, line.real) + 1j * np.interp(at, length, line.imag))
@@ -226,7 +226,7 @@ def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 
     n_flank
         Points per flank, at least 5.
     rotation
-        Angle by which the gear is turned counter-clockwise from "tooth 0 on the +x axis" [rad].
+        Counter-clockwise rotation of the gear from "tooth 0 on the +x axis" [rad].
 
     Returns
     -------
@@ -236,7 +236,7 @@ def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 
     Raises
     ------
     GeometryError
-        If the gear has no such tooth, or `n_flank` is too small.
+        If the tooth is not possible, or `n_flank` is too small.
 
     Examples
     --------
@@ -250,16 +250,16 @@ def gear_outline(gear: CylindricalGear, n_flank: int = 40, *, rotation: float = 
 
 
 def around(profile: ToothProfile, z: int, rotation: float = 0.0) -> NDArray[np.complex128]:
-    """Points x + iy of all `z` teeth of one profile [m], shape (z n,), tooth 0 turned by `rotation` [rad].
+    """Points x + iy of all `z` teeth of one profile [m], shape (z n,).
 
     Parameters
     ----------
     profile
-        One pitch.
+        Profile of one pitch.
     z
         Number of teeth, positive.
     rotation
-        Counter-clockwise.
+        Counter-clockwise rotation of tooth 0 [rad].
     """
     teeth = rotation + 2.0 * math.pi / z * np.arange(z)
     points = profile.points

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tooth of a gear as points: its outline, and what its flanks lack against the nominal involute.
+"""Real tooth of a gear as points: outline, and gap of its flanks to the nominal involute.
 
 Frame as in `pitchpoint.geometry.tooth_form`: the tooth is on the +x axis, its left flank has y > 0.
 
@@ -44,14 +44,14 @@ _NOMINAL_POINTS = 200
 
 @dataclass(frozen=True)
 class ToothOutline:
-    """Outline of one pitch of a gear; all teeth are alike.
+    """Outline of one pitch of a gear; all teeth are equal.
 
     Parameters
     ----------
     points
-        (x, y) [m] in the transverse plane, counter-clockwise from a place in the root over the tooth on the
-        +x axis to just before the same place of the next root. Make them with `outline_from_tooth` or
-        `outline_from_flanks`, which check that they fit the gear.
+        (x, y) [m] in the transverse plane, counter-clockwise from a point in the root over the tooth on the
+        +x axis to just before the same point of the next root. Use `outline_from_tooth` or
+        `outline_from_flanks`, which check that the points fit the gear.
     """
 
     points: tuple[tuple[float, float], ...]
@@ -71,8 +71,8 @@ class ToothOutline:
 
         Notes
         -----
-        A = ½ ∮ r² dθ and I_p = ¼ ∮ r⁴ dθ with r linear in θ between the points: exact on circles, of second
-        order in the distance of the points elsewhere.
+        A = ½ ∮ r² dθ and I_p = ¼ ∮ r⁴ dθ with r linear in θ between the points: exact on circles, elsewhere
+        with an error of second order in the point spacing.
 
         Examples
         --------
@@ -88,7 +88,7 @@ class ToothOutline:
         return z * area, z * polar
 
     def gap(self, gear: CylindricalGear, flank: str, roll: ArrayLike) -> FloatArray:
-        """Material missing on a flank against the nominal involute, along the transverse base tangent.
+        """Missing material of a flank relative to the nominal involute, along the transverse base tangent.
 
         Parameters
         ----------
@@ -97,18 +97,18 @@ class ToothOutline:
         flank
             "left" or "right".
         roll
-            Lengths of roll [m], shape (n,).
+            Roll lengths [m], shape (n,).
 
         Returns
         -------
         ndarray, shape (n,)
-            [m], positive = gap. Linear between the points, constant beyond them.
+            Gap [m], positive for missing material. Linear between the points, constant beyond them.
 
         Notes
         -----
-        A point at the radius r with the half tooth angle ψ lies on the involute of the base circle that is
-        turned by ψ − ψ(r) against the nominal one; both are r_b (ψ(r) − ψ) apart along their common
-        tangents of the base circle. A wrong tooth thickness counts like any other deviation.
+        A point at the radius r with the half tooth angle ψ is on an involute of the base circle rotated by
+        ψ − ψ(r) relative to the nominal one; their distance is r_b (ψ(r) − ψ) along the tangents of the base
+        circle. A deviation of the tooth thickness is included.
         """
         right, left = sides(self.plane)
         path = self.plane[left] if flank == "left" else self.plane[right].conj()
@@ -123,17 +123,17 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
     Parameters
     ----------
     gear
-        The gear to which the tooth belongs, without an outline of its own.
+        The gear of the tooth, without an outline.
     points
-        Shape (n, 2) [m], in order over the tooth on the +x axis, either way round; the point that closes the
-        pitch may be there or not.
+        Shape (n, 2) [m], in order over the tooth on the +x axis, in either direction; the closing point of
+        the pitch is optional.
     part
         Name for messages.
 
     Raises
     ------
     OutlineError
-        If the points are not a closed, simple outline of one pitch, or lie off the nominal tooth by more than
+        If the points are not a closed, simple outline of one pitch, or are off the nominal tooth by more than
         `OFF_INVOLUTE` (flank, tip) or `OFF_ROOT` (root).
 
     Examples
@@ -156,7 +156,7 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
         raise OutlineError(
             part,
             int(back[0]),
-            "goes back over the centre line of the tooth",
+            "crosses the centre line of the tooth again",
             remedy="put the points in order",
         )
     check_height(gear, plane, index, part)
@@ -169,22 +169,22 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
 def outline_from_flanks(
     gear: CylindricalGear, left: ArrayLike | None = None, right: ArrayLike | None = None
 ) -> ToothOutline:
-    """Outline with one or both flanks from points and everything else as generated.
+    """Outline with one or both flanks from points, the rest as generated.
 
     Parameters
     ----------
     gear
-        The gear to which the flanks belong, without an outline of its own.
+        The gear of the flanks, without an outline.
     left, right
         Points of the flank, shape (n, 2) [m], from root to tip or back, on their side of the tooth on the +x
-        axis; None = the nominal flank. Beyond its ends a flank continues as the nominal one, turned by the
+        axis; None = the nominal flank. Beyond its ends a flank continues as the nominal one, rotated by the
         deviation there.
 
     Raises
     ------
     OutlineError
-        If a flank has too few points, does not rise steadily, omits too much of the usable flank or lies
-        too far from the nominal one.
+        If a flank has too few points, is not monotonic in radius, omits too much of the usable flank or is
+        too far off the nominal one.
 
     Examples
     --------
@@ -236,7 +236,7 @@ def outline_from_flanks(
 
 
 def _continued(gear: CylindricalGear, nominal: ComplexArray, read: ComplexArray) -> ComplexArray:
-    """A flank from root to tip circle: points in the middle, nominal beyond, joined without a step."""
+    """Flank from root to tip circle: the given points, continued without a step by the nominal flank."""
     height = gear.sign * np.abs(nominal)
     _, missing = missing_material(gear, read)
     turn = missing / abs(gear.r_b)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks common to cylindrical and bevel gears and their pairs: order, limits, messages.
+"""Checks common to cylindrical and bevel gears and their pairs: limits and messages.
 
-`problems` and `bevel.problems` give numbers and remedies. Nothing here raises: a loader lists all problems.
+`problems` and `bevel_problems` supply values and remedies. No check raises: a loader lists all problems.
 """
 
 from __future__ import annotations
@@ -13,18 +13,18 @@ from typing import Protocol
 from pitchpoint.core.errors import GeometryError, Message
 
 TIP_THICKNESS_LIMIT = 0.2
-"""Normal modules. Thinner tips break or burn through in hardening: a limit of design practice."""
+"""Minimum tip thickness of design practice in normal modules: thinner tips may harden through or break."""
 INTERFERENCE_TOLERANCE = 0.01
-"""Modules along the path of contact: less than what tip diameters, cones and centre distances are made to."""
+"""Tolerated interference along the path of contact in modules, below usual manufacturing tolerances."""
 USABLE_CONTACT_RATIO = 1.1
-"""Below this a pair with undercut teeth does not reliably transfer load from one tooth pair to the next."""
+"""Minimum contact ratio for continuous load transfer of a pair with undercut teeth."""
 NO_PAIR_IN_CONTACT = "leaves moments without a tooth pair in contact"
 Found = tuple[str, str, str, str | None, str]
 """Key, message, value, limit and remedy."""
 
 
 class Gear(Protocol):
-    """What is asked of a gear."""
+    """Properties of a gear that the checks use."""
 
     def problems(self, where: str = "") -> list[Message]:
         """Everything that makes the gear impossible."""
@@ -35,7 +35,7 @@ class Gear(Protocol):
 
 
 class Pair(Protocol):
-    """What is asked of a pair."""
+    """Properties of a pair that the checks use."""
 
     @property
     def gear1(self) -> Gear:
@@ -47,7 +47,7 @@ class Pair(Protocol):
 
     @property
     def eps_alpha_form(self) -> float:
-        """Transverse contact ratio that the involutes leave."""
+        """Transverse contact ratio limited by the root form circles or cones."""
 
     @property
     def eps_beta(self) -> float:
@@ -65,13 +65,13 @@ class Words:
     Parameters
     ----------
     surface
-        What roots and bases are: "circle" or "cone".
+        Root and base surface: "circle" or "cone".
     tangent
-        What touches both bases: "tangent point" or "tangent ray".
+        Limit of the line of action at the base: "tangent point" or "tangent ray".
     path
-        Writes a length of the path of contact.
+        Formats a length of the path of contact.
     heights, shifts, lengths
-        Remedies: for tips in roots, for tips that reach beyond the base, for too short a path.
+        Remedies: for tips in roots, for tips beyond the base, for a path of contact that is too short.
     """
 
     surface: str
@@ -83,12 +83,12 @@ class Words:
 
 
 def at_key(where: str, key: str) -> str:
-    """Place of a key below the place of its part.
+    """Path of a key of a part in the model.
 
     Parameters
     ----------
     where
-        Place of the part, empty for none.
+        Path of the part; may be empty.
     key
         Name of the key.
 
@@ -101,20 +101,20 @@ def at_key(where: str, key: str) -> str:
 
 
 def _placed(where: str, error: GeometryError) -> Message:
-    """The problem of an error, below the place of its part."""
+    """Message of an error, with the path of its part."""
     p = error.problem
     return Message(at_key(where, p.where), p.text, p.value, p.limit, p.remedy)
 
 
 def problems_of_gear(where: str, *checks: Callable[[], Found | None]) -> list[Message]:
-    """First problem that checks of one gear find; those behind it would speak of numbers without meaning.
+    """First problem found by the checks of one gear; later checks would use undefined values.
 
     Parameters
     ----------
     where
-        Place of the gear in its description.
+        Path of the gear in the model.
     checks
-        Each returns a problem or None; a `GeometryError` counts as a problem.
+        Functions that return a problem or None; a `GeometryError` counts as a problem.
 
     Examples
     --------
@@ -134,17 +134,17 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
     Parameters
     ----------
     thickness
-        Normal thickness of the tip in normal modules [-].
+        Normal tip thickness in normal modules [-].
     module
-        How these are called.
+        Symbol of the normal module.
     key, value
-        What makes it thin.
+        Key and value that cause the thin tip.
     remedy
-        What to do.
+        Remedy.
 
     Notes
     -----
-    A pointed tooth cannot be made; a thin one can: FZG gears of type A (ISO 14635-1) have 0.13 m_n.
+    A pointed tooth is not possible, a thin tip is: FZG gears of type A (ISO 14635-1) have 0.13 m_n.
 
     Examples
     --------
@@ -166,14 +166,14 @@ def thin_tip(thickness: float, module: str, key: str, value: str, remedy: str) -
 
 
 def full_rounding(where: str, asked: float, most: float) -> list[Message]:
-    """Check the root radius: larger than the tool allows, the teeth get the full rounding.
+    """Report a root radius larger than the tool allows; the teeth then have full rounding.
 
     Parameters
     ----------
     where
-        Place of the gear in its description.
+        Path of the gear in the model.
     asked, most
-        Root radius that is requested and the largest one, in modules [-].
+        Requested and largest possible root radius, in modules [-].
 
     Examples
     --------
@@ -198,24 +198,24 @@ def problems_of_pair(
     mismatches: Callable[[], list[Message]],
     contact: Callable[[], list[Message]],
 ) -> list[Message]:
-    """Everything that makes a pair impossible: its gears, whether they belong together, then their contact.
+    """Everything that makes a pair impossible: problems of the gears, mismatches, contact problems.
 
     Parameters
     ----------
     pair
         The pair.
     where
-        Place of the pair in its description.
+        Path of the pair in the model.
     names
-        How the messages call the two gears; None leaves the problems of the gears alone out.
+        Names of the gears in the messages; None omits the problems of each gear.
     mismatches, contact
-        Both list problems; `contact` is asked where nothing else is wrong.
+        Functions that list problems; `contact` is called only if there are no others.
     """
     one, two = names or ("", "")
     alone = pair.gear1.problems(one) + pair.gear2.problems(two)
     try:
         found = (alone if names else []) + mismatches()
-        # the rest would only repeat that in other words, with numbers that mean nothing
+        # contact problems of faulty gears would only repeat their problems, with undefined values
         return found if found or alone else contact()
     except GeometryError as error:
         return [*(alone if names else []), _placed(where, error)]
@@ -229,22 +229,22 @@ def unequal(
     names: tuple[str, str],
     key: str,
 ) -> Message:
-    """Check quantities that both gears must share.
+    """Report a quantity that differs between the gears but must be equal.
 
     Parameters
     ----------
     place
-        Place of the gears of the pair in its description.
+        Path of the gears of the pair in the model.
     what
-        What differs, in the plural.
+        Name of the quantity in the plural.
     values
         Values of both gears.
     written
-        Writes one of them.
+        Formats a value.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
     key
-        Key of the gears that states it.
+        Key of the quantity in the model.
 
     Examples
     --------
@@ -258,14 +258,14 @@ def unequal(
 def wrong_hands(
     place: str, hands: tuple[str, str], names: tuple[str, str], internal: bool = False
 ) -> Message:
-    """Check the hands of the helices.
+    """Report hands of the helices that do not match.
 
     Parameters
     ----------
     place
-        Place of the gears of the pair in its description.
+        Path of the gears of the pair in the model.
     hands, names
-        Hands of both gears, and how the messages call them.
+        Hands of both gears, and their names in the messages.
     internal
         Whether the pair is internal.
 
@@ -284,16 +284,16 @@ hand of one gear
 def tips_in_roots(
     place: str, clearances: tuple[float, float], names: tuple[str, str], words: Words
 ) -> list[Message]:
-    """Check the clearance between tips and the mate's roots.
+    """Report negative tip clearances.
 
     Parameters
     ----------
     place
-        Place in the description of the pair.
+        Path of the pair in the model.
     clearances
-        Of the tip of gear 1 in the root of gear 2, and the other way round.
+        Tip clearance of gear 1 in the root of gear 2, and of gear 2 in the root of gear 1.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
     words
         Terms of the messages.
 
@@ -319,27 +319,27 @@ def tips_in_roots(
 def interferences(
     pair: Pair, place: str, beyond: Iterable[float], slack: float, names: tuple[str, str], words: Words
 ) -> list[Message]:
-    """Check tips for contact beyond the mate's base.
+    """Report interference of tips beyond the mate's base circle or cone.
 
     Parameters
     ----------
     pair
         The pair.
     place
-        Place of the gears of the pair in its description.
+        Path of the gears of the pair in the model.
     beyond
-        How far the tip of gear 2 reaches beyond the base of gear 1, then that of gear 1 beyond the other.
+        Travel of the tip of gear 2 beyond the base of gear 1, then of gear 1 beyond the base of gear 2.
     slack
-        How far it may.
+        Tolerated travel.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
     words
         Terms of the messages.
 
     Notes
     -----
-    A rack or crown gear reaches deeper than any mate's tip: where it has undercut the gear, nothing is left
-    to collide with, and the question is only whether enough involute remains to carry the motion.
+    The generating rack or crown gear reaches deeper than the tip of any mate: an undercut gear has no
+    material there to interfere with, and only the remaining contact ratio matters.
     """
     remains = pair.eps_alpha_form + pair.eps_beta
     found = []
@@ -361,28 +361,28 @@ def odd_contact(
     names: tuple[str, str],
     words: Words,
 ) -> list[Message]:
-    """List what is unusual about the contact of a feasible pair.
+    """Report unusual properties of the contact of a possible pair.
 
     Parameters
     ----------
     pair
         The pair.
     place
-        Place of the gears of the pair in its description.
+        Path of the gears of the pair in the model.
     ends
-        Of gear 1 and gear 2: how much of the path of contact the involute lacks, and where it ends instead.
+        For gear 1 and gear 2: length of the path of contact beyond the involute, and the limit as text.
     slack
-        How much it may lack.
+        Tolerated length.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
     words
         Terms of the messages.
 
     Notes
     -----
-    Where a tip reaches below the mate's root form circle or cone the geometry still follows the tips (as
-    published contact ratios do), but the involute ends sooner, in a fillet or an undercut. It depends on the
-    tool, which is rarely known exactly. A total contact ratio below one leaves moments without contact.
+    If a tip reaches below the mate's root form circle or cone, the path of contact is still that of the tips
+    (as in published contact ratios), although the involute ends earlier, depending on the tool, which is
+    rarely known exactly. A total contact ratio below 1 leaves moments without contact.
     """
     found = []
     for (missing, limit), mate, tip, name in zip(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Thickness of a tooth wherever it is requested: on a circle, at the tip, as a chord (ISO 21771, DIN 3960).
+"""Tooth thickness on a circle, at the tip and as a chord (ISO 21771, DIN 3960).
 
-Diameters are signed like the gear's (negative for internal gears); thicknesses come out positive.
+Diameters are signed like those of the gear (negative for internal gears); thicknesses are positive.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ def transverse_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
     Returns
     -------
     float
-        s_yt = d_y (s_t/d + inv α_t − inv α_yt) [m]; zero or negative where the tooth has come to a point.
+        s_yt = d_y (s_t/d + inv α_t − inv α_yt) [m]; zero or negative if the tooth is pointed below d_y.
 
     Raises
     ------
@@ -132,7 +132,7 @@ def normal_tooth_thickness(gear: CylindricalGear, d_y: float) -> float:
 
 
 def normal_space_width(gear: CylindricalGear, d_y: float) -> float:
-    """Normal width of the tooth space on a cylinder, between the involutes (fillets not counted).
+    """Normal space width on a cylinder, between the involutes (without fillets).
 
     Parameters
     ----------
@@ -166,11 +166,11 @@ def tip_thickness(gear: CylindricalGear) -> float:
     Returns
     -------
     float
-        s_an [m]; negative if the flanks cross before the tip.
+        s_an [m]; negative if the flanks cross below the tip.
 
     Examples
     --------
-    Stage 3 of the 5 MW gearbox; the KISSsoft report prints 8.800 mm:
+    Stage 3 of the 5 MW gearbox; the KISSsoft report gives 8.800 mm:
 
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
     >>> pinion = CylindricalGear(z=24, m_n=0.014, beta=math.radians(10), x=0.48, tip_diameter=0.380747)
@@ -181,7 +181,7 @@ def tip_thickness(gear: CylindricalGear) -> float:
 
 
 def chordal_thickness(gear: CylindricalGear) -> tuple[float, float]:
-    """Normal chord of the tooth at the reference cylinder and its height below the tip.
+    """Normal chordal tooth thickness at the reference cylinder, and chordal height.
 
     Parameters
     ----------

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangles from files, STL (binary and text) or NumPy, and everything that can be wrong with them.
+"""Read and check triangulated surfaces from STL (binary and text) and NumPy files.
 
-Binary STL: 80 bytes of anything, the number of triangles as 32-bit integer, then for each of them normal and
-three corners as 32-bit floats and two spare bytes. Text: `facet normal x y z`, three `vertex x y z`,
-`endfacet`; several solids may follow each other. A file whose length matches its number of triangles
-is binary, even if it begins with the word solid, as some do.
+Binary STL: a header of 80 bytes, the number of triangles as 32-bit integer, then for each triangle the normal
+and three corners as 32-bit floats and two spare bytes. Text: `facet normal x y z`, three `vertex x y z`,
+`endfacet`; a file may have several solids. A file whose length matches its number of triangles is binary,
+even if it begins with the word solid, as some do.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ FloatArray = NDArray[np.float64]
 
 MOST_BYTES = 100_000_000
 MOST_TRIANGLES = 50_000
-"""Triangles of one surface; more of them take longer to prepare than any contact needs."""
+"""Maximum number of triangles of a contact surface, limited by the time of preparation."""
 SMALLEST, LARGEST = 2e-4, 20.0
-"""Sizes of a body that contact is looked for on [m]; others are a wrong unit."""
+"""Plausible sizes of a contact body [m]; others indicate a wrong unit."""
 FLAT = 1e-9
-"""Height of a triangle over the size of the surface below which it has no area."""
+"""Height of a triangle relative to the size of the surface below which it is degenerate."""
 
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")])
 _HEAD = 84
@@ -45,28 +45,28 @@ _UNREADABLE = (
     MemoryError,
     TokenError,
 )
-"""What NumPy raises of a broken header, which it reads as Python."""
+"""Exceptions that NumPy raises for a damaged header, which it parses as Python."""
 _NORMAL = re.compile(rb"\bfacet\s+normal" + _VECTOR, re.IGNORECASE)
 _VERTEX = re.compile(rb"\bvertex" + _VECTOR, re.IGNORECASE)
 _END = re.compile(rb"\bendfacet\b", re.IGNORECASE)
 
 
 def join_corners(corners: ArrayLike, tolerance: float = 1e-9) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Number the corners of triangles, those in one place as one.
+    """Index the corners of triangles, with coincident corners merged.
 
     Parameters
     ----------
     corners
         Shape (n, 3, 3).
     tolerance
-        Distance below which corners are the same, as a part of the size of the surface.
+        Distance below which corners are merged, relative to the size of the surface.
 
     Returns
     -------
     ndarray, shape (m,)
-        For every place the first corner there, counted through all triangles.
+        Index of the first corner at every distinct point, counted over all triangles.
     ndarray, shape (n, 3)
-        Number of the place of every corner.
+        Index of the distinct point of every corner.
 
     Examples
     --------
@@ -82,14 +82,14 @@ def join_corners(corners: ArrayLike, tolerance: float = 1e-9) -> tuple[NDArray[n
 
 @dataclass(frozen=True)
 class Triangles:
-    """Triangles of a file, in its unit.
+    """Triangles of a file, in the unit of the file.
 
     Parameters
     ----------
     corners
-        Shape (n, 3, 3).
+        Corners, shape (n, 3, 3).
     normals
-        As the file gives them, zeros where it gives none, shape (n, 3).
+        Normals in the file, zero if it has none, shape (n, 3).
     """
 
     corners: FloatArray
@@ -106,12 +106,12 @@ def read_triangles(file: str | Path) -> Triangles:
     Parameters
     ----------
     file
-        A NumPy array (.npy) of shape (n, 3, 3), or STL, in binary or as text.
+        A NumPy array (.npy) of shape (n, 3, 3), or an STL file, binary or text.
 
     Raises
     ------
     GeometryError
-        If it cannot be read or is none of these.
+        If the file cannot be read or is not one of these.
 
     Examples
     --------
@@ -179,7 +179,7 @@ def _stl(name: str, data: bytes) -> Triangles:
 
 
 def _numbers(name: str, data: bytes, found: list[re.Match[bytes]]) -> FloatArray:
-    """Vectors of all matches; the line of the first that is none."""
+    """Vectors of all matches; raise with the line of the first that is not a vector."""
     try:
         return np.array([match.groups() for match in found]).astype(float).reshape(-1, 3)
     except ValueError:
@@ -201,7 +201,7 @@ def triangle_faults(
     *,
     most: int = MOST_TRIANGLES,
 ) -> list[Message]:
-    """What is wrong with a surface of triangles, worst first; what hides other faults comes alone.
+    """Faults of a triangulated surface, the most severe first; a fault that prevents other checks is alone.
 
     Parameters
     ----------
@@ -210,11 +210,11 @@ def triangle_faults(
     unit
         Length of one unit of the file [m].
     open_edges
-        Whether the surface may have borders.
+        Whether the surface may be open.
     hollow
-        Whether the material is meant to lie outside, so that the triangles will be reversed.
+        Whether the material is outside the surface, so that the triangles will be reversed.
     most
-        Triangles that are not too many.
+        Maximum number of triangles.
 
     Examples
     --------
@@ -239,19 +239,19 @@ def triangle_faults(
 
 
 def _first(bad: NDArray[np.bool_]) -> int:
-    """Number of the first one, counted from 1 as programs do that show STL files."""
+    """Number of the first true element, counted from 1 as in STL viewers."""
     return int(np.argmax(bad)) + 1
 
 
 def _of_triangles(found: Triangles) -> list[Message]:
-    """Triangles without area, and normals that look the other way."""
+    """Faults of degenerate triangles and reversed normals."""
     corners = found.corners
     edges = np.roll(corners, -1, axis=1) - corners
     across = np.cross(edges[:, 0], edges[:, 1])
     longest = np.linalg.norm(edges, axis=2).max(axis=1)
     size = np.linalg.norm(across, axis=1)
     faces = join_corners(corners)[1]
-    points = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # two corners in one place: omitted, no harm
+    points = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # coincident corners: harmless, omitted later
     whole = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
     looked_at = np.full(len(points), True) if points.all() else ~points
     flat = looked_at & (size <= FLAT * whole * np.maximum(longest, 1e-300))
@@ -270,9 +270,9 @@ def _of_triangles(found: Triangles) -> list[Message]:
         faults.append(
             Message(
                 "",
-                f"run against their normals, the first is number {_first(against)}",
+                f"are opposite to their normals, the first is number {_first(against)}",
                 f"{int(against.sum())} of {len(corners)} triangles",
-                remedy="let the program that made it correct the normals: corners run counter-clockwise "
+                remedy="correct the normals in the program that created it: corners are counter-clockwise "
                 "seen from outside",
             )
         )
@@ -280,7 +280,7 @@ def _of_triangles(found: Triangles) -> list[Message]:
 
 
 def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Message]:
-    """Edges that are walked twice the same way or only once, and the sign of the volume."""
+    """Faults of edges used twice in one direction or only once, and of the sign of the volume."""
     faces = join_corners(corners)[1]
     faces = faces[(faces != np.roll(faces, 1, axis=1)).all(axis=1)]
     one, two = faces.ravel(), np.roll(faces, -1, axis=1).ravel()
@@ -291,10 +291,10 @@ def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Messa
         return [
             Message(
                 "",
-                "are walked the same way by two triangles",
+                "are used in the same direction by two triangles",
                 f"{twice} edges",
                 "0",
-                "turn the flipped triangles round, and let no more than two meet at an edge",
+                "reverse the flipped triangles; no more than two triangles may share an edge",
             )
         ]
     back = (walked % many) * many + walked // many
@@ -311,13 +311,13 @@ def _of_edges(corners: FloatArray, open_edges: bool, hollow: bool) -> list[Messa
         ]
     volume = float(np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))) / 6.0
     if not border and volume < 0.0:
-        more = "; hollow: true turns it round a second time" if hollow else ""
-        return [Message("", "is inside out", None, None, f"turn its triangles round{more}")]
+        more = "; hollow: true reverses them a second time" if hollow else ""
+        return [Message("", "is inside out", None, None, f"reverse its triangles{more}")]
     return []
 
 
 def placed_triangles(found: Triangles, unit: float, hollow: bool = False) -> FloatArray:
-    """Corners in metres, counter-clockwise seen from where there is no material, shape (n, 3, 3).
+    """Corners in metres, counter-clockwise seen from outside the material, shape (n, 3, 3).
 
     Parameters
     ----------
@@ -326,7 +326,7 @@ def placed_triangles(found: Triangles, unit: float, hollow: bool = False) -> Flo
     unit
         Length of one unit of the file [m].
     hollow
-        Material outside: the triangles are reversed.
+        Whether the material is outside the surface; the triangles are then reversed.
 
     Examples
     --------

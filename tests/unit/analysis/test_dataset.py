@@ -199,7 +199,7 @@ def test_single_precision_is_analysed_in_double(record):
             {"channel": "force", "signal_to_noise": 1, "seed": [1, 2.5]},
             "several whole numbers",
         ),
-        (("gear_signals",), {"channel": "force", "teeth": 17}, "make it with synchronous_average"),
+        (("gear_signals",), {"channel": "force", "teeth": 17}, "create it with synchronous_average"),
         (("order_map",), {"channel": "force", "angle": "turn"}, "needs the option highest_order"),
         (("order_map",), {"channel": "force", "highest_order": float("nan")}, "is nan (limit a number)"),
         (("resample_over_angle",), {"channel": "force"}, "channels in rad or rad/s are: turn, speed"),
@@ -208,7 +208,7 @@ def test_single_precision_is_analysed_in_double(record):
             {"channel": "force", "angle": "travel"},
             "travel is in m/s^2 (limit rad or rad/s)",
         ),
-        (("order_spectrum",), {"channel": "force"}, "runs over time and not over an angle"),
+        (("order_spectrum",), {"channel": "force"}, "is over time, not over an angle"),
     ],
 )
 def test_wrong_questions_get_a_sentence(record, arguments, options, sentence):
@@ -218,7 +218,7 @@ def test_wrong_questions_get_a_sentence(record, arguments, options, sentence):
 
 
 def test_a_signal_over_an_angle_has_no_sample_rate(record):
-    with pytest.raises(SignalError, match="runs over an angle and not over time"):
+    with pytest.raises(SignalError, match="is over an angle, not over time"):
         analyse(over_angle(record), "amplitude_spectrum", channel="values")
 
 

@@ -105,7 +105,7 @@ def test_healthy_signals_raise_no_more_alarms_than_allowed(machine: tuple) -> No
 def test_too_few_turns_are_told_and_constant_channels_refused() -> None:
     _, x = _signal(SHOVEL, 5)
     found = diagnose({"acc": x}, SHOVEL[1], SHOVEL[0])
-    assert "too few turns of shaft 4 (1.4); needs about 3" in found.untested
+    assert "too few revolutions of shaft 4 (1.4); needs about 3" in found.untested
     with pytest.raises(SignalError, match="acc: is constant"):
         diagnose({"acc": np.ones(1000)}, 128.0, PAIR[0])
 
@@ -137,7 +137,7 @@ def test_a_bearing_on_a_harmonic_of_a_shaft_is_named_with_the_gear(passes: float
     findings, untested = _of_struck(passes, passes)
     assert findings == [("local fault", "shaft 1", ("Z1",), ("outer ring of left",))]
     assert any(
-        text.startswith("outer ring of left cannot be distinguished from the turns") for text in untested
+        text.startswith("outer ring of left cannot be distinguished from shaft orders") for text in untested
     )
 
 
@@ -149,7 +149,7 @@ def test_a_difference_that_the_record_does_not_resolve_is_told() -> None:
     # 0.4 lines of a record of 100 turns
     findings, untested = _of_struck(3.004, 3.004)
     assert all(finding[0] != "bearing" for finding in findings)
-    assert any("cannot be distinguished from the turns of a shaft" in text for text in untested)
+    assert any("cannot be distinguished from shaft orders" in text for text in untested)
 
 
 def test_passing_balls_of_a_healthy_bearing_are_neither_sidebands_nor_damage() -> None:
@@ -199,5 +199,5 @@ def test_teeth_that_another_mesh_makes_unequal_are_not_one_damaged_tooth(one: fl
     assert comb.found
     assert [(f.kind, f.shaft) for f in found.findings] == ([("local fault", "shaft 2")] if one else [])
     assert any(
-        t.startswith("all orders stand out of shaft 2 (in acc), but not") for t in found.unreported
+        t.startswith("all orders of shaft 2 (in acc) stand out, but not") for t in found.unreported
     ) == (not one)

@@ -53,7 +53,7 @@ def test_a_ball_is_not_named_for_the_sidebands_of_an_inner_ring() -> None:
     (ball,) = [e for e in found.evidence if e.shaft == "rolling element"]
     assert ball.probability < 0.01 and ball.explained == "inner ring of left" and not ball.found
     assert (
-        "explained by inner ring of left, without whose lines nothing of it stands out: "
+        "explained by inner ring of left, without whose lines it is not significant: "
         "rolling element of left in acc"
     ) in found.unreported
 

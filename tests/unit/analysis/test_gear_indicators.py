@@ -174,11 +174,11 @@ def test_envelope_keeps_amplitude_and_forgets_phase() -> None:
 def test_records_without_meaning_are_refused() -> None:
     mesh = mesh_vibration(ANGLE, 20)
     for message, wrong in [
-        ("residual signal is empty", lambda: gear_indicators(mesh, teeth=20)),
-        ("residual signal is empty", lambda: na4([mesh], teeth=20)),
+        ("residual signal is only round-off", lambda: gear_indicators(mesh, teeth=20)),
+        ("residual signal is only round-off", lambda: na4([mesh], teeth=20)),
         ("average: is constant at 2", lambda: gear_indicators(np.full(64, 2.0), teeth=20)),
-        ("holds no harmonic of 21 teeth", lambda: gear_indicators(np.cos(5 * ANGLE), teeth=21)),
-        ("1024 samples per turn lose every harmonic of 512 teeth", lambda: gear_signals(mesh, teeth=512)),
+        ("has no harmonic of 21 teeth", lambda: gear_indicators(np.cos(5 * ANGLE), teeth=21)),
+        ("1024 samples per revolution are too few for 512 teeth", lambda: gear_signals(mesh, teeth=512)),
         ("teeth: 3 .limit: a whole number >= 4", lambda: gear_signals(mesh, teeth=3)),
         ("every order is a mesh harmonic", lambda: gear_signals(NOISE[:16], teeth=[4, 6])),
         ("order: 5 .limit an even number", lambda: standardised_moment(mesh, 5)),

@@ -53,7 +53,7 @@ def test_default_grid_invents_nothing() -> None:
 
 def test_a_shaft_that_turns_back_is_refused() -> None:
     t = np.linspace(0.0, 1.0, 100)
-    with pytest.raises(SignalError, match="turns back after sample"):
+    with pytest.raises(SignalError, match="reverses after sample"):
         resample_over_angle(np.zeros(100), t - 1.5 * t**2)
     with pytest.raises(SignalError, match="fewer|less than three steps"):
         resample_over_angle(np.zeros(100), 0.01 * t, samples_per_revolution=10)

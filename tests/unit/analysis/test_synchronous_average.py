@@ -153,8 +153,8 @@ def test_faulty_tooth_in_noise_on_a_run_up_over_a_gear_chain() -> None:
 @pytest.mark.parametrize(
     ("length", "settings_", "message"),
     [
-        (0.99, {}, "turns 0.99 revolutions .limit 1 whole turn."),
-        (3.0, {"ratio": Fraction(1, 5)}, "turns 0.6 revolutions"),
+        (0.99, {}, "covers 0.99 revolutions of the averaged shaft .limit 1 revolution."),
+        (3.0, {"ratio": Fraction(1, 5)}, "covers 0.6 revolutions"),
         (3.0, {"ratio": 0.447}, "build it from tooth counts"),
         (3.0, {"ratio": Fraction(-1, 2)}, "ratio"),
         (3.0, {"samples_per_turn": 7}, "samples_per_turn: 7"),

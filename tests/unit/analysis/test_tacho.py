@@ -167,7 +167,7 @@ def test_wrong_settings_are_refused() -> None:
         rising_edges(sine, TIME, hysteresis=0.5)
     with pytest.raises(SignalError, match="more than half a pitch of 400 pulses"):
         pulse_train(TURN * 30.0 * TIME, pulses_per_revolution=400)
-    with pytest.raises(SignalError, match="stops or turns back"):
+    with pytest.raises(SignalError, match="stops or reverses"):
         pulse_train(sine, pulses_per_revolution=1)
 
 
@@ -178,7 +178,7 @@ def test_angle_channel_wrapped_or_not() -> None:
     # differences of second order are exact for a parabola
     np.testing.assert_allclose(plain.speed, TURN * (5.0 + 8.0 * TIME), rtol=1e-7)
     assert plain.first_sample == 0 and plain.pulse_time.size == 0
-    with pytest.raises(SignalError, match="does not turn"):
+    with pytest.raises(SignalError, match="does not rotate"):
         angle_channel(np.zeros(40_000), TIME)
 
 

@@ -62,7 +62,7 @@ def test_outline_goes_once_round_without_needless_corners():
     [
         ([], "has no sections"),
         ([(0.1, 0.04, 0.04)], "sections.0: length 0.1 m, diameter 0.04 m, bore 0.04 m is not a piece"),
-        ([(0.1, 0.04, 0.0), (0.1, 0.08, 0.05)], "touches the section before it nowhere"),
+        ([(0.1, 0.04, 0.0), (0.1, 0.08, 0.05)], "does not touch the preceding section"),
         ([(math.nan, 0.04, 0.0)], "is not a piece of a shaft"),
     ],
 )
@@ -72,5 +72,5 @@ def test_what_is_no_shaft_is_refused(sections, said):
 
 
 def test_a_circle_has_three_corners_at_least():
-    with pytest.raises(GeometryError, match="n_round: 2 make no circle"):
+    with pytest.raises(GeometryError, match="n_round: 2 corners are too few"):
         shaft_solid(STEPPED, 2)

@@ -139,7 +139,7 @@ GOOD = stl.binary(box(30.0, 20.0, 10.0))
 @pytest.mark.parametrize(
     "name, data, unit, said",
     [
-        ("a.iges", b"", 1e-3, "'a.iges' is not a kind of solid that is read .limit .step"),
+        ("a.iges", b"", 1e-3, "'a.iges' is not a supported file type .limit .step"),
         ("a.stl", GOOD, None, "unit: is missing: an STL file does not contain its unit"),
         ("a.stl", GOOD[:-10], 1e-3, "which is not a whole STL file"),
         ("a.stl", GOOD[:50], 1e-3, "is not an STL file"),

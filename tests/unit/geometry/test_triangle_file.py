@@ -87,14 +87,14 @@ FAULTS = {
     "millimetres taken as metres": (triangles(10.0 * BOX), {"unit": 1.0}, "is an unlikely size"),
     "one place": (triangles(np.zeros((4, 3, 3))), {}, "is an unlikely size"),
     "no area": (triangles(SLIVER), {"open_edges": True}, "have no area, the first is number 49"),
-    "reversed": (triangles(TURNED), {}, "are walked the same way by two triangles"),
+    "reversed": (triangles(TURNED), {}, "are used in the same direction by two triangles"),
     "a hole": (triangles(BOX[1:]), {}, "belong to one triangle only"),
     "a crack": (triangles(moved((3, 1), 0.01)), {}, "belong to one triangle only"),
     "inside out": (triangles(BOX[:, ::-1]), {}, "is inside out"),
     "against its normals": (
         triangles(BOX, -np.ones((48, 1)) * np.cross(BOX[:, 1] - BOX[:, 0], BOX[:, 2] - BOX[:, 0])),
         {},
-        "run against their normals, the first is number 1",
+        "are opposite to their normals, the first is number 1",
     ),
 }
 

@@ -144,8 +144,8 @@ BAD: dict[str, tuple[list[str], str, list[str]]] = {
     "words": (changed(9, "12 mm,1"), "tooth: real.csv", ["line 9", "'12 mm,1'"]),
     "missing value": (changed(9, "12"), "tooth: real.csv", ["line 9", "is not a point"]),
     "empty": ([], "tooth: real.csv", ["without a heading"]),
-    "heading only": ([HEAD], "tooth: real.csv", ["0 points do not describe it", "10 to 2000"]),
-    "few points": (GOOD[:8], "tooth: real.csv", ["7 points do not describe it", "10 to 2000"]),
+    "heading only": ([HEAD], "tooth: real.csv", ["0 points are too few", "10 to 2000"]),
+    "few points": (GOOD[:8], "tooth: real.csv", ["7 points are too few", "10 to 2000"]),
     "half a tooth": (GOOD[:24], "tooth: real.csv", ["same side of the x axis", "line 2"]),
     "not closed": (GOOD[:-12], "tooth: real.csv", ["not closed", "line 40", "0.6 mm", "0.2 m_n"]),
     "wrong unit": (
@@ -166,7 +166,7 @@ BAD: dict[str, tuple[list[str], str, list[str]]] = {
         "tooth: real.csv",
         ["off the nominal involute", "0.6 mm, 0.2 m_n", "line "],
     ),
-    "points out of order": (swapped(14, 17), "tooth: real.csv", ["turns back", "line 15"]),
+    "points out of order": (swapped(14, 17), "tooth: real.csv", ["reverses", "line 15"]),
     "two points of the root exchanged": (swapped(3, 6), "tooth: real.csv", ["crosses itself", "line "]),
     "wrong flank": (flank_lines(0.0, -1.0), "left: real.csv", ["other side of the tooth", "y > 0"]),
     "short flank": (

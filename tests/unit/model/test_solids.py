@@ -306,7 +306,7 @@ def test_what_is_wrong_with_a_solid_is_told_with_its_line(folder: Path, parts: d
         ("gear.stl, unit: 1 mm", "gear.stl", "solid.unit .line 4.: is missing: an STL file does not contain"),
         ("gear.stl, unit: 1 mm", "gear.stl, unit: 1 km", "is an unlikely size"),
         ("file: gear.stl", "file: box.stl", "is not round about an axis"),
-        ("file: gear.stl", "file: model.yaml", "'model.yaml' is not a kind of solid"),
+        ("file: gear.stl", "file: model.yaml", "'model.yaml' is not a supported file type"),
         ("file: box.stl", "file: open.stl", "3 edges belong to one triangle only"),
         ("file: box.stl", "file: cut.stl", "is not a whole STL file"),
     ],

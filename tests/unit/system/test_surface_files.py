@@ -192,7 +192,7 @@ CASES = {
         "surface_contacts.c.first.file",
         "3 edges belong to one triangle only",
     ),
-    "turned": (PLATE, [], binary(TURNED), "surface_contacts.c.first.file", "are walked the same way"),
+    "turned": (PLATE, [], binary(TURNED), "surface_contacts.c.first.file", "are used in the same direction"),
     "inside out": (PLATE, [], binary(BOX[:, ::-1]), "surface_contacts.c.first.file", "is inside out"),
     "cut off": (PLATE, [], ROUND[:-9], "surface_contacts.c.first.file", "not a whole STL file"),
     "not there": (PLATE, [], None, "surface_contacts.c.first.file", "names a file that is not there"),

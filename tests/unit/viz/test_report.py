@@ -189,7 +189,7 @@ def test_short_uneven_and_standing_runs(model: ReportModel) -> None:
     text = report_html(model, results)
     Page(text)
     assert "stopped: &lt;the step became too small&gt;" in text
-    assert "turns back" in text
+    assert "reverses" in text
     assert "<h3>2 samples</h3>" in text
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Body of a bevel gear behind its teeth, and mass and moments of inertia of both.
+"""Blank of a bevel gear, and mass and moments of inertia of blank and teeth.
 
-Frame of the gear: apex at the origin, third axis into the gear. The teeth end on cones perpendicular to the
-pitch cone, the back cone at R_e and its like at R_i.
+Gear frame: apex at the origin, z axis into the gear. The teeth end on two cones perpendicular to the pitch
+cone: the back cone at R_e and the inner complementary cone at R_i.
 
 Derivation: docs/theory/bevel_gears.md, "Solid and mass".
 """
@@ -25,19 +25,19 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 _NODES = 48
-"""Gauss points of each smooth part: fillet and involute are analytic, so this is round-off."""
+"""Gauss points each for fillet and involute: both are analytic, the error is at round-off level."""
 
 
 @dataclass(frozen=True)
 class BevelBlank:
-    """Half section of the body behind the teeth: corners as (radius, height) in the frame of the gear [m].
+    """Half section of the blank: corners as (radius, height) in the gear frame [m].
 
     Parameters
     ----------
     toe, heel
         Ends of the root cone at R_i and R_e.
     back
-        Where the back cone ends, `rim_thickness` behind the root.
+        End of the back cone, `rim_thickness` below the root.
     bore
         Radius of the bore [m], 0 for none.
     """
@@ -49,12 +49,12 @@ class BevelBlank:
 
     @property
     def corners(self) -> list[tuple[float, float]]:
-        """The section, counter-clockwise with the radius to the right and the height upwards."""
+        """Corners of the section, counter-clockwise with the radius to the right and the height upwards."""
         return [self.toe, self.heel, self.back, (self.bore, self.back[1]), (self.bore, self.toe[1])]
 
 
 def bevel_blank(gear: BevelGear, bore_diameter: float, rim_thickness: float | None) -> BevelBlank:
-    """Body behind the teeth of a bevel gear.
+    """Blank of a bevel gear.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def bevel_blank(gear: BevelGear, bore_diameter: float, rim_thickness: float | No
     bore_diameter
         Bore [m], 0 for none.
     rim_thickness
-        Thickness behind the root at the outer end, along the back cone [m]; None takes the whole depth there.
+        Thickness below the root at the outer end, along the back cone [m]; None: the whole depth there.
 
     Raises
     ------
@@ -72,8 +72,8 @@ def bevel_blank(gear: BevelGear, bore_diameter: float, rim_thickness: float | No
 
     Notes
     -----
-    The front is a plane through the inner end of the root cone, the back one through the end of the back
-    cone. A body as thick as the teeth are deep is the least of usual practice.
+    The front plane goes through the inner end of the root cone, the rear plane through the end of the back
+    cone. A rim as thick as the whole depth is the minimum of usual practice.
 
     Examples
     --------
@@ -91,7 +91,7 @@ def bevel_blank(gear: BevelGear, bore_diameter: float, rim_thickness: float | No
         )
 
     def root(R: float) -> tuple[float, float]:
-        """Root cone at the cone distance R."""
+        """Point of the root cone at the cone distance R."""
         r = R / math.cos(gear.theta_f)
         return r * math.sin(delta_f), r * math.cos(delta_f)
 
@@ -105,7 +105,7 @@ def bevel_blank(gear: BevelGear, bore_diameter: float, rim_thickness: float | No
             limit=f"{1e3 * heel[0] / math.cos(delta):.6g} mm",
             remedy="make it thinner",
         )
-    # the drawn solid joins the feet of the teeth by straight lines; the bore must stay inside of these
+    # chords connect the tooth roots of the triangulated solid; the bore must not cross them
     limit = min(toe[0] * math.cos(math.pi / gear.z), back[0])
     if not 0.0 <= bore_diameter < 2.0 * limit:
         raise GeometryError(
@@ -119,7 +119,7 @@ def bevel_blank(gear: BevelGear, bore_diameter: float, rim_thickness: float | No
 
 
 def revolved(corners: list[tuple[float, float]]) -> FloatArray:
-    """Integrals over the solid of revolution of a polygon.
+    """Volume integrals of the solid of revolution of a polygon.
 
     Parameters
     ----------
@@ -129,16 +129,16 @@ def revolved(corners: list[tuple[float, float]]) -> FloatArray:
     Returns
     -------
     ndarray, shape (4,)
-        Volume [m³], and the integrals of z [m⁴], z² [m⁵] and x² + y² [m⁵] over it.
+        Volume [m³] and the volume integrals of z [m⁴], z² [m⁵] and x² + y² [m⁵].
 
     Notes
     -----
-    Every edge is a frustum of a cone: by Gauss's theorem the integrals are those of r²/2, r² z/2, r² z²/2
-    and r⁴/4 along the edges over dz, times 2π; polynomials of degree 4, exact with three Gauss points.
+    Every edge generates a conical frustum. By Gauss's theorem the integrals are 2π times those of r²/2,
+    r² z/2, r² z²/2 and r⁴/4 over dz along the edges: polynomials of degree 4, exact with three Gauss points.
 
     Examples
     --------
-    A cone: π r² h / 3, its centre of mass h/4 above the base.
+    Cone: volume π r² h / 3, centre of mass h/4 above the base.
 
     >>> volume, moment, _, _ = revolved([(0.0, 0.0), (1.0, 0.0), (0.0, 3.0)])
     >>> round(float(volume / math.pi), 12), round(float(moment / volume), 12)
@@ -155,7 +155,7 @@ def revolved(corners: list[tuple[float, float]]) -> FloatArray:
 
 
 def toothed(gear: BevelGear) -> FloatArray:
-    """Integrals as in `revolved` over the teeth of a bevel gear, from the root cone outwards.
+    """Volume integrals, as in `revolved`, of the teeth of a bevel gear above the root cone.
 
     Parameters
     ----------
@@ -169,9 +169,10 @@ def toothed(gear: BevelGear) -> FloatArray:
 
     Notes
     -----
-    A cone distance r between R_i / cos(δ_y − δ) and R_e / cos(δ_y − δ), a tooth of the angular width 2ψ(δ_y):
-    ∫ r^(k+2) dr in closed form, and the polar angle by Gauss's rule over fillet and involute. A spiral only
-    turns the sections, which changes none of it.
+    At the polar angle δ_y the tooth has the angular width 2ψ(δ_y) and extends from the distance
+    R_i / cos(δ_y − δ) to R_e / cos(δ_y − δ). ∫ r^(k+2) dr is in closed form, the integral over the polar
+    angle is by Gauss's rule over fillet and involute. A spiral only rotates the sections, which does not
+    change the integrals.
 
     Examples
     --------
@@ -204,16 +205,16 @@ def toothed(gear: BevelGear) -> FloatArray:
 def bevel_mass(
     gear: BevelGear, density: float, *, bore_diameter: float = 0.0, rim_thickness: float | None = None
 ) -> RoundMass:
-    """Mass and moments of inertia of a bevel gear with its body.
+    """Mass and moments of inertia of a bevel gear, blank and teeth.
 
     Parameters
     ----------
     gear
         The gear.
     density
-        [kg/m³].
+        Density [kg/m³].
     bore_diameter, rim_thickness
-        The body, as in `bevel.blank` [m].
+        Size of the blank, as in `bevel_blank` [m].
 
     Returns
     -------
@@ -222,12 +223,12 @@ def bevel_mass(
     Raises
     ------
     GeometryError
-        If there is no such tooth or body.
+        If the tooth or the blank is not possible.
 
     Notes
     -----
-    Three or more equal teeth make the gear isotropic about its axis, so that J_t about the apex is
-    ∫ z² + ½ ∫ (x² + y²), and Steiner's rule leads to the centre of mass.
+    With three or more equal teeth all transverse moments of inertia are equal: about the apex
+    J_t = ∫ z² + ½ ∫ (x² + y²), transferred to the centre of mass by the parallel axis theorem.
 
     Examples
     --------

@@ -26,7 +26,7 @@ def pitch_angles(z1: int, z2: int, Sigma: float) -> tuple[float, float]:
     Raises
     ------
     GeometryError
-        If Σ is not between 0 and π, or if one cone opens to π/2 or more: a crown or internal bevel gear.
+        If Σ is not between 0 and π, or if a pitch cone angle is π/2 or more (crown or internal bevel gear).
 
     Notes
     -----
@@ -56,12 +56,12 @@ def pitch_angles(z1: int, z2: int, Sigma: float) -> tuple[float, float]:
 
 
 def spherical_involute(sigma: float, delta_b: float) -> float:
-    """Azimuth of a point of a spherical involute, counted from its foot on the base cone.
+    """Azimuth of a point of a spherical involute, measured from its start on the base cone.
 
     Parameters
     ----------
     sigma
-        Arc rolled off the base cone, seen from the apex [rad], 0 to π.
+        Arc unrolled from the base cone, seen from the apex [rad], 0 to π.
     delta_b
         Base cone angle [rad].
 
@@ -72,9 +72,9 @@ def spherical_involute(sigma: float, delta_b: float) -> float:
 
     Notes
     -----
-    A great circle rolls on the base circle without slip: its touching point has gone on by σ / sin δ_b, and
-    the point lies the arc σ behind it (right spherical triangle). With δ_b → 0 and σ = δ_b tan α it is the
-    involute function inv α of ISO 21771.
+    A great circle rolls on the base circle without slip: its point of contact has moved by σ / sin δ_b, and
+    the involute point is the arc σ behind it (right spherical triangle). For δ_b → 0 and σ = δ_b tan α, θ is
+    the involute function inv α of ISO 21771.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One straight or spiral bevel gear with spherical involute flanks: what follows from its defining data.
+"""Straight or spiral bevel gear with spherical involute flanks: sizes derived from its defining data.
 
-All cones of a gear share its apex. Its own frame has the apex as origin and the third axis from there into
-the gear; cone angles count from that axis. Symbols follow ISO 23509. Lengths in metres, angles in radians;
-β_m > 0 is a right hand: seen from the apex the teeth turn clockwise on their way outwards.
+All cones of a gear share its apex. The gear frame has its origin at the apex and its z axis into the gear;
+cone angles are measured from that axis. Symbols follow ISO 23509. Lengths in metres, angles in radians;
+β_m > 0 is right hand: seen from the apex the teeth curve clockwise from toe to heel.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pitchpoint.geometry.rack import BasicRack
 
 
 def _number(where: str, value: object, low: float, high: float, limit: str) -> None:
-    """Refuse booleans, NaN and everything outside the open interval."""
+    """Raise for booleans, NaN and numbers outside the open interval."""
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not low < value < high:
         raise GeometryError(
             "is not possible", where=where, value=f"{value!r}", limit=limit, remedy="give a number within"
@@ -46,18 +46,18 @@ class BevelGear:
     beta_m
         Mean spiral angle [rad]; > 0 right hand, < 0 left hand. The teeth are logarithmic spirals.
     x_hm
-        Profile shift coefficient [-]: makes the addendum longer and the tooth thicker.
+        Profile shift coefficient [-]; a positive one lengthens the addendum and thickens the tooth.
     x_sm
         Thickness modification coefficient [-].
     rack
-        Basic rack of the crown gear that makes the teeth, in mean normal modules.
+        Basic rack of the generating crown gear, in mean normal modules.
     thickness_allowance
-        Normal thickness allowance in the middle of the face [m]; negative makes the tooth thinner.
+        Normal tooth thickness allowance at mid-face [m]; a negative one makes the tooth thinner.
 
     Raises
     ------
     GeometryError
-        If a number is not finite or has no meaning. What merely makes a bad gear is listed by `problems`.
+        If a number is not finite or outside its range. `problems` lists what else makes the gear impossible.
 
     Examples
     --------
@@ -117,7 +117,7 @@ class BevelGear:
         Raises
         ------
         GeometryError
-            If a number is outside its range, or the other fields do not make a gear.
+            If a number is outside its range.
 
         Examples
         --------
@@ -154,7 +154,7 @@ class BevelGear:
 
     @property
     def m_n(self) -> float:
-        """The normal module that sizes of its teeth are measured by, m_mn [m]."""
+        """Normal module to which tooth sizes refer, m_mn [m]."""
         return self.m_mn
 
     @property
@@ -250,12 +250,12 @@ class BevelGear:
 
     @cached_property
     def beta_b(self) -> float:
-        """Base spiral angle, tan β_b = tan β_m cos α_t [rad]: of the contact lines to the rays, signed."""
+        """Base spiral angle of the contact lines, tan β_b = tan β_m cos α_t [rad], signed."""
         return math.atan(math.tan(self.beta_m) * math.cos(self.alpha_t))
 
     @cached_property
     def spiral_rate(self) -> float:
-        """Turn of the teeth per ln R, tan β_m / sin δ [rad]: the same on every cone."""
+        """Rotation of the tooth trace per unit of ln R, tan β_m / sin δ [rad]: equal on every cone."""
         return math.tan(self.beta_m) / math.sin(self.delta)
 
     def beta_at(self, delta_y: float) -> float:
@@ -263,12 +263,12 @@ class BevelGear:
         return math.atan(self.spiral_rate * math.sin(delta_y))
 
     def sigma_at(self, delta_y: float) -> float:
-        """Roll up to the cone δ_y, cos δ_y = cos δ_b cos σ_y [rad]; counts on and above the base cone."""
+        """Roll angle at the cone δ_y, cos δ_y = cos δ_b cos σ_y [rad]; 0 below the base cone."""
         leg = math.sin(delta_y + self.delta_b) * math.sin(delta_y - self.delta_b)
         return math.atan2(math.sqrt(max(0.0, leg)), math.cos(delta_y))
 
     def cone_at(self, sigma: float) -> float:
-        """Cone that the roll σ reaches [rad], the inverse of `sigma_at`."""
+        """Cone angle at the roll angle σ [rad], inverse of `sigma_at`."""
         return math.acos(math.cos(self.delta_b) * math.cos(sigma))
 
     @cached_property
@@ -278,17 +278,17 @@ class BevelGear:
 
     @cached_property
     def sigma_w(self) -> float:
-        """Roll up to the pitch cone [rad]."""
+        """Roll angle at the pitch cone [rad]."""
         return self.sigma_at(self.delta)
 
     @cached_property
     def sigma_a(self) -> float:
-        """Roll up to the tip cone [rad]."""
+        """Roll angle at the tip cone [rad]."""
         return self.sigma_at(self.delta_a)
 
     @property
     def sigma_Ff(self) -> float:
-        """Roll where the crown gear's fillet takes over [rad]; see `pitchpoint.geometry.bevel.tooth`."""
+        """Roll angle at the root form cone [rad]; see `pitchpoint.geometry.bevel.tooth`."""
         from pitchpoint.geometry.bevel.tooth import bevel_tooth
 
         return bevel_tooth(self).sigma_form
@@ -303,12 +303,12 @@ class BevelGear:
     # --- virtual cylindrical gear (Tredgold) ----------------------------------------------------------
     @property
     def z_v(self) -> float:
-        """Virtual number of teeth z / cos δ [-], not a whole number."""
+        """Virtual number of teeth z / cos δ [-], in general not an integer."""
         return self.z / math.cos(self.delta)
 
     @property
     def z_vn(self) -> float:
-        """Virtual number of teeth in the normal section z_v / (cos² β_b cos β_m) [-], as for helices."""
+        """Virtual number of teeth in the normal section z_v / (cos² β_b cos β_m) [-]."""
         return self.z_v / (math.cos(self.beta_b) ** 2 * math.cos(self.beta_m))
 
     # --- tooth thickness ------------------------------------------------------------------------------
@@ -331,7 +331,7 @@ class BevelGear:
         return self.s_mt / self.d_m + spherical_involute(self.sigma_w, self.delta_b)
 
     def thickness_cause(self) -> tuple[str, str]:
-        """Key that moves the tooth thickness farthest from half a pitch, and its value in words."""
+        """Key with the largest effect on the tooth thickness, and its value as text."""
         shares = {
             "profile_shift_coefficient": (2.0 * self.x_hm * math.tan(self.alpha_n), f"{self.x_hm:g}"),
             "thickness_modification_coefficient": (2.0 * self.x_sm, f"{self.x_sm:g}"),
@@ -344,7 +344,7 @@ class BevelGear:
         return key, shares[key][1]
 
     def half_angle_at(self, delta_y: float) -> float:
-        """Half angle of the tooth between its involutes on the cone δ_y ≥ δ_b [rad]."""
+        """Half angle of the tooth on the cone δ_y ≥ δ_b, between the involutes [rad]."""
         return self.psi_b - spherical_involute(self.sigma_at(delta_y), self.delta_b)
 
     def problems(self, where: str = "") -> list[Message]:
@@ -353,14 +353,14 @@ class BevelGear:
         Parameters
         ----------
         where
-            Place of the gear in its description, put before the name of the offending key.
+            Path of the gear in the model, prefix of the key in each message.
         """
         from pitchpoint.geometry.bevel.problems import bevel_gear_problems
 
         return bevel_gear_problems(self, where)
 
     def warnings(self, where: str = "") -> list[Message]:
-        """What is odd about this gear: a wide face, a root radius without room."""
+        """Unusual properties of this gear: wide face, thin tip, root radius too large for the tool tip."""
         from pitchpoint.geometry.bevel.problems import bevel_gear_warnings
 
         return bevel_gear_warnings(self, where)

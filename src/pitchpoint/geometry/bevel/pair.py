@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Two bevel gears in mesh: plane of action, path of contact, contact ratios, backlash.
 
-Both gears have one apex and roll on their pitch cones. The plane of action goes through the apex and touches
-both base cones. Its rays are described by the angle σ from the ray where it touches base cone 1; contact runs
-from A, the tip cone of gear 2, to E, the tip cone of gear 1. Straight teeth touch along rays, spiral ones
-along logarithmic spirals, σ = σ₀ ± tan β_b1 ln(R/R_m): + on the left (counter-clockwise) flanks of gear 1,
-− on the right ones.
+Both gears share one apex and roll on their pitch cones. The plane of action goes through the apex and is
+tangent to both base cones. The angle σ of a ray in this plane is measured from the tangent ray of base
+cone 1. Contact runs from A on the tip cone of gear 2 to E on the tip cone of gear 1. Contact lines of
+straight teeth are rays; those of spiral teeth are logarithmic spirals, σ = σ₀ ± tan β_b1 ln(R/R_m), with +
+on the left (counter-clockwise) flanks of gear 1 and − on the right flanks.
 
 Derivation: docs/theory/bevel_gears.md, "A pair".
 """
@@ -34,7 +34,7 @@ class BevelPair:
     Raises
     ------
     GeometryError
-        If the shaft angle is not between 0 and π. What else makes a bad pair is listed by `problems`.
+        If the shaft angle is not between 0 and π. `problems` lists what else makes the pair impossible.
 
     Examples
     --------
@@ -64,7 +64,7 @@ class BevelPair:
                 limit="above 0 and below 180 deg",
             )
 
-    # --- sizes in common ------------------------------------------------------------------------------
+    # --- common sizes ---------------------------------------------------------------------------------
     @property
     def u(self) -> float:
         """Gear ratio z₂ / z₁ [-]."""
@@ -100,7 +100,7 @@ class BevelPair:
         """Base spiral angle of gear 1 [rad], signed; that of gear 2 is its negative."""
         return self.gear1.beta_b
 
-    # --- path of contact, angles in the plane of action from its ray on base cone 1 --------------------
+    # --- path of contact, angles in the plane of action from the tangent ray of base cone 1 ------------
     @property
     def sigma_p(self) -> float:
         """Base pitch 2π sin δ_b1 / z₁ = 2π sin δ_b2 / z₂ [rad]."""
@@ -108,17 +108,17 @@ class BevelPair:
 
     @property
     def sigma_T(self) -> float:
-        """Angle between the rays on both base cones [rad]."""
+        """Angle between the tangent rays of both base cones [rad]."""
         return self.gear1.sigma_w + self.gear2.sigma_w
 
     @property
     def sigma_w(self) -> float:
-        """Pitch ray C [rad]."""
+        """Angle of the pitch ray C [rad]."""
         return self.gear1.sigma_w
 
     @property
     def sigma_A(self) -> float:
-        """Start of contact, on the tip cone of gear 2 [rad]; below 0 gear 2 reaches past base cone 1."""
+        """Start of contact, on the tip cone of gear 2 [rad]; below 0 tip 2 reaches past the tangent ray."""
         return self.sigma_T - self.gear2.sigma_a
 
     @property
@@ -128,12 +128,12 @@ class BevelPair:
 
     @property
     def eps_alpha(self) -> float:
-        """Transverse contact ratio (σ_E − σ_A) / σ_p [-]; zero if the flanks never meet."""
+        """Transverse contact ratio (σ_E − σ_A) / σ_p [-]; 0 without a path of contact."""
         return max(0.0, self.sigma_E - self.sigma_A) / self.sigma_p
 
     @property
     def eps_alpha_form(self) -> float:
-        """Transverse contact ratio of what the root form cones leave of the path A-E [-]."""
+        """Transverse contact ratio of the path A-E limited by the root form cones [-]."""
         low = max(self.sigma_A, self.gear1.sigma_Ff)
         high = min(self.sigma_E, self.sigma_T - self.gear2.sigma_Ff)
         return max(0.0, high - low) / self.sigma_p
@@ -153,7 +153,7 @@ class BevelPair:
     # --- backlash -------------------------------------------------------------------------------------
     @cached_property
     def sigma_j(self) -> float:
-        """Backlash as an angle in the plane of action [rad]; negative where both flanks overlap."""
+        """Backlash as an angle in the plane of action [rad]; negative if both flanks interfere."""
         thick = self.gear1.s_mt / self.gear1.R_m + self.gear2.s_mt / self.gear2.R_m
         pitch = 2.0 * math.pi * math.sin(self.gear1.delta) / self.gear1.z
         return (pitch - thick) * math.cos(self.alpha_t)
@@ -169,7 +169,7 @@ class BevelPair:
         return self.R_m * self.sigma_j * math.cos(self.beta_b)
 
     def mate_angle(self, angle1: float, ray1: float, ray2: float) -> float:
-        """Angular position of a tooth of gear 2 with equal backlash on both sides.
+        """Azimuth of a tooth of gear 2 with equal backlash on both sides.
 
         Parameters
         ----------
@@ -181,12 +181,12 @@ class BevelPair:
         Returns
         -------
         float
-            Azimuth of a tooth of gear 2 in its frame, on its pitch cone at its own R_m [rad]; near `ray2`.
+            Azimuth of the tooth of gear 2 nearest to `ray2`, on its pitch cone at its own R_m [rad].
 
         Notes
         -----
-        A tooth of gear 1 on the pitch ray is in a space of gear 2; from there z₁ dθ₁ = −z₂ dθ₂, as both
-        axes point away from the apex.
+        A tooth of gear 1 on the pitch ray is in a tooth space of gear 2. z₁ dθ₁ = −z₂ dθ₂, because both axes
+        point away from the apex.
 
         Examples
         --------
@@ -197,7 +197,7 @@ class BevelPair:
         """
         z1, z2 = self.gear1.z, self.gear2.z
         phase = math.remainder(math.pi - z1 * (angle1 - ray1), 2.0 * math.pi)
-        # spiral teeth are at another angle at another cone distance
+        # the azimuth of a spiral tooth depends on the cone distance
         return ray2 + phase / z2 + self.gear2.spiral_rate * math.log(self.gear2.R_m / self.gear1.R_m)
 
     def problems(
@@ -208,9 +208,9 @@ class BevelPair:
         Parameters
         ----------
         where
-            Place of the pair in its description, put before the name of the offending key.
+            Path of the pair in the model, prefix of the key in each message.
         names
-            How the messages call the gears.
+            Names of the gears in the messages.
         gears
             Also list the problems of each gear alone.
         """
@@ -219,7 +219,7 @@ class BevelPair:
         return bevel_pair_problems(self, where, names, gears)
 
     def warnings(self, where: str = "", names: tuple[str, str] = ("gear 1", "gear 2")) -> list[Message]:
-        """Pairs that run, but not as drawn: faces without overlap, tips below the mate's involute."""
+        """Unusual properties of a pair that can run: faces offset, tips below the mate's involute."""
         from pitchpoint.geometry.bevel.problems import bevel_pair_warnings
 
         return bevel_pair_warnings(self, where, names)

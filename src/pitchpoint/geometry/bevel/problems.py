@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What makes a bevel gear or a pair of them impossible or odd, listed completely: where, value, limit,
-remedy.
+"""Problems and warnings of bevel gears and bevel pairs, each with key, value, limit and remedy.
 
 Derivation: docs/theory/bevel_gears.md, "A pair".
 """
@@ -11,7 +10,6 @@ import math
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message
-from pitchpoint.geometry.bevel.cones import pitch_angles
 from pitchpoint.geometry.bevel.tooth import crown_tool
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
@@ -34,9 +32,9 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.bevel.pair import BevelPair
 
 ANGLE_TOLERANCE = 1e-5
-"""By how much angles of both gears may differ [rad]: what four digits behind the point of a degree leave."""
+"""Tolerated difference between angles of both gears [rad]: rounding of degrees to four decimals."""
 SHARED_FACE = 0.95
-"""Share of the narrower face that both gears have in common, which rounded sizes of drawings keep."""
+"""Smallest usual common face width as a share of the narrower face; allows for rounded drawing sizes."""
 WIDE_CONE, WIDE_MODULES = 1.0 / 3.0, 10.0
 """Widest usual face in outer cone distances and in outer modules."""
 
@@ -57,12 +55,12 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Message]:
     gear
         The gear.
     where
-        Place of the gear in its description, put before the name of the offending key.
+        Path of the gear in the model, prefix of the key in each message.
 
     Returns
     -------
     list of Message
-        Empty for a gear that can be made.
+        Empty for a possible gear.
 
     Examples
     --------
@@ -77,7 +75,7 @@ def bevel_gear_problems(gear: BevelGear, where: str = "") -> list[Message]:
 
 
 def _no_tooth(gear: BevelGear) -> Found | None:
-    """Why a gear has no tooth or no flank."""
+    """First reason why a gear has no tooth or no flank; None if it has both."""
     shift, heights = f"{gear.x_hm:g}", "change the profile shift or the rack"
     if not gear.h_am > -gear.h_fm or not gear.h_fm > 0.0:
         return "profile_shift_coefficient", "leaves no dedendum", shift, "below the dedendum", heights
@@ -95,7 +93,7 @@ def _no_tooth(gear: BevelGear) -> Found | None:
 
 
 def tip_thickness(gear: BevelGear) -> float:
-    """Normal tip thickness in the middle of the face [m]; at every other place it is in proportion.
+    """Normal tip thickness at mid-face [m]; elsewhere it is proportional to the cone distance.
 
     Parameters
     ----------
@@ -114,7 +112,7 @@ def tip_thickness(gear: BevelGear) -> float:
 
 def _thin_tip(gear: BevelGear) -> Found | None:
     """A thin or pointed tip."""
-    # teeth that are thin all over are so by their thickness, others by their height
+    # a tooth that is thin at the pitch cone is reported by its thickness, any other by its height
     thin = gear.s_mt < 0.8 * 0.5 * math.pi * gear.m_mt
     key, value = gear.thickness_cause() if thin else ("profile_shift_coefficient", f"{gear.x_hm:g}")
     remedy = "take a smaller magnitude" if thin else "reduce it, or the addendum of the rack"
@@ -122,25 +120,25 @@ def _thin_tip(gear: BevelGear) -> Found | None:
 
 
 def bevel_gear_warnings(gear: BevelGear, where: str = "") -> list[Message]:
-    """What is unusual about a bevel gear that can be made: wide face, thin tip, no room for the root radius.
+    """Unusual properties of a possible bevel gear: wide face, thin tip, root radius too large.
 
     Parameters
     ----------
     gear
         The gear.
     where
-        Place of the gear in its description.
+        Path of the gear in the model.
 
     Returns
     -------
     list of Message
-        Empty for most, and for impossible gears.
+        Empty for usual gears, and for impossible ones.
 
     Notes
     -----
-    A face is usually at most a third of the outer cone distance and ten outer modules wide (KHK, *Gear
-    technical reference*, calculation of bevel gears): further in teeth are small and carry little, and tools
-    find no room.
+    The face width is usually at most a third of the outer cone distance and ten outer modules (KHK, *Gear
+    technical reference*, calculation of bevel gears): closer to the apex the teeth are small, carry little
+    load and leave no room for the tool.
 
     Examples
     --------
@@ -161,7 +159,7 @@ distance); reduce it, or use more teeth or a larger module
         message, limit = "is a wide face for a bevel gear", f"{_mm(most)}, {which}"
         remedy = "reduce it, or use more teeth or a larger module"
         found.append(Message(at_key(where, "face_width"), message, _mm(gear.b), limit, remedy))
-    # a tip with room for its radius may be made smaller by 1e-6 of it, so that its formulas hold
+    # `crown_tool` may reduce a radius that fits by 1e-6 of its value
     room = crown_tool(gear).rho * gear.R_m / gear.m_mn * (1.0 + 1e-5)
     return found + full_rounding(where, gear.rack.rho_fP_star, room)
 
@@ -176,9 +174,9 @@ def bevel_pair_problems(
     pair
         The pair.
     where
-        Place of the pair in its description, put before the name of the offending key.
+        Path of the pair in the model, prefix of the key in each message.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
     gears
         Also list the problems of each gear alone.
 
@@ -207,7 +205,9 @@ b 40.107 deg); correct pitch_cone_angle or shaft_angle
 
 
 def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Message]:
-    """Two gears that cannot belong together."""
+    """Differences between the gears that prevent meshing."""
+    from pitchpoint.geometry.bevel.cones import pitch_angles
+
     one, two = pair.gear1, pair.gear2
     right = pitch_angles(one.z, two.z, pair.Sigma)
     found = []
@@ -234,19 +234,19 @@ def _mismatches(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Mes
 
 
 def _faces(pair: BevelPair, names: tuple[str, str]) -> str:
-    """From where to where the faces of both gears reach."""
+    """Cone distances of both faces as text."""
     gears = zip(names, (pair.gear1, pair.gear2), strict=True)
     return ", ".join(f"{name} {_mm(g.R_i)} to {_mm(g.R_e)}" for name, g in gears) + " from the apex"
 
 
 def _modules(pair: BevelPair) -> str:
-    """What to do about faces at different cone distances."""
+    """Remedy for faces at different cone distances."""
     m_et = f"{_mm(pair.gear1.m_et)} and {_mm(pair.gear2.m_et)}"
     return f"give both the same outer_transverse_module ({m_et} now)"
 
 
 def _contact(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Message]:
-    """No contact, tips in roots."""
+    """Missing path of contact, tips in roots, interference."""
     one, two, words = pair.gear1, pair.gear2, _words()
     found = tips_in_roots(place, (two.theta_f - one.theta_a, one.theta_f - two.theta_a), names, words)
     if pair.eps_alpha <= 0.0:
@@ -257,7 +257,7 @@ def _contact(pair: BevelPair, place: str, names: tuple[str, str]) -> list[Messag
 
 
 def _slack(pair: BevelPair) -> float:
-    """How far tips may reach beyond base cones and involutes [rad]."""
+    """Angle by which tips may exceed base cones and involutes [rad]."""
     return INTERFERENCE_TOLERANCE * min(gear.m_mn / gear.R_m for gear in (pair.gear1, pair.gear2))
 
 
@@ -274,22 +274,22 @@ def _words() -> Words:
 
 
 def bevel_pair_warnings(pair: BevelPair, where: str, names: tuple[str, str]) -> list[Message]:
-    """What is odd about a pair that can be built, as of cylindrical gears in `pitchpoint.geometry.problems`.
+    """Unusual properties of a possible bevel pair, like `pitchpoint.geometry.problems.pair_warnings`.
 
     Parameters
     ----------
     pair
         The pair.
     where
-        Place of the pair in its description.
+        Path of the pair in the model.
     names
-        How the messages call the two gears.
+        Names of the gears in the messages.
 
     Returns
     -------
     list of Message
-        Empty where the involutes cover the whole path of contact, one pair always carries and the faces lie
-        in each other, and for impossible pairs.
+        Empty if the involutes cover the whole path of contact, at least one tooth pair is always in contact
+        and the faces coincide; empty for impossible pairs.
 
     Examples
     --------

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One pitch of a bevel gear as a piece of its surface, and the whole gear as a closed triangulated solid.
+"""Triangulated surface of one pitch of a bevel gear, and closed triangulated solid of the whole gear.
 
-Points of the flanks are chosen by how far the chords between them lie off the exact tooth at the outer end,
-where it is largest. Frame of the gear: apex at the origin, third axis into the gear, tooth 0 on the x axis.
+Flank points are chosen by the chord error at the outer end, where the tooth is largest. Gear frame: apex at
+the origin, z axis into the gear, tooth 0 on the x axis.
 
 Derivation: docs/theory/bevel_gears.md, "Solid and mass".
 """
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 _FINE_SLICES = 400
-"""Slices of a solid, at most."""
+"""Maximum number of slices of a solid."""
 _TURN = math.radians(5.0)
-"""Twist between two levels of the wall of a bore."""
+"""Maximum twist between two levels of the bore wall."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class BevelOutline:
     region
         0 root, 1 flank with its fillet, 3 tip; shape (n,).
     polar, azimuth
-        Angles of the points in the middle of the face [rad], shape (n,); tooth 0 at 0.
+        Angles of the points at mid-face [rad], shape (n,); tooth 0 at azimuth 0.
     """
 
     region: NDArray[np.int8]
@@ -55,24 +55,24 @@ def bevel_outline(
     elsewhere: float | None = None,
     ends: float | None = None,
 ) -> BevelOutline:
-    """Points of one pitch, as few as keep the chords between them near enough to the exact tooth.
+    """Outline of one pitch with the fewest points that keep the chord error below a limit.
 
     Parameters
     ----------
     gear
         The gear.
     error
-        Largest distance of a chord from the tooth at its outer end [m].
+        Maximum chord error of the flanks at the outer end [m].
     resolution
-        Number of points of each flank instead, at least 5.
+        Number of points per flank, at least 5; replaces the limit of the chord error.
     elsewhere
-        Largest distance off the flanks: fillets, tips and roots touch nothing [m].
+        Maximum chord error of fillets, tips and roots, which are not in contact [m]; None: `error`.
     ends
-        Largest distance of a chord from the round end faces of the teeth [m]; None: as the tip.
+        Maximum chord error of the round end faces of the teeth [m]; None: as the tip.
 
     Notes
     -----
-    The back cone is rolled out into a plane, where the teeth keep their lengths.
+    The chord error is measured on the back cone developed into a plane, which preserves lengths.
 
     Examples
     --------
@@ -96,13 +96,13 @@ def bevel_outline(
     polar, half = polar[kept], half[kept]
 
     def arc(low: float, high: float, cone: float) -> FloatArray:
-        """Azimuths from one to the other whose chords are near enough to a cone."""
+        """Azimuths from `low` to `high` whose chords are within the limit of a cone."""
         radius = gear.R_e * math.sin(cone)
         step = 2.0 * math.acos(max(-1.0, 1.0 - off / radius))
         return np.linspace(low, high, max(1, math.ceil((high - low) / step)) + 1)
 
     end = math.pi / gear.z
-    # of a fully rounded root the first point is the last of the pitch before
+    # with full rounding the first point is the last point of the previous pitch
     root = arc(-end, -half[0], gear.delta_f)[:-1] if half[0] < end - 1e-12 else np.zeros(0)
     across = arc(-half[-1], half[-1], gear.delta_a).size
     if ends is not None:
@@ -126,16 +126,16 @@ def bevel_outline(
 
 
 def bevel_slices(gear: BevelGear, error: float, most: int = MOST_SLICES) -> FloatArray:
-    """Cone distances between which a tooth may be drawn straight [m], from R_i to R_e, shape (n,).
+    """Cone distances [m] of the slices of a tooth, from R_i to R_e, shape (n,).
 
     Parameters
     ----------
     gear
         The gear.
     error
-        Largest distance of a chord from the spiral on its tip cone [m].
+        Maximum chord error of the spiral on the tip cone [m].
     most
-        Number of slices at most.
+        Maximum number of slices.
 
     Examples
     --------
@@ -167,7 +167,7 @@ def bevel_sector(
     corners: int = ROUND,
     whole: tuple[float, float] | None = None,
 ) -> Sector:
-    """Surface of the pitch of tooth 0: copies turned by 2πk/z about the axis close it.
+    """Surface of the pitch of tooth 0; z copies rotated by 2πk/z about the axis form the closed gear.
 
     Parameters
     ----------
@@ -178,17 +178,17 @@ def bevel_sector(
     slices
         Cone distances from R_i to R_e [m], shape (n,).
     bore_diameter, rim_thickness
-        The body, as in `pitchpoint.geometry.bevel.blank.bevel_blank` [m].
+        Size of the blank, as in `pitchpoint.geometry.bevel.blank.bevel_blank` [m].
     corners
-        Corners of the circles of the body, at least.
+        Minimum number of corners of the circles of the blank.
     whole
-        Cone distances between which the tooth is complete [m]; beyond them it is broken off at its root.
+        Cone distances between which the tooth is complete [m]; outside it is broken off at its root.
         None: complete.
 
     Raises
     ------
     GeometryError
-        If there is no such tooth or body.
+        If the tooth or the blank is not possible.
     """
     blank = bevel_blank(gear, bore_diameter, rim_thickness)
     made = Pieces()
@@ -205,7 +205,7 @@ def bevel_sector(
         made.quads(low, high)
     ends = [_end(made, gear, replace(outline, polar=cones[k][:-1]), rings[k], places[k][0]) for k in (-1, 0)]
     at = ends[0][1]
-    # the back cone continues from the teeth to the rim: it counts with them
+    # the back cone continues from the teeth to the rim and is part of the toothed surface
     teeth = len(made.faces) + 1
     around = np.linspace(at[0], at[-1], max(1, math.ceil(corners / gear.z)) + 1)
     _close(made, gear, [line for line, _ in ends], (at, around), blank)
@@ -213,7 +213,7 @@ def bevel_sector(
 
 
 def _places(slices: FloatArray, whole: tuple[float, float] | None) -> list[tuple[float, bool]]:
-    """Cone distances of the rings of a tooth, and whether it is complete there; two per break face."""
+    """Cone distances of the rings of a tooth, each with True if complete there; two rings per fracture."""
     low, high = whole or (slices[0], slices[-1])
     if low >= high:
         return [(float(R), False) for R in slices]
@@ -227,10 +227,10 @@ def _places(slices: FloatArray, whole: tuple[float, float] | None) -> list[tuple
 def _end(
     made: Pieces, gear: BevelGear, outline: BevelOutline, ring: NDArray[np.int64], R: float
 ) -> tuple[NDArray[np.int64], FloatArray]:
-    """End face of a tooth; numbers of the points of the root line across it, and their azimuths."""
+    """Add the end face of a tooth; point numbers of the root line across it, and their azimuths."""
     first = int(np.argmax(outline.region != 0))
     m, land = (int((outline.region == k).sum()) for k in (1, 3))
-    m = (m + 1) // 2  # of a fully rounded root the last point is the first of the next pitch
+    m = (m + 1) // 2  # with full rounding the last point is the first of the next pitch
     last = first + 2 * m + land - 1
     share = np.linspace(-1.0, 1.0, land + 2)[1:-1]
     rows = []
@@ -254,9 +254,9 @@ def _close(
     azimuths: tuple[FloatArray, FloatArray],
     blank: BevelBlank,
 ) -> None:
-    """Body behind the teeth, from the root line of the heel around to that of the toe.
+    """Add the blank, from the root line at the heel around to the root line at the toe.
 
-    The azimuths are those of both root lines and of the circles, in the middle of the face.
+    `azimuths` holds those of both root lines and those of the circles, at mid-face.
     """
     at, around = azimuths
     turns = [
@@ -266,7 +266,7 @@ def _close(
     radius, top, bottom = blank.bore, blank.back[1], blank.toe[1]
 
     def ring(r: float, z: float, turn: float) -> NDArray[np.int64]:
-        """Points around the axis."""
+        """Add a circular arc of points about the axis; their numbers."""
         return made.add(np.asarray(r * np.exp(1j * around), np.complex128), z, turn)
 
     rear = ring(*blank.back, turns[0])
@@ -306,20 +306,20 @@ def bevel_solid(
     n_flank
         Points per flank, at least 5.
     error
-        Largest distance of a chord along a spiral tooth [m], and a tenth of that of arcs across; None takes a
+        Maximum chord error along a spiral tooth [m]; that of arcs across is ten times as large. None: a
         thousandth of the module.
     bore_diameter, rim_thickness
-        The body, as in `pitchpoint.geometry.bevel.blank.bevel_blank` [m].
+        Size of the blank, as in `pitchpoint.geometry.bevel.blank.bevel_blank` [m].
 
     Returns
     -------
     ndarray, shape (n, 3, 3)
-        Triangles, their corners in counter-clockwise order seen from outside [m].
+        Triangles, corners counter-clockwise seen from outside [m].
 
     Raises
     ------
     GeometryError
-        If there is no such tooth or body.
+        If the tooth or the blank is not possible.
 
     Examples
     --------
@@ -341,6 +341,6 @@ def bevel_solid(
     c, s, o, one = np.cos(turn), np.sin(turn), 0.0 * turn, 1.0 + 0.0 * turn
     turned = np.array([[c, -s, o], [s, c, o], [o, o, one]])
     whole = np.einsum("ijk,abj->kabi", turned, corners).reshape(-1, 3, 3)
-    # corners of neighbouring pitches become the same numbers, so that files keep the surface closed
+    # merge coincident corners of adjacent pitches, so that the surface is closed in files too
     first, triangles = join_corners(whole)
     return np.asarray(whole.reshape(-1, 3)[first][triangles])
