@@ -186,7 +186,7 @@ def common_normal(A, ka, B, kb, M, d):
 
 
 @kernel
-def _may_face(A, ka, B, kb, turn, slack):
+def _may_be_opposite(A, ka, B, kb, turn, slack):
     """Whether outward normals of two segments can be opposite, with A rotated by `turn` [rad] against B."""
     off = A[ka, COURSE] + turn - B[kb, COURSE] + 0.5 * TWO_PI
     off -= TWO_PI * math.floor(off / TWO_PI + 0.5)
@@ -229,7 +229,7 @@ def nearest_normal(A, B, M, d, least, hits):
         y = d[1] + M[1, 0] * A[ka, 1] + M[1, 1] * A[ka, 2]
         for kb in range(B.shape[0]):
             apart = math.sqrt((x - B[kb, 1]) ** 2 + (y - B[kb, 2]) ** 2) - A[ka, 3] - B[kb, 3]
-            if apart >= least or not _may_face(A, ka, B, kb, turn, slack):
+            if apart >= least or not _may_be_opposite(A, ka, B, kb, turn, slack):
                 continue
             found, s, t, phi = common_normal(A, ka, B, kb, M, d)
             if found == 0 or abs(phi) >= least:
@@ -306,7 +306,7 @@ def contacts(A, B, M, d, reach, hits):
             apart = max(best, reach[1]) + r + B[kb, 3]
             if dx * dx + dy * dy > apart * apart:
                 continue
-            if not _may_face(A, ka, B, kb, turn, slack):
+            if not _may_be_opposite(A, ka, B, kb, turn, slack):
                 continue
             found, s, t, gap = common_normal(A, ka, B, kb, M, d)
             gap -= offset

@@ -272,12 +272,12 @@ def signed_place(where, y, place, W):
     n = (s * dx / d, s * dy / d, s * dz / d)
     radial(W, n, s, d)
     if feature >= EDGE:
-        _straight(W, faces, k, feature - EDGE, s / d)
+        _remove_edge_curvature(W, faces, k, feature - EDGE, s / d)
     return s * d, n[0], n[1], n[2]
 
 
 @kernel
-def _straight(W, faces, k, c, curvature):
+def _remove_edge_curvature(W, faces, k, c, curvature):
     """Remove the curvature in the direction of an edge from W."""
     a = 3 * c
     b = 3 * ((c + 1) % 3)
@@ -327,7 +327,7 @@ def is_nearest_around(where, y, face, feature, qx, qy, qz):
 
 
 @kernel
-def _alike(places, h, d, y, qx, qy, qz):
+def _same_direction(places, h, d, y, qx, qy, qz):
     """Whether contact h and a point at distance d lie within 30 deg of each other as seen from y."""
     s = (y[0] - places[h, 3]) * (y[0] - qx)
     s += (y[1] - places[h, 4]) * (y[1] - qy)
@@ -365,7 +365,7 @@ def sphere_places(where, y, radius, places):
             shadowed = False
             kept = 0
             for h in range(n):  # a deeper similar contact shadows this one; this one shadows shallower ones
-                if _alike(places, h, d, y, qx, qy, qz):
+                if _same_direction(places, h, d, y, qx, qy, qz):
                     if places[h, 0] <= d:
                         shadowed = True
                     else:

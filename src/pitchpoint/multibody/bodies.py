@@ -250,7 +250,7 @@ def body_records(bodies: Sequence[Body]) -> NDArray[np.void]:
         if body.motion == GUIDED:
             record["guide"] = guides
             guides += 1
-        _hang(record, body, bodies)
+        _place_joint(record, body, bodies)
         if body.spinner:
             below = bodies[body.spinner - 1].parent
             turned = np.asarray(bodies[below - 1].axes, float) if below else np.eye(3)
@@ -274,7 +274,7 @@ def spin_of(records: NDArray[np.void], b: int) -> int:
     return int(records[int(records[b]["spinner"]) or b]["spin"])
 
 
-def _hang(record: np.void, body: Body, bodies: Sequence[Body]) -> None:
+def _place_joint(record: np.void, body: Body, bodies: Sequence[Body]) -> None:
     """Set position and axes of the joint in the axes of the parent."""
     position, axes = np.asarray(body.position, float), np.asarray(body.axes, float)
     if body.parent == 0:

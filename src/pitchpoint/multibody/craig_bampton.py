@@ -122,9 +122,9 @@ def craig_bampton(
     K_ii, M_ii = structure.K[i][:, i].tocsc(), structure.M[i][:, i].tocsc()
     K_ib = structure.K[i][:, b].toarray()
     if below is None:
-        swinging = _held_modes(K_ii, M_ii, min(count, i.size))[0]
+        swinging = _fixed_interface_modes(K_ii, M_ii, min(count, i.size))[0]
     else:
-        swinging = _held_below(K_ii, M_ii, below)
+        swinging = _fixed_interface_modes_below(K_ii, M_ii, below)
     basis = np.zeros((structure.size, b.size + swinging.shape[1]))
     basis[b, : b.size] = np.eye(b.size)
     basis[i, b.size :] = swinging
@@ -142,17 +142,17 @@ def craig_bampton(
     return _elastic(values, basis @ vectors)
 
 
-def _held_below(K: Any, M: Any, limit: float) -> Array:
+def _fixed_interface_modes_below(K: Any, M: Any, limit: float) -> Array:
     """All fixed-interface modes up to a frequency [Hz]; the number is doubled until one is above it."""
     count = 16
     while True:
-        shapes, frequency = _held_modes(K, M, min(count, K.shape[0]))
+        shapes, frequency = _fixed_interface_modes(K, M, min(count, K.shape[0]))
         if frequency.size < count or frequency[-1] > limit:
             return shapes[:, frequency <= limit]
         count *= 2
 
 
-def _held_modes(K: Any, M: Any, count: int) -> tuple[Array, Array]:
+def _fixed_interface_modes(K: Any, M: Any, count: int) -> tuple[Array, Array]:
     """Lowest fixed-interface modes: shapes (n, count) with modal mass 1, frequencies [Hz]."""
     from scipy.linalg import eigh
     from scipy.sparse.linalg import eigsh

@@ -121,7 +121,7 @@ def _displacement(p, k, f, mo, m, t, c, factor, rates):
 
 
 @kernel
-def _seen_column(k, f, W, m):
+def _transferred_column(k, f, W, m):
     """Column of displacement m of the body with frame k, transferred to the origin of frame f."""
     w = _axis(W, m)
     nothing = (0.0, 0.0, 0.0)
@@ -143,7 +143,7 @@ def _guided(p, k, f, mo, g, t, c, v, a, rates):
         if by != 0.0:
             _displacement(p, k, f, mo, m, t, c, by, rates)
         if bend != 0.0 or g["by3"][m, c] != 0.0:
-            linear, angular = _seen_column(k, f, mo["W"], m)
+            linear, angular = _transferred_column(k, f, mo["W"], m)
             _put(Tq, t, c, bend * v, linear, angular)
             _put(Av, t, c, 2.0 * bend * v, linear, angular)
             _put(Aq, t, c, bend * a + g["by3"][m, c] * v * v, linear, angular)
@@ -175,12 +175,12 @@ def guided_geometry(proj, path, body, fr, motions, guides, A, ck):
                 wrong = 0.0
                 right = 0.0
                 for m in range(6):
-                    l_m, w_m = _seen_column(k, f, W, m)
+                    l_m, w_m = _transferred_column(k, f, W, m)
                     if a == c:
                         right += g["by2"][m, a] * (dot(l_m, force) + dot(w_m, moment))
                     for n in range(6):
                         share = g["by"][m, a] * g["by"][n, c]
-                        l_n, w_n = _seen_column(k, f, W, n)
+                        l_n, w_n = _transferred_column(k, f, W, n)
                         inboard = dot(cross(w_n, l_m), force) + dot(cross(w_n, w_m), moment)
                         outboard = dot(cross(w_m, l_n), force)
                         right += share * (inboard if n < m else outboard)

@@ -156,7 +156,7 @@ def plan_sweep(system: System, scenario: Scenario) -> SweepPlan:
     )
 
 
-class _Walk:
+class _SweepRun:
     """Sweep in progress: integrator run, present speed and step counts."""
 
     def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
@@ -268,7 +268,7 @@ def run_sweep(
     begun = time.perf_counter()
     refuse_sampled(system, "a speed sweep")
     plan = plan_sweep(system, chosen)
-    walk = _Walk(system, chosen, plan)
+    walk = _SweepRun(system, chosen, plan)
     points: list[dict[str, Any]] = []
     status, total = OK, len(plan.speeds) * len(plan.directions)
     try:

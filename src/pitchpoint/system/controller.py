@@ -61,19 +61,19 @@ class SampledController:
         except KeyboardInterrupt:
             raise
         except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
-            return [], self._sentence(t, f"raised {type(error).__name__}: {error}", _where(error))
+            return [], self._message(t, f"raised {type(error).__name__}: {error}", _where(error))
         try:
             found = [float(x) for x in (answer if np.ndim(answer) else [answer])]
         except (TypeError, ValueError):
-            return [], self._sentence(t, f"returned {answer!r}, which is not a list of numbers")
+            return [], self._message(t, f"returned {answer!r}, which is not a list of numbers")
         if len(found) != len(self.outputs):
-            return [], self._sentence(t, f"returned {len(found)} numbers for {len(self.outputs)} outputs")
+            return [], self._message(t, f"returned {len(found)} numbers for {len(self.outputs)} outputs")
         bad = [
             f"{x} for {name!r}" for x, name in zip(found, self.outputs, strict=True) if not math.isfinite(x)
         ]
-        return found, self._sentence(t, f"returned {', '.join(bad)}") if bad else ""
+        return found, self._message(t, f"returned {', '.join(bad)}") if bad else ""
 
-    def _sentence(self, t: float, what: str, where: str = "") -> str:
+    def _message(self, t: float, what: str, where: str = "") -> str:
         return f"the controller {self.name!r} {what} (t = {t:.6g} s{where})"
 
 

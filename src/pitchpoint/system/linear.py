@@ -187,7 +187,7 @@ def _settle_friction(at, t):
             least = change
             stalled = 0
         if stalled == patience:
-            ratio = _shrinks(at, t, change)
+            ratio = _convergence_ratio(at, t, change)
             if not math.isfinite(ratio):
                 return NOT_FINITE
             if ratio < 0.5 ** (1.0 / patience) - CLEARLY:
@@ -221,7 +221,7 @@ def _correction(at, t):
 
 
 @kernel
-def _shrinks(at, t, change):
+def _convergence_ratio(at, t, change):
     """Convergence ratio of the next pass for the correction x, y scaled by `LONGER`; overwrites x and y."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]

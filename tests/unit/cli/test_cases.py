@@ -196,7 +196,7 @@ def test_notes_name_their_case(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert run_command([*command, "--vary", "loads.input.torque=150 N m,150 kN m", "-q"]) == 0
     assert "note:" not in capsys.readouterr().out
     assert run_command([*command, "--vary", "loads.input.torque=150 N m,150 kN m"]) == 0
-    deep = "case 1: meshes.stage: the flanks go "
+    deep = "case 1: meshes.stage: the flank penetration reaches "
     assert capsys.readouterr().out.count(f"note: {deep}") == 1
     assert deep in read_header(target)["notes"]
 

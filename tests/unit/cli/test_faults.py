@@ -213,7 +213,7 @@ def test_flanks_deep_in_each_other_are_noted(
     assert found["status"] == "finished"
     told = [note for note in found["notes"] if "0.1 m_n = 0.3 mm" in note]
     assert len(told) == 1
-    assert told[0].startswith("meshes.stage: the flanks go ")
+    assert told[0].startswith("meshes.stage: the flank penetration reaches ")
     assert told[0] in read_header(target)["notes"]
 
 

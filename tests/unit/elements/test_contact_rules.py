@@ -146,11 +146,14 @@ def test_laws():
     [
         (
             lambda: cam_banks(places(cam_contacts={"c": CamContact(ends=("a", "b"), curve=CIRCLE)})),
-            "cam_contacts.c: .* need a law",
+            "cam_contacts.c: .* requires a law",
         ),
-        (lambda: curve_of(ContactCurve(shape="circle"), "x.curve"), r"x.curve.radius: this shape needs it"),
+        (
+            lambda: curve_of(ContactCurve(shape="circle"), "x.curve"),
+            r"x.curve.radius: is required for this shape",
+        ),
         (lambda: curve_of(ContactCurve(shape="spline", x=(0, 1), y=(0, 1, 2)), "x"), "same number of points"),
-        (lambda: curve_of(ContactCurve(shape="involute", radius=0.1), "x"), "x.roll: .* two angles"),
+        (lambda: curve_of(ContactCurve(shape="involute", radius=0.1), "x"), "x.roll: .* two roll angles"),
         (
             lambda: curve_of(ContactCurve(shape="polygon", x=(0, 1, 1), y=(0, 0, 1), radii=(9.0,) * 3), "x"),
             "overlap",
@@ -166,7 +169,7 @@ def test_laws():
                     )
                 }
             ),
-            "a cone against a plane is not known",
+            "contact of cone and plane is not supported",
         ),
         (
             lambda: surfaces(

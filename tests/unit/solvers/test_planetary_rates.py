@@ -141,5 +141,5 @@ def test_a_mesh_that_stands_still_cannot_be_swept():
     text = planetary(SWEEP).replace("joints:", "ratios:\n  lock: {terms: {sun: 1, carrier: -1}}\njoints:")
     text = text.replace("motion: fixed", "motion: torsion, inertia: 1 kg m^2")
     model, system = compiled(text, "up")
-    with pytest.raises(SolverError, match="mesh sp is at rest while sun turns"):
+    with pytest.raises(SolverError, match="mesh sp is at rest while sun rotates"):
         plan_sweep(system, model.scenarios["up"])

@@ -194,7 +194,7 @@ def test_a_torque_on_a_rotor_needs_a_place_on_it(tmp_path):
 def test_wrong_matrices_are_told_with_the_body(tmp_path):
     model = crank_with(tmp_path, CRANK.replace("300 mm", "290 mm", 1))
     with pytest.raises(
-        ModelError, match=r"elastic_bodies\.rod\.nodes\.small \(line 8\): there is no node.*300\] mm"
+        ModelError, match=r"elastic_bodies\.rod\.nodes\.small \(line 8\): the file has no node.*300\] mm"
     ):
         compile_model(model)
     model = crank_with(tmp_path)

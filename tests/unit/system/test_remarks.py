@@ -38,7 +38,7 @@ def test_penetration_of_either_flank_counts_from_the_backlash(low: float, high: 
     found = deep_contacts(model, tables)
     assert bool(found) == bool(told)
     if told:
-        assert found[0].startswith("meshes.stage: the flanks go ")
+        assert found[0].startswith("meshes.stage: the flank penetration reaches ")
         assert told in found[0]
         assert "limit about 0.1 m_n" in found[0]
 
@@ -55,7 +55,7 @@ def test_results_of_all_kinds_say_it_once() -> None:
         sweep_speed(compile_model(model, "sweep")).attrs["notes"],
         *cases_dataset(run_cases(model, [{}], "steady")).attrs["notes"],
     ]
-    assert [note.count("the flanks go ") for note in notes] == [1, 1, 1, 1]
+    assert [note.count("the flank penetration reaches ") for note in notes] == [1, 1, 1, 1]
 
 
 @pytest.mark.parametrize(("torque", "share"), [(10.0, None), (1000.0, 1.0)])

@@ -37,7 +37,14 @@ def test_all_faults_of_the_bodies_come_at_once():
     with pytest.raises(CompileError) as caught:
         assemble(bad, {})
     text = str(caught.value)
-    for part in ("a: polar_inertia", "b: mass", "c: motion 5", "right-handed", "transverse", "must differ"):
+    for part in (
+        "a: polar_inertia",
+        "b: mass",
+        "c: motion 5",
+        "right-handed",
+        "transverse",
+        "must be unique",
+    ):
         assert part in text
 
 
@@ -45,7 +52,7 @@ def test_records_must_fit_their_kind_and_name_existing_bodies():
     body = Body(polar_inertia=1.0, name="a")
     with pytest.raises(CompileError, match="does not exist"):
         assemble([body], {"coupling": couplings([(1, 2, 1.0, 0.0, 0.0)])})
-    with pytest.raises(CompileError, match="another layout"):
+    with pytest.raises(CompileError, match="do not have the dtype"):
         assemble([body], {"coupling": torques([(1, 1.0)])})
     with pytest.raises(CompileError, match="no element kind is called 'spring'"):
         assemble([body], {"spring": torques([(1, 1.0)])})

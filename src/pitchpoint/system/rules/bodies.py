@@ -167,7 +167,7 @@ def _start(joint: Joint | None, seat: Seat) -> tuple[tuple[float, ...], tuple[fl
     )
 
 
-# --- places on bodies ---------------------------------------------------------------------------------------
+# --- positions on bodies ------------------------------------------------------------------------------------
 def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
     """Body, point and axes of an end given as ground, BODY or BODY.MARKER.
 

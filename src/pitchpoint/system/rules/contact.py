@@ -138,12 +138,12 @@ def curve_of(part: ContactCurve, where: str) -> curves.Curve:
     try:
         if part.shape == "circle":
             center = (float(_first(part.x)), float(_first(part.y)))
-            return curves.circle(_needed(part.radius, "radius", where), center, part.hollow)
+            return curves.circle(_required(part.radius, "radius", where), center, part.hollow)
         if part.shape == "involute":
             if len(part.roll) != 2:
                 raise CompileError(f"{where}.roll: an involute requires two roll angles")
             hand = 1 if part.hand == "left" else -1
-            r_b = _needed(part.radius, "radius", where)
+            r_b = _required(part.radius, "radius", where)
             return curves.chain([curves.involute_piece(r_b, part.phase, part.roll, hand)], False)
         if len(part.x) != len(part.y) or len(part.x) < (3 if part.closed else 2):
             raise CompileError(
@@ -161,7 +161,7 @@ def _first(values: tuple[float, ...]) -> float:
     return values[0] if values else 0.0
 
 
-def _needed(value: float | None, name: str, where: str) -> float:
+def _required(value: float | None, name: str, where: str) -> float:
     if value is None:
         raise CompileError(f"{where}.{name}: is required for this shape")
     return value
@@ -212,7 +212,7 @@ def _triangles(part: ContactSurface, where: str) -> TriangleSurface:
 def _sizes(part: ContactSurface, where: str) -> list[float]:
     """Dimensions of a simple shape; for a cylinder including its length, if given."""
     names = {"plane": (), "cone": ("half_angle",), "torus": ("radius", "tube")}.get(part.shape, ("radius",))
-    sizes = [_needed(getattr(part, name), name, where) for name in names]
+    sizes = [_required(getattr(part, name), name, where) for name in names]
     return [*sizes, part.length] if part.shape == "cylinder" and part.length is not None else sizes
 
 
@@ -222,7 +222,7 @@ def _ball(
     """Set a contact of a sphere with a surface."""
     if not _is_ball(ball) or (part.permanent and other.shape == "triangles"):
         raise CompileError(f"{where}.permanent: requires a sphere on a smooth surface")
-    radius = _needed(ball.radius, "radius", where)
+    radius = _required(ball.radius, "radius", where)
     if other.shape == "triangles":
         point_surface.set_mesh(row, pool, _triangles(other, where), radius, part.depth)
         return
@@ -241,14 +241,14 @@ def _pair(
     if "triangles" in shapes:
         _on_triangles(row, pool, one, two, part, where)
     elif shapes == ("cylinder", "plane"):
-        radius, length = _needed(one.radius, "radius", where), _needed(one.length, "length", where)
+        radius, length = _required(one.radius, "radius", where), _required(one.length, "length", where)
         surface_surface.set_cylinder_on_plane(row, radius, length, part.stations)
     elif shapes == ("torus", "plane"):
-        radius, tube = _needed(one.radius, "radius", where), _needed(one.tube, "tube", where)
+        radius, tube = _required(one.radius, "radius", where), _required(one.tube, "tube", where)
         surface_surface.set_ring_on_plane(row, radius, tube)
     elif shapes == ("cylinder", "cylinder"):
-        radii = [_needed(s.radius, "radius", where) for s in (one, two)]
-        lengths = [_needed(s.length, "length", where) for s in (one, two)]
+        radii = [_required(s.radius, "radius", where) for s in (one, two)]
+        lengths = [_required(s.length, "length", where) for s in (one, two)]
         if part.line or two.hollow:
             surface_surface.set_cylinders_in_line(row, radii, lengths, two.hollow, part.stations)
         else:

@@ -84,7 +84,7 @@ def _forces(model: Model) -> Bank:
                 continue
             row = np.zeros(1, force_element.RECORD)[0]
             row["i"], row["j"] = _ends(model, load)
-            _attack(row, model, load, axis)
+            _put_application(row, model, load, axis)
             laws.append(set_signal(row, pool, law, f"loads.{name}.force[{axis}]"))
             rows.append(row)
             names.append(f"{name}.{'xyz'[axis]}")
@@ -97,7 +97,7 @@ def _ends(model: Model, load: Load) -> tuple[int, int]:
     return tuple(frame_at(model, body, there)[0] for body in (load.body, load.reaction or GROUND))  # type: ignore[return-value]
 
 
-def _attack(row: Any, model: Model, load: Load, axis: int) -> None:
+def _put_application(row: Any, model: Model, load: Load, axis: int) -> None:
     """Set point of application and direction of a force."""
     if load.marker is not None:
         _, row["p"], axes = end_of(model, f"{load.body}.{load.marker}")

@@ -29,14 +29,14 @@ def spring_bank(places: Places) -> Bank:
         one, two = (places.world(end) for end in part.ends)
         row["free"] = np.linalg.norm(one - two) if part.free_length is None else part.free_length
         row["k"], row["d"] = part.stiffness, part.damping
-        laws.append(_further(row, pool, part.force, f"springs.{name}.force"))
+        laws.append(_parallel_law(row, pool, part.force, f"springs.{name}.force"))
         rows.append(row)
     return pack(
         "spring_damper", spring_damper.RECORD, rows, list(springs), pool=pool.array(), laws=tuple(laws)
     )
 
 
-def _further(row: Any, pool: sig.Pool, law: Law | None, where: str) -> Function | None:
+def _parallel_law(row: Any, pool: sig.Pool, law: Law | None, where: str) -> Function | None:
     """Set the law in parallel with stiffness and damping; a Python function is also passed the rate."""
     function = None if law is None else set_signal(row, pool, law, where)
     if row["form"] == sig.LAW:
@@ -65,7 +65,7 @@ def torsion_spring_bank(places: Places) -> Bank:
         row = np.zeros(1, coupling.RECORD)[0]
         places.pair(row, part.bodies)
         row["k"], row["d"], row["u0"], row["gap"] = part.stiffness, part.damping, part.angle, part.play
-        laws.append(_further(row, pool, part.torque, f"torsion_springs.{name}.torque"))
+        laws.append(_parallel_law(row, pool, part.torque, f"torsion_springs.{name}.torque"))
         if row["form"] == sig.TABLE and row["period"] != TURN:
             row["period"] = 0.0
         rows.append(row)
