@@ -160,7 +160,8 @@ UNFIT = """
 """
 CALL = """
     from outsider.kind import allocating, fit, raising
-    from pitchpoint.core import machine_code, notices
+    from pitchpoint.core import notices
+    from pitchpoint.core.compiler import machine_code
     from pitchpoint.core.kernel import invoke
     print(*(invoke(f, 0, 0, n) for f, n in ((raising, 1), (raising, 2), (allocating, 7), (fit, 6))))
     print(*(machine_code.is_refused(f.py_func) for f in (raising, allocating, fit)))
@@ -321,7 +322,7 @@ SMALL = """
     sys.path.insert(0, {root!r})
     import numpy as np
     from pitchpoint.multibody.bodies import FREE, Body
-    from pitchpoint.solvers import generalized_alpha
+    from pitchpoint.solvers.implicit import generalized_alpha
     from pitchpoint.system.system import assemble
     from tests.support.engine import bearings, couplings, torques
     K = np.diag([1e7, 2e7, 1e7, 1e4, 1e4, 0.0])

@@ -43,7 +43,7 @@ def test_killed_processes_leave_no_drafts(tmp_path, monkeypatch):
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     code = """
         import os, pathlib, signal
-        from pitchpoint.core import machine_code
+        from pitchpoint.core.compiler import machine_code
         from tests.unit.core.test_second_process import entry
         pathlib.Path.write_bytes = lambda *_: os.kill(os.getpid(), signal.SIGKILL)
         machine_code.save(entry, b"code", [])
