@@ -16,7 +16,7 @@ from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import CONSTRAINT, DRIVE, FREE, Kind, Power
 from pitchpoint.elements.ratio import SPIN
-from pitchpoint.elements.signal import Pool
+from pitchpoint.elements.signal import Pool, law_call
 from pitchpoint.elements.speed_profile import SpeedPieces
 from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_rates, observations
 
@@ -176,4 +176,5 @@ KIND = Kind(
     massless=True,
     spins=FREE,
     power=Power("torque[{}]", source="drive", where=lambda record: not record["linear"]),
+    law_call=law_call,
 )

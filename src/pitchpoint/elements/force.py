@@ -15,7 +15,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FORCE, FRAME, FREE, Kind
-from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
+from pitchpoint.elements.signal import CONSTANT, SIGNAL, law_call, signal
 from pitchpoint.elements.torsion import (
     common_axis,
     sense_of,
@@ -151,4 +151,5 @@ KIND = Kind(
     excites=False,
     sections={"loads": ""},
     names_modes=False,
+    law_call=law_call,
 )

@@ -14,6 +14,7 @@ The change of the stiffness with the phase shows up as parametric power.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -337,6 +338,11 @@ def entry(ctl, rec, n):
     return gear_mesh(records, c, fr, kk)
 
 
+def law_call(record: np.void, frames: Any, pool: Any, t: float) -> tuple[float, int, int]:
+    """Mesh phase and parameters of the user's stiffness law."""
+    return float(record["now"]["psi"]), int(record["params"]), len(pool)
+
+
 KIND = Kind(
     name="gear_mesh",
     channel=FRAME,
@@ -354,4 +360,5 @@ KIND = Kind(
     label="mesh",
     main=True,
     power=Power(),
+    law_call=law_call,
 )

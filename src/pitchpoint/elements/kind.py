@@ -194,6 +194,10 @@ class Kind:
         the second ring, "" if it is not. A word, or a function of the record.
     power
         How it appears in a power flow; None: it may take or give power that is not followed.
+    law_call
+        Last call of the user law of a record, so that a failed call can be repeated in Python: a function of
+        the record, the frames, the pool of the kind and the time [s] that gives the second argument of the
+        law and the position and number of its parameters in the pool. None: the kind has no user laws.
     """
 
     name: str
@@ -229,6 +233,7 @@ class Kind:
     names_modes: bool = True
     arrow: str | Callable[[np.void], str] = ""
     power: Power | None = None
+    law_call: Callable[[np.void, Any, Any, float], tuple[float, int, int]] | None = None
 
     @property
     def module(self) -> str:

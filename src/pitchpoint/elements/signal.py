@@ -196,3 +196,14 @@ def signal(b, t, phi, turns, speed, slopes):
         by_angle *= x
         by_speed *= x
     return value, by_angle, by_speed
+
+
+def law_call(record: np.void, frames: Any, pool: Any, t: float) -> tuple[float, int, int]:
+    """Argument of a user law of time, angle or speed of body i, and its parameters (`Kind.law_call`)."""
+    frame = frames[int(record["i"])]
+    x = float(frame["phi"]) + TWO_PI * int(frame["turns"])
+    if record["over"] == OVER_TIME:
+        x = t
+    elif record["over"] == OVER_SPEED:
+        x = float(frame["R"][:, 2] @ frame["tw"][3:])
+    return x, int(record["start"]), int(record["n"])

@@ -13,6 +13,7 @@ The kind *signal_flow* runs with the forces; *signal_of_loads*, the same code, a
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -226,6 +227,11 @@ def entry(ctl, rec, n):
     return flow(view(rec, n, RECORD), c, fr, kk)
 
 
+def law_call(record: np.void, frames: Any, pool: Any, t: float) -> tuple[float, int, int]:
+    """Input signal and parameters of the user law of a block."""
+    return float(pool[int(record["a"])]), int(record["start"]), int(record["n"])
+
+
 KIND = Kind(
     name="signal_flow",
     channel=FRAME,
@@ -238,4 +244,5 @@ KIND = Kind(
     sections={"sensors": "", "blocks": "", "controllers": "", "actuators": ""},
     title="signal",
     power=Power(),
+    law_call=law_call,
 )

@@ -10,6 +10,7 @@ rate (speed), a formula in which `angle` is x and `speed` is w, or a user's law.
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -84,6 +85,12 @@ def _linear(record: np.void, spinning: bool) -> bool:
     return bool(record["form"] == CONSTANT)
 
 
+def law_call(record: np.void, frames: Any, pool: Any, t: float) -> tuple[float, int, int]:
+    """Elongation [m] and parameters of the user's force law."""
+    length = line_between(record, frames[int(record["i"])], frames[int(record["j"])])[3]
+    return length - float(record["free"]), int(record["start"]), int(record["n"])
+
+
 KIND = Kind(
     name="spring_damper",
     channel=FRAME,
@@ -96,4 +103,5 @@ KIND = Kind(
     large=True,
     sections={"springs": "spring"},
     names_modes=False,
+    law_call=law_call,
 )

@@ -14,7 +14,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FRAME, FREE, TORQUE, Kind, Power
-from pitchpoint.elements.signal import CONSTANT, SIGNAL, signal
+from pitchpoint.elements.signal import CONSTANT, SIGNAL, law_call, signal
 from pitchpoint.elements.torsion import (
     add_torque,
     common_axis,
@@ -79,4 +79,5 @@ KIND = Kind(
     sections={"loads": ""},
     names_modes=False,
     power=Power("torque[{}]", source="load"),
+    law_call=law_call,
 )
