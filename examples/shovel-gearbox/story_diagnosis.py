@@ -69,7 +69,6 @@ def noise(pair: Pair, found: Sequence[Readings]) -> Section:
 
 def add_both(section: Section, pair: Pair, time: np.ndarray, ratio: float) -> None:
     """a5 of both gearboxes, and what speaks for each period."""
-    import plotly.graph_objects as go
 
     signals = {"broken tooth": pair.noisy(True, ratio, 0), "healthy": pair.noisy(False, ratio, 0)}
     lines = [Channel(f"a5, {name}", levels_of(x - x.mean()).signals[0], "N") for name, x in signals.items()]
@@ -77,7 +76,7 @@ def add_both(section: Section, pair: Pair, time: np.ndarray, ratio: float) -> No
         plot_signals(time, lines, rows=[[0], [1]]),
         f"a5 with and without the broken tooth at {ratio:g} dB, seed 0.",
     )
-    figure = go.Figure(layout=theme.layout("period [s]", "−log₁₀ of its chance in noise", height=320))
+    figure = theme.figure("period [s]", "−log₁₀ of its chance in noise", height=320)
     for name, x in signals.items():
         found = period_of(x)
         figure.add_scatter(x=found.trial_period, y=found.trial_score, mode="lines", name=name)

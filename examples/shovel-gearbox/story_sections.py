@@ -95,7 +95,6 @@ def gearbox() -> Section:
 
 def contact() -> Section:
     """Table 4 under both readings of d1, damping, friction, and what is odd in the paper."""
-    import plotly.graph_objects as go
 
     section = Section("contact", "2 Contact parameters")
     model = load_model(HERE / "paper.yaml")
@@ -135,7 +134,7 @@ def contact() -> Section:
         "half of the damping at d/2. With C = 1000 N s/mm the third stage lies below the paper's own range "
         "of 0.1 to 1 % of K.</p>"
     )
-    figure = go.Figure(layout=theme.layout("penetration [mm]", "share of the damping", height=300))
+    figure = theme.figure("penetration [mm]", "share of the damping", height=300)
     depth = np.linspace(0.0, 0.12, 241)
     ours = [ramp(1e-3 * u, 1e-4)[0] for u in depth]
     literal = np.where(depth < 0.1, (3.0 - 2.0 * depth) * depth**2, 1.0)

@@ -90,10 +90,10 @@ import numba.core.codegen as codegen
 import sys
 import numpy as np
 import loose
-from pitchpoint.core import compiler
+from pitchpoint.core.compiler import public_numba
 from pitchpoint.core.kernel import invoke
 record = np.array([(3.0,), (4.0,)], loose.RECORD)
-print(invoke(loose.entry, 0, record.ctypes.data, 2), compiler.private())
+print(invoke(loose.entry, 0, record.ctypes.data, 2), public_numba.private())
 """
 ENTRY = """
 import numpy as np

@@ -38,6 +38,7 @@ class BevelPair:
 
     Examples
     --------
+    >>> from pitchpoint.geometry.bevel.cones import pitch_angles
     >>> delta1, delta2 = pitch_angles(20, 40, math.radians(90.0))
     >>> one, two = (
     ...     BevelGear.of_outer_module(z=z, m_et=3e-3, delta=delta, b=22e-3)
