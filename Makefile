@@ -9,6 +9,8 @@ DOCS_STAMP := $(VENV)/.installed-docs
 JOBS   ?= 2
 EXAMPLE := examples/backlash-oscillator
 export PYTHONUTF8 := 1
+# tests and benchmarks start hundreds of processes: without bytecode each one compiles the package again
+unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
 .PHONY: help install demo test lint pytest nojit stock newest-numba bench validate viewer docs clean
