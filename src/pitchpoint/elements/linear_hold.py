@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks of a condensed linear part on one body whose joint it keeps from turning freely."""
+"""Blocks of a condensed linear part on one body that constrain the spin of the body."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks of a condensed linear part that join bodies to modal coordinates: they hold no rotation."""
+"""Blocks of a condensed linear part between bodies and modal coordinates; they constrain no rotation."""
 
 from __future__ import annotations
 
