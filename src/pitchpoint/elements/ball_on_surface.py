@@ -51,7 +51,7 @@ def ball_on_surface(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return ball_on_surface(view(rec, n, RECORD), c, fr, q, g, G)
 

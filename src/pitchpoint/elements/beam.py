@@ -40,7 +40,7 @@ def beam(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return beam(view(rec, n, RECORD), c, fr, kk)
 

@@ -273,7 +273,7 @@ def _change(b, f, g, side, c):
 
 @kernel
 def _exact(b, f, g, kk, ck):
-    """Add ck times the full derivative of both wrenches by the poses of the bodies, at constant velocities."""
+    """Add ck times the full derivative of both wrenches by the body poses, at constant velocities."""
     T = b["C"]
     for side in range(2):
         if side == 1 and b["j"] == 0:
@@ -344,7 +344,7 @@ def bearing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return bearing(view(rec, n, RECORD), c, fr, kk)
 

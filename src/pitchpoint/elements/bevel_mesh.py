@@ -206,7 +206,7 @@ def bevel_mesh(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     records = view(rec, n, RECORD)
     for r in range(n):

@@ -213,7 +213,7 @@ def bushing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return bushing(view(rec, n, RECORD), c, fr, kk)
 

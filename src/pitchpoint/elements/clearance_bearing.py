@@ -106,7 +106,7 @@ def clearance_bearing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return clearance_bearing(view(rec, n, RECORD), c, fr, kk)
 

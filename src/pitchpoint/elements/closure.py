@@ -257,7 +257,7 @@ def closure(rec, ctl, fr, g):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return closure(view(rec, n, RECORD), c, fr, g)
 

@@ -99,7 +99,7 @@ def coupling(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return coupling(view(rec, n, RECORD), c, fr, kk)
 

@@ -58,7 +58,7 @@ def set_curves(
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     return planar_entry(ctl, rec, n)
 
 

@@ -74,7 +74,7 @@ def curve_on_curve(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return curve_on_curve(view(rec, n, RECORD), c, fr, q, g, G)
 

@@ -53,7 +53,7 @@ def damping(rec, ctl, q, v, R, A):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, q, v, R, A = coordinate_args(ctl)
     return damping(view(rec, n, RECORD), c, q, v, R, A)
 

@@ -160,7 +160,7 @@ def drive(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return drive(view(rec, n, RECORD), c, fr, q, g, G)
 

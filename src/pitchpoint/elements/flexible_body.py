@@ -256,7 +256,7 @@ def flexible_body(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return flexible_body(view(rec, n, RECORD), c, fr, kk)
 

@@ -151,7 +151,7 @@ def friction_clutch(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return friction_clutch(view(rec, n, RECORD), c, fr, kk)
 

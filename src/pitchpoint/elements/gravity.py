@@ -81,7 +81,7 @@ def gravity(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return gravity(view(rec, n, RECORD), c, fr, kk)
 

@@ -52,7 +52,7 @@ RECORD = np.dtype(
 OUTPUTS: tuple[tuple[str, str, str], ...] = ()
 
 STEP_OF_TIME, STEP_OF_COORDINATE = 1e-5, 1e-3
-"""[s]: relative error of the second derivative 1e-8 at 100 Hz; [rad], [m]: 1e-11 for smooth functions of order 1."""
+"""[s]: relative error of the second derivative 1e-8 at 100 Hz; [rad], [m]: 1e-11 for smooth functions."""
 
 
 def set_formula(record: Any, pool: Pool, formula: Any) -> None:
@@ -189,7 +189,7 @@ def guide(rec, ctl, q, guides):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, q, guides = motion_args(ctl)
     return guide(view(rec, n, RECORD), c, q, guides)
 

@@ -196,7 +196,7 @@ def joint_friction(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return joint_friction(view(rec, n, RECORD), c, fr, kk)
 

@@ -12,7 +12,7 @@ __all__ = ["KIND", "OUTPUTS", "RECORD", "entry"]
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, v, a, R, A = part_args(ctl)
     return linear_part(view(rec, n, RECORD), c, fr, q, v, a, R, A)
 

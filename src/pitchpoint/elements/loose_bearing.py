@@ -135,7 +135,7 @@ def loose_bearing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return loose_bearing(view(rec, n, RECORD), c, fr, kk)
 

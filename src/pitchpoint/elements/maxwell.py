@@ -84,7 +84,7 @@ def maxwell(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return maxwell(view(rec, n, RECORD), c, fr, kk)
 

@@ -51,7 +51,7 @@ RECORD = np.dtype(
         ("d_theta", "f8", (2, 3)),
         ("d_omega", "f8", (2, 3)),
         ("d_alpha", "f8", (2, 3)),
-        ("D", "f8", (3, 3)),  # difference of the normals, its rate, and its rate in axes that rotate with the chord
+        ("D", "f8", (3, 3)),  # difference of the normals; its rate in world axes and in axes of the chord
         ("S", "f8", (3, 3)),  # sum of the slopes against the chord, likewise
         ("f_d", "f8", 3),  # their forces [N m]
         ("f_s", "f8", 3),

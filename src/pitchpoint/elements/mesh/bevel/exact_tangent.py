@@ -20,7 +20,7 @@ STEP = 2e-4
 
 @kernel
 def _sample(b, f, g, body, motion, h, flank):
-    """Set the basis rows for one body translated by h along a world axis, or its axis rotated by h about one."""
+    """Set the basis rows for one body displaced by h along a world axis, or rotated by h about one."""
     at = triple(body["r"], 0)
     axis = column(body["R"], 2)
     turned = cross(unit(motion - 3), axis)

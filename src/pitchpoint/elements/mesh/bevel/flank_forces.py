@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of one flank of a bevel mesh: positions of its contact nodes; `mesh.sums.add_node` evaluates each node.
+"""Forces of one flank of a bevel mesh, summed over contact nodes; `mesh.sums.add_node` evaluates a node.
 
 Along a contact line the path position is p = p_0 + lam ln(R/R_m) base pitches, so straight teeth touch along
 rays. Five Gauss points on every piece between kinks (start and end of contact, ends of the ramps, separation
@@ -80,7 +80,7 @@ def _aside(b, sigma, p_rate):
 
 @kernel
 def pair_node(b, watch, p_0, R, weight):
-    """Add one node of the pair whose contact line is at p_0 at R_m; `weight`: its part of the face width [m]."""
+    """Add one node of the pair with its contact line at p_0 at R_m; `weight`: part of the face width [m]."""
     now = b["now"]
     p = _line_at(b, p_0, R)
     sigma = _ray(b, p)
