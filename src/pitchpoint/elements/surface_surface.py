@@ -5,13 +5,12 @@ A cylinder extends along the z axis of its marker, from -length/2 to length/2; a
 tube radius is zero) is in the plane z = 0. For spheres use the kind point_surface.
 
 * cylinder on a plane, on a cylinder or in a bore: line contact (elements/contacts/line.py), parallel or
-tilted;
-  the law is for the whole line; flat ends;
+  tilted; the law is for the whole line; flat ends;
 * ring on a plane: contact at the lowest point of the circle;
 * crossed cylinders: one contact point, on the common normal of the axes, which must not be parallel; round
-ends; * triangles: contact at the centroid of every face that is inside the other body, weighted with half of
-the face
-  area in either direction, so that finer triangles converge to an elastic foundation (law per area);
+  ends;
+* triangles: contact at the centroid of every face that is inside the other body, weighted with half of the
+  face area in either direction, so that finer triangles converge to an elastic foundation (law per area);
 * triangles on a plane, cylinder, cone, torus or sphere: contact at the face centroids, weighted with the full
   face area, on the exact surface.
 """

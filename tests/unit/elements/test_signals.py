@@ -502,7 +502,7 @@ def test_names_that_do_not_exist_are_refused():
     net.linear("u", {"angel": 1.0})
     with pytest.raises(CompileError, match="'angel' is not a signal; did you mean angle"):
         assemble_controlled(net, {})
-    with pytest.raises(CompileError, match="taken"):
+    with pytest.raises(CompileError, match="already in use"):
         net.linear("angle", {})
 
 

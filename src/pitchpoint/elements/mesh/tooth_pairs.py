@@ -42,7 +42,7 @@ from pitchpoint.multibody.channels import F8
 
 MOST_SPLIT = 64
 """Maximum number of table points at which contact lines are split (three nodes per point on a line). The
-table of `energy` has 129 smooth points; without splitting, its stiffness error is below 3.4e-5 of the mean."""
+table of `energy` has 129 smooth points; without splitting its stiffness error is below 3.4e-5 of the mean."""
 
 
 @kernel
