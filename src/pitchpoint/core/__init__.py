@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ground rules without domain knowledge: units, errors, names, kernels, tables, formulas."""
+"""Foundations without domain knowledge: units, errors, names, kernels, tables, formulas."""

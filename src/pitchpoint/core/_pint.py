@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Units outside the own table, looked up one name at a time in pint.
+"""Conversion of units that are not in the unit table, by pint.
 
-Kept apart so that pint is imported only when a file uses an exotic unit. Rates (per time alone) are
-refused here, because pint does not distinguish turns, cycles and radians.
+A separate module, so that pint is imported only if a file uses such a unit. Rates (per time alone) are
+refused here, because pint does not distinguish revolutions, cycles and radians.
 """
 
 from __future__ import annotations
@@ -40,14 +40,14 @@ def foreign_unit(name: str) -> tuple[float, int, int, int, int]:
         shift = registry.Quantity(0.0, unit).to_base_units().magnitude
         dims = {str(k): v for k, v in unit.dimensionality.items()}
     except Exception:  # noqa: BLE001
-        # pint raises a wide and changing family of errors for names it does not know
+        # pint raises various exceptions for unknown names, depending on its version
         raise UnitError(f"unknown unit '{name}'") from None
     powers = [dims.pop(f"[{d}]", 0) for d in ("length", "mass", "time", "temperature")]
     if dims or any(p != int(p) for p in powers):
-        raise UnitError(f"the unit '{name}' has no mechanical meaning")
+        raise UnitError(f"the unit '{name}' is not a mechanical unit")
     if shift != 0.0:
-        raise UnitError(f"'{name}' is refused: it has a zero point of its own")
+        raise UnitError(f"the unit '{name}' has an offset from the SI zero point; use an absolute unit")
     if powers[0] == powers[1] == powers[3] == 0:
-        raise UnitError(f"'{name}' is refused: write angles and rates in rad, deg, rpm, Hz or rad/s")
+        raise UnitError(f"the unit '{name}' is ambiguous; use rad, deg, rpm, Hz or rad/s")
     m, kg, s, kelvin = (int(p) for p in powers)
     return float(quantity.magnitude), m, kg, s, kelvin

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How another Python process is started: with the packages of this one, and nothing from the working folder.
+"""Command and environment of child Python processes: same packages, nothing from the working directory.
 
-With ``-c`` and ``-m`` Python puts the working folder in front of its search path: a file `numpy.py` there
-would be executed in place of the library. The option ``-P`` prevents that.
+With ``-c`` and ``-m`` Python puts the working directory first in its search path: a file `numpy.py` there
+would be executed instead of the library. The option ``-P`` prevents this.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ def python_command(*arguments: str) -> list[str]:
     Parameters
     ----------
     *arguments
-        What follows, such as ``-m`` and the name of a module.
+        Arguments of the interpreter, such as ``-m`` and the name of a module.
     """
     return [sys.executable, "-P", *arguments]
 
 
 def python_environment() -> dict[str, str]:
-    """Environment in which the process finds the packages of this one; relative folders are omitted."""
+    """Environment in which the child finds the packages of this process; relative folders are omitted."""
     return {**os.environ, "PYTHONPATH": os.pathsep.join(p for p in sys.path if os.path.isabs(p))}

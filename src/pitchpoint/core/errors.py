@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Everything that may go wrong, as a small family of exceptions.
+"""Exceptions and messages of the package.
 
-Nothing but a `PitchpointError` ever leaves the package on purpose. Messages have the form
-*where - value - limit - what to do*; a wrong description carries all of its problems at once.
+Every deliberately raised error is a `PitchpointError`. Messages have the form *where - value - limit - what
+to do*; the error of a wrong description contains all of its problems.
 """
 
 from __future__ import annotations
@@ -12,29 +12,29 @@ from typing import Any
 
 
 class PitchpointError(Exception):
-    """Base of all errors that the package raises on purpose."""
+    """Base class of all errors that the package raises deliberately."""
 
 
 class Message(str):
-    """One thing that a user should know: a sentence that keeps its parts.
+    """Message to the user: a sentence that also provides its parts as attributes.
 
-    It is the sentence, so that it can be shown, joined and stored like any text.
+    A subclass of `str`, so that it can be displayed, joined and stored like any text.
 
     Parameters
     ----------
     where
-        Place in the description, such as "gears.pinion.face_width"; '' if it concerns the whole.
+        Location in the description, such as "gears.pinion.face_width"; '' for the description as a whole.
     text
-        What is wrong or notable.
+        Statement of the problem or remark.
     value, limit
-        The value found, and what is allowed.
+        Actual value, and permitted range.
     remedy
-        What to do about it.
+        Corrective action.
     line
         Line of the file, from 1.
     kind
-        "problem": nothing can be computed; "warning": outside a usual or stated range; "remark": probably not
-        what was meant; "note": an assumption or limitation of a result.
+        "problem": computation impossible; "warning": outside a usual or stated range; "remark": valid, but
+        probably not intended; "note": an assumption or limitation of a result.
 
     Examples
     --------
@@ -63,7 +63,7 @@ class Message(str):
         line: int | None = None,
         kind: str = "problem",
     ) -> Message:
-        """Put the sentence together."""
+        """Compose the sentence."""
         place = where if line is None else f"{where} (line {line})"
         sentence = f"{place}: " if place else ""
         sentence += text if value is None else f"{value} {text}"
@@ -76,11 +76,11 @@ class Message(str):
 
     @property
     def parts(self) -> dict[str, Any]:
-        """Its parts by name, in the order of the arguments."""
+        """Parts by name, in the order of the arguments."""
         return dict(vars(self))
 
     def changed(self, **parts: Any) -> Message:
-        """The same with some parts changed."""
+        """Copy with some parts changed."""
         return Message(**{**self.parts, **parts})
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -88,7 +88,7 @@ class Message(str):
 
 
 def remark(where: str, text: str, remedy: str | None = None, line: int | None = None) -> Message:
-    """Something in a description that is allowed, but probably not what was meant.
+    """Remark: a description that is valid, but probably not intended.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def remark(where: str, text: str, remedy: str | None = None, line: int | None = 
 
 
 def note(text: str, where: str = "", remedy: str | None = None) -> Message:
-    """An assumption or limitation of a result.
+    """Note: an assumption or limitation of a result.
 
     Parameters
     ----------
@@ -110,14 +110,14 @@ def note(text: str, where: str = "", remedy: str | None = None) -> Message:
 
 
 class ModelError(PitchpointError, ValueError):
-    """A description is wrong; carries every problem found in one pass.
+    """Invalid description, with all problems found.
 
     Parameters
     ----------
     problems
         All problems, in the order of the file.
     file
-        Name of their file, if any.
+        Name of the file, if any.
     """
 
     def __init__(self, problems: Sequence[Message], file: str | None = None) -> None:
@@ -130,13 +130,13 @@ class ModelError(PitchpointError, ValueError):
 
 
 class UnitError(PitchpointError, ValueError):
-    """A quantity could not be read, or has the wrong dimension."""
+    """Invalid quantity, or wrong dimension."""
 
 
 class GeometryError(PitchpointError, ValueError):
-    """A gear or pair that cannot exist: the message gives place, value, limit and remedy.
+    """Geometrically impossible gear or pair; the message gives location, value, limit and remedy.
 
-    `problem` holds the same as data, so that a loader can add the line of the file.
+    `problem` is the same as a `Message`, so that a loader can add the line of the file.
     """
 
     def __init__(
@@ -153,20 +153,20 @@ class GeometryError(PitchpointError, ValueError):
 
 
 class CompileError(PitchpointError, RuntimeError):
-    """A model is valid but cannot be turned into equations (for example a floating body)."""
+    """Valid model without solvable equations (for example an unconstrained body)."""
 
 
 class SolverError(PitchpointError, RuntimeError):
-    """A computation failed; keeps the status and whatever was computed before.
+    """Failed computation, with its status and partial result.
 
     Parameters
     ----------
     message
-        What happened, in a sentence.
+        Description of the failure in one sentence.
     status
         Integer status of `pitchpoint.core.status`.
     partial
-        The result so far (a Dataset or the path of the file that holds it), or None.
+        Partial result (a Dataset or the path of its file), or None.
     """
 
     def __init__(self, message: str, status: int, partial: Any = None) -> None:
@@ -176,8 +176,8 @@ class SolverError(PitchpointError, RuntimeError):
 
 
 class MissingDependencyError(PitchpointError, ImportError):
-    """An optional library is needed; the message names the extra that brings it."""
+    """Missing optional library; the message names the extra that installs it."""
 
 
 class ValidityWarning(UserWarning):
-    """A formula is used outside the range its source states."""
+    """Formula used outside the range of validity stated by its source."""

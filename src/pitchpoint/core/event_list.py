@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Events of a run as variables of a result: the same from memory and from a file."""
+"""Events of a run as result variables, identical for results in memory and in files."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from numpy.typing import ArrayLike
 def event_variables(
     time: ArrayLike, index: ArrayLike, direction: ArrayLike, names: Sequence[str]
 ) -> dict[str, tuple[str, Any, dict[str, str]]]:
-    """Variables over the dimension `event`, in the order of time.
+    """Variables over the dimension `event`, sorted by time.
 
     Parameters
     ----------
     time
-        When the event functions passed zero, shape (n,) [s].
+        Times of the zeros of the event functions, shape (n,) [s].
     index
-        Which of `names` it was, shape (n,).
+        Index of the event function in `names`, shape (n,).
     direction
         1 rising, -1 falling, shape (n,).
     names

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The one door to the compiler: decorator, raw views, calls through addresses.
+"""Interface to the compiler: kernel decorator, memory views, calls by address.
 
-Everything else in the package is plain Python. A kernel is an ordinary function marked with `kernel`; it
-compiles when it is first needed and is kept in the user's cache. What solvers call are *entries*, kernels of
-three integers: the machine code of an entry comes from the cache without the compiler being imported. With
-``NUMBA_DISABLE_JIT=1`` the same functions run as plain Python.
+This is the only module of the package that gives access to compiled code. A kernel is a function with the
+decorator `kernel`; it is compiled at first use and stored in the user's cache. Solvers call *entry points*,
+kernels with three integer arguments, whose machine code is loaded from the cache without importing the
+compiler. With ``NUMBA_DISABLE_JIT=1`` the same functions run as Python code.
 
-Kernel modules import at the top, absolutely or relatively, and never conditionally: the stamp of the cache is
-a text scan.
+Kernel modules must have unconditional imports at the top, absolute or relative, because the cache stamp is
+computed by a text scan.
 """
 
 from __future__ import annotations
@@ -47,14 +47,14 @@ COMPILING = os.environ.get("NUMBA_DISABLE_JIT", "0").strip() in ("", "0")
 
 
 class Kernel:
-    """A function that compiles when another kernel or Python calls it.
+    """Function that is compiled when another kernel or Python calls it.
 
     Parameters
     ----------
     function
-        The function.
+        Python function.
     inline
-        Whether its body goes into every caller.
+        Whether it is inlined into every caller.
     """
 
     def __init__(self, function: Any, inline: bool = False) -> None:
@@ -64,7 +64,7 @@ class Kernel:
 
     @cached_property
     def dispatcher(self) -> Any:
-        """What represents this kernel inside other kernels."""
+        """Dispatcher for calls from other kernels."""
         from pitchpoint.core.compiler import public_numba
 
         return public_numba.dispatcher(self)
@@ -81,7 +81,7 @@ class Kernel:
         return list(self.dispatcher.signatures) if "dispatcher" in vars(self) else []
 
     def __call__(self, *args: Any) -> Any:
-        """Compile with a wrapper for Python and call; solvers use `invoke`."""
+        """Compile with a Python wrapper and call; solvers use `invoke`."""
         return self._python_callable(*args)
 
     def __reduce__(self) -> str:
@@ -89,24 +89,25 @@ class Kernel:
 
 
 class Intrinsic:
-    """Represents a function that exists only inside kernels."""
+    """Placeholder of a function that exists only in kernels."""
 
     def __init__(self, name: str) -> None:
         self.__name__ = name
 
 
 def kernel(function: Any = None, *, inline: bool = False) -> Any:
-    """Compile a function at its first call, without the interpreter lock, cached on disk.
+    """Decorator: compile a function at its first call, without the interpreter lock, cached on disk.
 
-    Kernels take floats, integers and arrays, allocate nothing, raise nothing and return integer statuses.
+    Arguments of kernels are floats, integers and arrays; kernels allocate no memory, raise no exceptions and
+    return integer statuses.
 
     Parameters
     ----------
     function
-        The function; omitted in ``@kernel(inline=True)``.
+        Python function; omitted in ``@kernel(inline=True)``.
     inline
-        Put the body into every caller. An array travels as seven words and more, so a kernel with several
-        arrays and one caller belongs there.
+        Inline the function into every caller. An array argument has seven words or more, so that this pays
+        for a kernel with several arrays and one caller.
     """
     if function is None:
         return partial(kernel, inline=inline)
@@ -114,7 +115,7 @@ def kernel(function: Any = None, *, inline: bool = False) -> Any:
 
 
 def plain(function: Any) -> Any:
-    """A kernel as plain Python, for a single call or for whole arrays; other functions as they are."""
+    """Python function of a kernel, for single calls or whole arrays; other functions unchanged."""
     return getattr(function, "py_func", function)
 
 
@@ -132,9 +133,9 @@ _TABLE: dict[int, Any] = {}
 
 
 def address(entry: Any) -> int:
-    """Address of a kind's ``int64 entry(int64 ctl, int64 records, int64 n)``, valid in this process only.
+    """Address of an entry point ``int64 entry(int64 ctl, int64 records, int64 n)``, for this process only.
 
-    Loads the machine code, or compiles it, at the first request. Never store or pickle an address.
+    The first call loads or compiles the machine code. Never store or pickle an address.
     """
     if not COMPILING:
         _TABLE[id(entry)] = entry
@@ -153,12 +154,12 @@ def address(entry: Any) -> int:
 
 
 def label(entry: Any) -> str:
-    """Name of an entry for another process: "module:function"."""
+    """Name of an entry point for another process, as module:function."""
     return f"{entry.__module__}:{entry.__name__}"
 
 
 def is_compiled(entry: Any) -> bool:
-    """Whether the machine code of an entry is at hand: made in this process or kept in the cache."""
+    """Whether the machine code of an entry point is available: compiled in this process or in the cache."""
     if not COMPILING or entry in _addresses:
         return True
     file = machine_code.code_file(entry.py_func)
@@ -166,19 +167,19 @@ def is_compiled(entry: Any) -> bool:
 
 
 def expect(entry: Any) -> None:
-    """Let the next `prepare` compile an entry that will be needed soon, while others wait for their turn."""
+    """Schedule an entry point that will be needed soon for the next `prepare`."""
     _expected.append(entry)
 
 
 def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
-    """Compile what the cache lacks of two lists of entries; `address` waits for those of the second.
+    """Compile the entry points of two lists that are not in the cache, in two processes.
 
     Parameters
     ----------
     mine
-        Entries to compile here, before this returns.
+        Entry points to compile in this process, before the function returns.
     theirs
-        Entries that a second process compiles meanwhile, if the cache can carry them over.
+        Entry points for a second process, if the cache is writable; `address` waits for them.
     """
     missing = [e for e in theirs if not is_compiled(e)]
     here = [e for e in (*mine, *_expected) if not is_compiled(e)]
@@ -191,10 +192,10 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
 
 
 def _compile(here: Sequence[Any], there: list[Any]) -> None:
-    """Compile what is for this process, then what the second process has not begun."""
+    """Compile the entry points of this process, then those that the second process has not started."""
     for entry in here:
         address(entry)
-    # whoever is done first takes from the end of the list; the first one left is being compiled there
+    # take from the end of the list; the second process works from its start
     while len(there) > 1:
         last = there.pop()
         if not is_compiled(last) and not all(is_compiled(e) for e in there):
@@ -203,24 +204,24 @@ def _compile(here: Sequence[Any], there: list[Any]) -> None:
 
 
 def invoke(entry: Any, ctl: int, records: int, n: int) -> int:
-    """Call an entry from Python, through the address that the drivers use.
+    """Call an entry point from Python by its address.
 
     Parameters
     ----------
     entry
-        The kernel.
+        Kernel of the entry point.
     ctl, records, n
-        Its three arguments: addresses and a number.
+        Its arguments: two addresses and the number of records.
 
     Returns
     -------
     int
-        Its status.
+        Status of `pitchpoint.core.status`.
 
     Raises
     ------
     KeyboardInterrupt
-        If the user stopped it while a law in plain Python ran.
+        If the user interrupted a law that runs as Python code.
     """
     if COMPILING:
         return invoke_address(address(entry), ctl, records, n)
@@ -228,12 +229,12 @@ def invoke(entry: Any, ctl: int, records: int, n: int) -> int:
 
 
 def invoke_address(where: int, ctl: int, records: int, n: int) -> int:
-    """The same for the address of an entry.
+    """Call an entry point at a given address.
 
     Parameters
     ----------
     where
-        Address of a compiled entry.
+        Address of a compiled entry point.
     ctl, records, n
         Its three arguments.
     """
@@ -241,22 +242,22 @@ def invoke_address(where: int, ctl: int, records: int, n: int) -> int:
 
 
 def _unless_stopped(status: int) -> int:
-    """A status; or the Ctrl-C that came while plain laws ran."""
+    """Return a status, or raise a pending Ctrl-C from a law that runs as Python code."""
     if _stopped:
         raise _stopped.pop()
     return status
 
 
 def _guarded(function: Any) -> Callable[..., float]:
-    """A plain Python law as a callback; an exception becomes NaN, which the solver's guard reports."""
+    """Callback of a Python law; it returns NaN after an exception, which the solver reports."""
 
     def law(t: float, x: float, p: Any) -> float:
-        """The law, with NaN in place of an exception; Ctrl-C is kept for `invoke`."""
+        """The law, with NaN in place of an exception; Ctrl-C is stored for `invoke`."""
         try:
             return float(function(t, x, p))
-        except KeyboardInterrupt as stop:  # continues in `invoke`
+        except KeyboardInterrupt as stop:  # raised again in `invoke`
             _stopped.append(stop)
-        except BaseException:  # nothing may pass the boundary of a callback
+        except BaseException:  # no exception may leave a callback
             pass
         return float("nan")
 
@@ -265,17 +266,17 @@ def _guarded(function: Any) -> Callable[..., float]:
 
 
 def _hear_callbacks() -> None:
-    """Keep a Ctrl-C that Python acts upon before a law has begun or after it has ended, as it often does.
+    """Install a hook that stores a Ctrl-C raised at the start or end of a callback, outside its `try`.
 
-    It was pressed while compiled code ran, and the first instruction behind that is the first one of the
-    callback, where nothing catches yet. ctypes then calls `sys.unraisablehook` and hands on a zero.
+    After Ctrl-C during compiled code, Python often raises the exception at the first instruction of the
+    callback. ctypes then calls `sys.unraisablehook` and returns zero.
     """
     before = sys.unraisablehook
     if getattr(before, "hears_callbacks", False):
         return
 
     def hook(found: Any) -> None:
-        """Keep Ctrl-C for `invoke`, hand on everything else."""
+        """Store Ctrl-C for `invoke`; pass all other exceptions to the previous hook."""
         if issubclass(found.exc_type, KeyboardInterrupt) and getattr(found.object, "guarded", False):
             _stopped.append(KeyboardInterrupt())
         else:
@@ -291,8 +292,8 @@ def law_address(function: Any) -> int:
     Parameters
     ----------
     function
-        A Python function (compiled if it can be, called back through the interpreter if not), an object with
-        an `address` attribute, or an integer address from another library.
+        Python function (compiled if possible, otherwise called through the interpreter), an object with an
+        `address` attribute, or an integer address from another library.
 
     Returns
     -------
@@ -303,7 +304,7 @@ def law_address(function: Any) -> int:
         return function
     if COMPILING and isinstance(getattr(function, "address", None), int):
         return int(function.address)
-    with _lock:  # a second callback in its place would end the first one, whose address is in use
+    with _lock:  # replacing a callback would free the first one, whose address is in use
         if function not in _laws:
             plain = _guarded(function)
             _hear_callbacks()
@@ -323,17 +324,17 @@ def law_address(function: Any) -> int:
 
 
 if COMPILING:
-    #: Array of the given final shape over memory that somebody else owns: ``view(where, shape, dtype)``.
+    #: Array of a given shape over external memory: ``view(where, shape, dtype)``.
     view: Any = Intrinsic("view")
-    #: Call of an entry through its address: ``call(where, a, b, c)``.
+    #: Call of an entry point by address: ``call(where, a, b, c)``.
     call: Any = Intrinsic("call")
-    #: Call of a user law through its address: ``call_law(where, t, x, p)``, p the address of its parameters.
+    #: Call of a user law by address: ``call_law(where, t, x, p)``, p the address of its parameters.
     call_law: Any = Intrinsic("call_law")
 
 else:
 
     def view(where, shape, dtype):
-        """Array of the given final shape over memory that somebody else owns; no copy."""
+        """Array of a given shape over external memory, without copy."""
         shape = shape if isinstance(shape, tuple) else (shape,)
         dtype = np.dtype(dtype)
         size = int(np.prod(shape, dtype=np.int64)) * dtype.itemsize
@@ -343,10 +344,10 @@ else:
         return np.frombuffer(raw, dtype).reshape(shape)
 
     def call(where, a, b, c):
-        """Call an entry through its table key."""
+        """Call an entry point by its table key."""
         return _TABLE[int(where)](int(a), int(b), int(c))
 
     def call_law(where, t, x, p):
-        """Call a user law through its table key."""
+        """Call a user law by its table key."""
         pointer = ctypes.cast(int(p), ctypes.POINTER(ctypes.c_double))
         return float(_TABLE[int(where)](float(t), float(x), pointer))

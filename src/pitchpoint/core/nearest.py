@@ -1,27 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The name that was probably meant: one rule for keys, components, channels, commands and options."""
+"""Suggestions for misspelled names: keys, components, channels, commands and options."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
 LISTED = 12
-"""Most names that a hint lists."""
+"""Maximum number of names in a hint."""
 _SIMILAR = 0.6
-"""Lowest similarity of a suggestion, from 0 to 1. At 0.5, `m9` suggests `m2` and `tacho` suggests `acc`."""
+"""Minimum similarity of a suggestion, from 0 to 1. At 0.5, `m9` suggests `m2` and `tacho` suggests `acc`."""
 
 
 def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:
-    """Names spelled nearly like one, whatever the case, blanks, hyphens and underscores.
+    """Names of similar spelling, ignoring case, blanks, hyphens and underscores.
 
     Parameters
     ----------
     name
-        What was written.
+        Name as written.
     names
-        Names that exist.
+        Existing names.
     count
-        Most suggestions.
+        Maximum number of suggestions.
 
     Examples
     --------
@@ -35,16 +35,16 @@ def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:
 
 
 def did_you_mean(name: object, names: Iterable[str], count: int = 1) -> str:
-    """A question with the nearest names and a blank at its end, '' if none is near.
+    """Question with the nearest names and a trailing blank; '' if no name is similar.
 
     Parameters
     ----------
     name
-        What was written.
+        Name as written.
     names
-        Names that exist.
+        Existing names.
     count
-        Most suggestions.
+        Maximum number of suggestions.
 
     Examples
     --------
@@ -56,16 +56,16 @@ def did_you_mean(name: object, names: Iterable[str], count: int = 1) -> str:
 
 
 def hint(name: object, names: Iterable[str], count: int = 1) -> str:
-    """The nearest names and what there is; of many names only the nearest.
+    """Nearest names and list of existing names; with many names only the nearest.
 
     Parameters
     ----------
     name
-        What was written.
+        Name as written.
     names
-        Names that exist.
+        Existing names.
     count
-        Most suggestions.
+        Maximum number of suggestions.
 
     Examples
     --------

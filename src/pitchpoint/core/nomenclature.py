@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The one table of names: symbol, REXS id, units, meaning and source of every quantity.
+"""Nomenclature: symbol, REXS id, units, meaning and source of every quantity.
 
-Axis labels, dataset attributes and the documentation are made from `nomenclature.csv`, so a quantity is
-named once. Channels of a result are looked up without the name in brackets behind them.
+Axis labels, dataset attributes and the documentation are generated from `nomenclature.csv`, so that a
+quantity is defined once. Result channels are looked up without the element name in brackets.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _PARTS = {
 
 
 class Entry(NamedTuple):
-    """One row of the table; texts may be empty."""
+    """Row of the table; texts may be empty."""
 
     identifier: str
     symbol: str
@@ -50,7 +50,7 @@ def lookup(name: str) -> Entry:
     Parameters
     ----------
     name
-        For instance "eps_alpha", "mesh_force[stage]" or "bearing_force[front.mx]".
+        Identifier such as "eps_alpha", or channel such as "mesh_force[stage]" or "bearing_force[front.mx]".
 
     Raises
     ------
@@ -72,7 +72,7 @@ def lookup(name: str) -> Entry:
 
 
 def label(name: str) -> str:
-    """Words for an axis or a table head, with the symbol if there is one.
+    """Label of an axis or table column: meaning and symbol.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def label(name: str) -> str:
 
 
 def unit(name: str) -> str:
-    """SI unit of an identifier or result channel; "1" for plain numbers.
+    """SI unit of an identifier or result channel; "1" if dimensionless.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ def attributes(name: str) -> dict[str, str]:
 
 
 def markdown_table() -> str:
-    """The whole nomenclature as a Markdown table, for the documentation."""
+    """Nomenclature as a Markdown table, for the documentation."""
     heads = ("identifier", "symbol", "REXS id", "SI unit", "shown in", "meaning", "source")
     lines = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
     for row in table().values():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sentences about the installation, such as that kernels are being compiled, each reported once."""
+"""Notices on the installation, such as the compilation of kernels, each reported once."""
 
 from __future__ import annotations
 
@@ -11,20 +11,20 @@ _given: set[str] = set()
 
 
 def listen(function: Callable[[str], None]) -> None:
-    """Let a function receive these sentences; without one they go to the log of the package."""
+    """Set the function that receives the notices; without it they are logged."""
     _listeners[:] = [function]
     _given.clear()
 
 
 def notice(text: str, level: int = logging.WARNING) -> None:
-    """Report a sentence if it is new.
+    """Report a notice once.
 
     Parameters
     ----------
     text
-        The sentence.
+        Sentence of the notice.
     level
-        Its level where it goes to the log.
+        Level in the log.
     """
     if text in _given:
         return

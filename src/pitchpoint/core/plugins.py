@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What other packages add: the objects that their entry points in the group ``pitchpoint.kinds`` name."""
+"""Plugins: objects of package entry points in the group ``pitchpoint.kinds``."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ T = TypeVar("T")
 
 
 def plugin_objects(of: type[T], name: str | None = None) -> list[T]:
-    """Objects of a class that installed packages add.
+    """Objects of a class from the entry points of installed packages.
 
     Parameters
     ----------
     of
-        Class of the objects; entry points that name something else are passed over.
+        Class of the objects; other objects are ignored.
     name
-        Name of the entry point; all are loaded if omitted.
+        Name of the entry point; default: all.
     """
     from importlib.metadata import entry_points
 

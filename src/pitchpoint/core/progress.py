@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Progress of long-running work, reported to whoever listens."""
+"""Progress reports of long-running work."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Protocol
 
 
 class Progress(Protocol):
-    """A receiver of the amount of work done.
+    """Receiver of progress reports.
 
-    It is called between blocks, never inside a compiled loop, and may raise KeyboardInterrupt to stop.
+    Called between blocks, never inside a compiled loop; it may raise KeyboardInterrupt to stop the work.
     """
 
     def __call__(self, done: float, total: float, note: str = "") -> None:
@@ -21,16 +21,16 @@ class Progress(Protocol):
         Parameters
         ----------
         done
-            Amount done so far, in any unit.
+            Completed amount, in any unit.
         total
-            Amount in all, in the same unit; 0 if unknown.
+            Total amount, in the same unit; 0 if unknown.
         note
-            A few words on the current step.
+            Short description of the current step.
         """
 
 
 def silent(done: float, total: float, note: str = "") -> None:
-    """Listen to nothing; the default where no caller wants to know.
+    """Ignore progress reports; the default receiver.
 
     Parameters
     ----------
@@ -44,7 +44,7 @@ def silent(done: float, total: float, note: str = "") -> None:
 
 
 def _no_listener(_: str) -> None:
-    """Listener where there is none."""
+    """Default listener: ignores the notes."""
 
 
 _listener: ContextVar[Callable[[str], None]] = ContextVar("listener", default=_no_listener)
@@ -57,7 +57,7 @@ def listening(listener: Callable[[str], None]) -> Iterator[None]:
     Parameters
     ----------
     listener
-        Called with a few words; it may raise KeyboardInterrupt to stop.
+        Called with a short description; it may raise KeyboardInterrupt to stop the work.
     """
     before = _listener.set(listener)
     try:
@@ -67,12 +67,12 @@ def listening(listener: Callable[[str], None]) -> Iterator[None]:
 
 
 def report_step(words: str) -> None:
-    """Report the current step before work whose share is known, or between its parts.
+    """Report the current step to the listener.
 
     Parameters
     ----------
     words
-        A few words on the current step.
+        Short description of the step.
 
     Examples
     --------

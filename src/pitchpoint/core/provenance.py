@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where a result comes from: version, model, solver and options, as plain attributes of a dataset."""
+"""Provenance of a result: version, model, solver and options as attributes of a dataset."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ def package_version() -> str:
 
 
 def content_hash(data: Any) -> str:
-    """Hash of nested data that does not depend on the order of keys or on the process.
+    """Hash of nested data, independent of the order of keys and of the process.
 
     Parameters
     ----------
     data
-        Numbers, texts, sequences, mappings, arrays, dataclasses, nested. Of a file that a dataclass names, a
-        field with a key of kind "file", its content counts and its name does not. Fields that are not
-        compared, such as lines in a file, do not count, nor do empty ones whose key is marked `later`.
+        Numbers, texts, sequences, mappings, arrays, dataclasses, nested. For a field with a key of kind
+        "file" the content of the file is hashed, not its name. Fields that are excluded from comparison, such
+        as lines in a file, and empty fields whose key is marked `later` are ignored.
 
     Returns
     -------
@@ -57,7 +57,7 @@ def content_hash(data: Any) -> str:
 def provenance(
     *, model_hash: str, solver: str, options: Mapping[str, Any], status: int, wall_s: float
 ) -> dict[str, str | int | float]:
-    """Attributes that every result carries.
+    """Attributes of every result.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def provenance(
     solver
         Name of the solver.
     options
-        Its options, written as JSON.
+        Options of the solver, stored as JSON.
     status
         Integer status of `pitchpoint.core.status`.
     wall_s
@@ -87,9 +87,9 @@ def provenance(
 
 
 def _plain(data: Any) -> Any:
-    """Turn nested data into what JSON knows; floats by their exact text, so NaN and -0.0 are kept apart."""
+    """Convert nested data to JSON types; floats as exact text, so that NaN and -0.0 are distinguished."""
     if dataclasses.is_dataclass(data) and not isinstance(data, type):
-        read = bool(getattr(data, "digest", ""))  # of what it names the content counts, not the place
+        read = bool(getattr(data, "digest", ""))  # the content is hashed, not the path
         compared = [f for f in dataclasses.fields(data) if f.compare and not (read and f.name == "file")]
         compared = [f for f in compared if getattr(data, f.name) or not _came_later(f)]
         fields = {f.name: _plain(_content(f, getattr(data, f.name))) for f in compared}
@@ -114,12 +114,12 @@ def _plain(data: Any) -> Any:
 
 
 def _came_later(field: dataclasses.Field[Any]) -> bool:
-    """Whether a key is newer than models without it: these keep their hashes, from which noise is drawn."""
+    """Whether a key was added later: models without it retain their hash, which seeds random noise."""
     return bool(getattr(field.metadata.get("key"), "later", field.metadata.get("later", False)))
 
 
 def _content(field: dataclasses.Field[Any], value: Any) -> Any:
-    """Value of a field; of one that names a file, the hash of what is in it."""
+    """Value of a field; for the name of a file, the hash of its content."""
     if value is None or getattr(field.metadata.get("key"), "kind", "") != "file":
         return value
     try:
@@ -131,6 +131,6 @@ def _content(field: dataclasses.Field[Any], value: Any) -> Any:
 
 @lru_cache(maxsize=64)
 def _file_hash(path: str, stamp: int, size: int) -> str:
-    """Hash of a file as it is at the time `stamp`."""
+    """Hash of the content of a file; `stamp` and `size` are keys of the cache."""
     with Path(path).open("rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()

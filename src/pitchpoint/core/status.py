@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Integer statuses of the compiled core and their sentences.
+"""Integer statuses of the compiled core and their messages.
 
-Zero is what a compiled entry returns when an exception escaped from it, so zero means "died" and
-one means "fine"; no kernel ever returns zero on purpose.
+A compiled entry point returns zero after an uncaught exception, so that zero means "died" and one "finished";
+no kernel returns zero deliberately.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ _SENTENCES = {
 
 
 def sentence(status: int) -> str:
-    """Give the sentence of a status.
+    """Message of a status.
 
     Examples
     --------

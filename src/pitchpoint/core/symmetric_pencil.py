@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Eigenvalues of two symmetric matrices, without SciPy, whose import would double a short start."""
+"""Generalised symmetric eigenproblem without SciPy, whose import would double the time of a short command."""
 
 from __future__ import annotations
 
@@ -26,8 +26,9 @@ def symmetric_pencil(K: Array, M: Array) -> tuple[Array, Array]:
 
     References
     ----------
-    .. [1] G. H. Golub, C. F. Van Loan: Matrix Computations, 4th ed., algorithm 8.7.1: M = L L^T makes it the
-       ordinary problem of L^-1 K L^-T.
+    .. [1] G. H. Golub, C. F. Van Loan: Matrix Computations, 4th ed., algorithm 8.7.1: M = L L^T reduces it to
+    the
+       standard eigenproblem of L^-1 K L^-T.
 
     Examples
     --------

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The units that files may use and the kinds of quantity that they describe, as plain tables.
+"""Tables of units and of dimensions.
 
-Factors are exact fractions as far as they can be, so that "159.66 mm" becomes the double nearest to
-0.15966 and not to its neighbour.
+Factors are exact fractions where possible, so that "159.66 mm" is converted to the double nearest to 0.15966.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ ONE = Fraction(1)
 
 
 class Unit(NamedTuple):
-    """A factor and the exponents of metre, kilogram, second, kelvin, radian, turn and cycle."""
+    """Unit: factor and exponents of metre, kilogram, second, kelvin, radian, revolution and cycle."""
 
     factor: Fraction | float
     m: int = 0
@@ -41,14 +40,14 @@ class Unit(NamedTuple):
 
 @dataclass(frozen=True)
 class Dimension:
-    """A kind of quantity: exponents, radians it may carry, and how people write it."""
+    """Dimension: exponents of SI units, permitted exponents of the radian, texts and display units."""
 
     words: str
     base: tuple[int, int, int, int]
     si: str
     example: str
     angle: tuple[int, ...] = (0,)
-    # display units in rising order: (smallest magnitude in SI from which it is used, unit text)
+    # display units in ascending order: (minimum SI magnitude for the unit, unit text)
     display: tuple[tuple[float, str], ...] = ()
 
 
@@ -141,10 +140,10 @@ WORDS: dict[str, Unit] = {
         ("joule", "J"), ("watt", "W"), ("hertz", "Hz"),
     )
 }  # fmt: skip
-"""Units written out, small or with a capital, one or many."""
+"""Unit names in words; lower case or capitalised, singular or plural."""
 del UNITS["Grad"], UNITS["Mrad"], UNITS["krad"]  # gigaradians are not in use; "Grad" is the German degree
-# Products that people write as one word. None can be taken for another unit: "Nms" is N m s, and "mm", "ms"
-# and "mN" stay what they are. Case counts: MNm is not mNm.
+# Products written as one word, all unambiguous: "Nms" is N m s, and "mm", "ms" and "mN" are not affected.
+# They are case-sensitive: MNm is not mNm.
 JOINED: dict[str, tuple[str, ...]] = {
     f"{p}N{word}": (f"{p}N", *rest)
     for p in ("", "m", "k", "M")
@@ -158,7 +157,7 @@ JOINED: dict[str, tuple[str, ...]] = {
     )
 }
 JOINED |= {mass + length: (mass, length) for mass in ("kg", "g") for length in ("m", "cm", "mm")}
-del JOINED["gm"]  # old for gram
+del JOINED["gm"]  # obsolete symbol of gram
 for _name, _factors in JOINED.items():
     UNITS[_name] = Unit(ONE)
     for _factor in _factors:
@@ -172,9 +171,9 @@ REFUSED: dict[str, str] = {
     **dict.fromkeys(("grad", "Grad"), "write deg for degrees, gon for hundredths of a right angle"),
     **dict.fromkeys(("ton", "tons"), "write t for 1000 kg, or the weight in kg or lb"),
 }
-"""Names that could mean several things, and what to write instead."""
+"""Ambiguous names, and their remedy."""
 FORCE_OF_MASS = {"lb": "lbf", "oz": "ozf", "kg": "N or kgf", "g": "N", "t": "kN"}
-"""Masses that are taken for forces, and what to write for the force."""
+"""Units of mass that are often used for forces, and the corresponding units of force."""
 
 DIMENSIONS: dict[str, Dimension] = {
     "dimensionless": Dimension("a plain number", (0, 0, 0, 0), "", "0.05 or 5 %"),

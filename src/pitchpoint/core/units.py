@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Quantities with units at the boundary: text in, SI and radians out, and back to text for people.
+"""Quantities with units: conversion from text to SI and radians, and back to text.
 
-Everything below the file readers is SI, so this module is used by readers, formulas and tables only.
-Rotation is where general unit libraries go wrong (60 rpm becomes 6.28 Hz, 1 Hz becomes 1 rad/s, because
-they count the radian as 1). Here radians, turns and cycles are dimensions of their own and every
-conversion between them is written out. Units missing from the table are looked up in pint, which is
-imported only then and never asked about rates.
+All code except readers, formulas and tables works in SI units. General unit libraries convert rotational
+quantities incorrectly (60 rpm to 6.28 Hz, 1 Hz to 1 rad/s), because they treat the radian as 1. Here radians,
+revolutions and cycles are separate dimensions, and every conversion between them is explicit. Units that are
+not in the table are converted by pint, which is imported on demand and not used for rates.
 """
 
 from __future__ import annotations
@@ -37,7 +36,7 @@ TWO_PI = 2.0 * math.pi
 _NUMBER = r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _QUANTITY = re.compile(rf"\s*([+-]?\s*{_NUMBER})\s*(.*?)\s*", re.DOTALL)
 # A power may follow its symbol directly (m2, s-1). A hyphen is a product only between two symbols without
-# spaces (N-m), so that a forgotten operand is never read as one; a 1 is above a division line or alone.
+# spaces (N-m), so that a missing operand is detected; a 1 is the numerator of a division or the whole unit.
 _TOKEN = re.compile(
     r"\s*(?:(?P<power>(?:\^|\*\*)\s*[+-]?\d+|(?<=[A-Za-zµ°])-?\d+)|(?P<name>[A-Za-zµ°_]+|%)"
     r"|(?P<op>[*/()]|(?<=[\w°%)])-(?=[^\W\d]|[°(]))|(?P<one>(?<![\w°%)\s])1(?=\s*(?:/|$))))\s*"
@@ -52,28 +51,28 @@ _MAX_POWER = 12
 def parse_quantity(
     value: object, dimension: str, *, positive: bool = False, nonnegative: bool = False
 ) -> float:
-    """Read a quantity and return it in SI units and radians.
+    """Convert a quantity to SI units and radians.
 
     Parameters
     ----------
     value
-        A number (taken as SI) or a text such as "3 mm", "4.0e8 N/m", "1500 rpm", "14 N/(mm um)".
+        Number (in SI units) or text such as "3 mm", "4.0e8 N/m", "1500 rpm", "14 N/(mm um)".
     dimension
-        Name of a row of `DIMENSIONS`, for instance "length" or "angular_speed".
+        Name of a row of `DIMENSIONS`, such as "length" or "angular_speed".
     positive
-        Refuse zero and negative values.
+        Zero and negative values are an error.
     nonnegative
-        Refuse negative values.
+        Negative values are an error.
 
     Returns
     -------
     float
-        The value in SI units; a frequency in Hz, a rotational speed in rad/s.
+        Value in SI units; a frequency in Hz, a rotational speed in rad/s.
 
     Raises
     ------
     UnitError
-        For text that is not a quantity, another dimension, booleans, NaN and infinite values.
+        For text that is not a quantity, a wrong dimension, booleans, NaN and infinite values.
 
     Examples
     --------
@@ -108,7 +107,7 @@ def parse_quantity(
 
 
 def format_quantity(value: float, dimension: str, digits: int = 5) -> str:
-    """Write an SI value the way people read it: millimetres, degrees, rpm, MPa.
+    """Format an SI value in customary units: millimetres, degrees, rpm, MPa.
 
     Parameters
     ----------
@@ -129,14 +128,14 @@ def format_quantity(value: float, dimension: str, digits: int = 5) -> str:
 
 
 def display_unit(dimension: str, magnitude: float = 0.0) -> str:
-    """Name the unit in which a value of this size is shown; without a size the usual one.
+    """Display unit of a value; without magnitude the customary unit of the dimension.
 
     Parameters
     ----------
     dimension
         Name of a row of `DIMENSIONS`.
     magnitude
-        Size of the value in SI units.
+        Magnitude of the value in SI units.
 
     Examples
     --------
@@ -154,7 +153,7 @@ def display_unit(dimension: str, magnitude: float = 0.0) -> str:
 
 
 def in_unit(value: float, dimension: str, unit: str) -> float:
-    """Convert an SI value into a unit given by its text.
+    """Convert an SI value to a unit given as text.
 
     Parameters
     ----------
@@ -174,9 +173,9 @@ def in_unit(value: float, dimension: str, unit: str) -> float:
 
 
 def natural_si(unit: str) -> float:
-    """Give the factor of a unit to its own SI unit, where no dimension is expected.
+    """Factor of a unit to its SI unit, without an expected dimension.
 
-    Used for literals inside formulas: cycles stay cycles per second (25 Hz is 25), turns become radians
+    For literals in formulas: cycles remain cycles (25 Hz is 25), revolutions are converted to radians
     (1500 rpm is 157.08).
 
     Examples
@@ -216,7 +215,7 @@ def _split(text: str, kind: Dimension) -> tuple[str, str]:
 
 
 def _product_of(number: str, factor: Fraction | float) -> float:
-    """Number times factor, rounded once when both are exact."""
+    """Number times factor, rounded once if both are exact."""
     plain = float(number)
     if isinstance(factor, float) or factor == 1 or not 1e-300 < abs(plain) < 1e300:
         return plain * float(factor)
@@ -245,7 +244,7 @@ def _factor(unit: str, dimension: str) -> Fraction | float:
         if (u.rad, turns) == (1, 0):
             return float(u.factor) / TWO_PI
     elif dimension == "angular_speed" and u.rad == 0 and turns == 0:
-        # engineers write 1/min for revolutions; 1/s leaves open whether radians or turns are counted
+        # 1/min is common for revolutions; 1/s may be radians or revolutions
         if u.factor == Fraction(1, 60):
             return TWO_PI / 60.0
         raise UnitError(f"'{unit}' does not state what is counted; write rad/s, rpm or 1/min; {expected}")
@@ -255,7 +254,7 @@ def _factor(unit: str, dimension: str) -> Fraction | float:
 
 
 def _force_for_mass(unit: str, found: Unit, kind: Dimension) -> str:
-    """Hint for units that lack just the step from a mass to a force, as in ft-lb."""
+    """Hint if a unit has a mass in place of a force, as in ft-lb."""
     if (found.m + 1, found.kg, found.s - 2, found.K) != kind.base:
         return ""
     masses = [w for w in re.findall(r"[A-Za-z]+", unit) if w in FORCE_OF_MASS]
@@ -263,21 +262,21 @@ def _force_for_mass(unit: str, found: Unit, kind: Dimension) -> str:
 
 
 def _scaled(factor: Fraction | float, turns: int) -> Fraction | float:
-    """Factor times (2 pi)^turns, exact when there is nothing to convert."""
+    """Factor times (2 pi)^turns, exact for turns = 0."""
     return factor if turns == 0 else float(factor) * TWO_PI**turns
 
 
 @lru_cache(maxsize=1024)
 def parse_unit(text: str) -> Unit:
-    """Read a unit expression: names, products, powers, one or more divisions, brackets.
+    """Parse a unit expression: names, products, powers, one or more divisions, brackets.
 
-    Factors are joined by a space, `*`, `·`, `.` or a hyphen; powers are `^2`, `**2`, `²` or a 2 right behind
-    the symbol. A power behind a product in one word belongs to its last symbol: `kgm2` is `kg m^2`.
+    Factors are separated by a space, `*`, `·`, `.` or a hyphen; powers are `^2`, `**2`, `²` or a 2 directly
+    after the symbol. A power after a product in one word applies to its last symbol: `kgm2` is `kg m^2`.
 
     Parameters
     ----------
     text
-        For instance "kg m^2", "kg-m2", "N/(mm um)", "N·m·s/rad", "N.m", "kNm/rad", "min^-1", "/min".
+        Unit such as "kg m^2", "kg-m2", "N/(mm um)", "N·m·s/rad", "N.m", "kNm/rad", "min^-1", "/min".
 
     Examples
     --------
@@ -308,7 +307,7 @@ def parse_unit(text: str) -> Unit:
 
 
 def _product(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> tuple[Unit, int]:
-    """Read factors up to a closing bracket or the end."""
+    """Parse factors up to a closing bracket or the end."""
     unit, divided, empty = Unit(ONE), False, True
     while at < len(tokens) and tokens[at] != ("op", ")"):
         sign = 1
@@ -328,7 +327,7 @@ def _product(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> t
 
 
 def _factor_at(tokens: list[tuple[str, str]], at: int, text: str, depth: int) -> tuple[Unit, int]:
-    """Read one name, a one, or a bracket, with its power."""
+    """Parse one name, a 1, or a bracket, with its power."""
     kind, word = tokens[at] if at < len(tokens) else ("end", "")
     ahead = Unit(ONE)
     if kind == "name":
@@ -354,7 +353,7 @@ def _factor_at(tokens: list[tuple[str, str]], at: int, text: str, depth: int) ->
 
 
 def _lookup(name: str) -> Unit:
-    """Find one unit name, in the own table first, then in pint."""
+    """Unit of a name, from the table or from pint."""
     if name in UNITS:
         return UNITS[name]
     if name in REFUSED:

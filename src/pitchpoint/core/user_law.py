@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Laws that a user writes in Python, named in a model file as ``file.py:function``.
+"""User laws in Python, referenced in a model file as ``file.py:function``.
 
-A law has the signature ``double f(double t, double x, double* p)``. It is compiled if it can be and called
-through the interpreter if not; an exception inside becomes NaN, which the solver reports as a status.
-Code that a file names runs only if the user allowed it.
+A law has the signature ``double f(double t, double x, double* p)``. It is compiled if possible and otherwise
+called through the interpreter; it returns NaN after an exception, which the solver reports as a status. Code
+referenced in a file runs only with the permission of the user.
 """
 
 from __future__ import annotations
@@ -24,16 +24,16 @@ from pitchpoint.core.errors import Message, ModelError
 
 @dataclass(frozen=True, eq=False)
 class UserLaw:
-    """A user's function with its parameters; keeps both alive as long as their addresses are in use.
+    """User law with its parameters; holds references to both while their addresses are in use.
 
     Parameters
     ----------
     function
-        Takes time or another first argument, a second argument, and the parameters; returns a number.
+        Function of time or another first argument, a second argument, and the parameters.
     parameters
         Parameters p, float64, contiguous.
     source
-        Where it came from, for messages.
+        Reference to the law, for messages.
     """
 
     function: Callable[[float, float, Any], float]
@@ -41,38 +41,36 @@ class UserLaw:
     source: str
 
     def __call__(self, t: float, x: float) -> float:
-        """Evaluate in Python; exceptions pass.
+        """Evaluate in Python; exceptions are not caught.
 
         Parameters
         ----------
         t
             First argument, usually the time [s].
         x
-            Second argument, as the using element defines it.
+            Second argument, defined by the element.
         """
         return float(self.function(t, x, self.parameters))
 
     def address(self) -> int:
-        """Address of the compiled law or callback, valid in this process while this object lives."""
+        """Address of the compiled law or callback, valid in this process while the object exists."""
         from pitchpoint.core.kernel import law_address
 
         return law_address(self.function)
 
     def diagnose(self, t: float, x: float) -> str:
-        """Give the reason why the law fails at a point, or an empty text if it does not.
+        """Reason for a failure of the law at a point; an empty text if it does not fail.
 
         Parameters
         ----------
-        t
-            First argument at which the computation stopped.
-        x
-            Second argument there.
+        t, x
+            Arguments at which the computation stopped.
         """
         try:
             value = self(t, x)
         except KeyboardInterrupt:
             raise
-        except BaseException as error:  # noqa: BLE001 - a user's code may raise anything, SystemExit too
+        except BaseException as error:  # noqa: BLE001 - user code may raise any exception, also SystemExit
             return f"{self.source} raised {type(error).__name__}: {error}"
         return "" if math.isfinite(value) else f"{self.source} returned {value}"
 
@@ -90,13 +88,13 @@ def load_user_law(
     Parameters
     ----------
     reference
-        ``file.py:function``; the file relative to the folder of the model.
+        ``file.py:function``, relative to the folder of the model.
     folder
         Folder of the model file.
     allow_code
-        Without it nothing is imported and a ModelError states how to allow it.
+        False: nothing is imported, and a ModelError states how to permit it.
     parameters
-        Numbers handed to the law.
+        Parameters of the law.
     where
         Path of the key in the model, for messages.
     """
@@ -113,11 +111,11 @@ def load_function(
     Parameters
     ----------
     reference, folder
-        As of `load_user_law`.
+        As in `load_user_law`.
     arguments
-        Names of the arguments that it will be called with.
+        Names of the required arguments.
     allow_code, where
-        As of `load_user_law`.
+        As in `load_user_law`.
     """
     if not allow_code:
         _refuse(
@@ -156,14 +154,14 @@ _COUNT = {3: "three", 4: "four"}
 
 
 def _execute(path: Path, where: str, reference: str) -> Any:
-    """Run the file as a module of its own."""
+    """Execute the file as a module."""
     spec = importlib.util.spec_from_file_location(f"pitchpoint_user_{path.stem}", path)
     if spec is None or spec.loader is None:
         _refuse(where, reference, "cannot be imported", "check the file name")
     module = importlib.util.module_from_spec(spec)
     try:
         spec.loader.exec_module(module)
-    except (Exception, SystemExit) as error:  # noqa: BLE001 - a user's file may raise anything, and exit
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - a user file may raise any exception, and exit
         _refuse(
             where,
             reference,

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Force elements as records and kernels: numbers only, reached through their addresses."""
+"""Force elements: numeric records and compiled kernels that are called by address."""

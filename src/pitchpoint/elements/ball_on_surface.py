@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A point or a sphere of body i that never leaves a surface of body j: plane, sphere, cylinder, cone, torus.
+"""Permanent contact of a point or sphere of body i with a plane, sphere, cylinder, cone or torus of body j.
 
-Shapes are those of `point_surface`. The place on the surface is eliminated in the curvature of the distance;
-the row and its load are those of `contacts.permanent`.
+Shapes as in `point_surface`. The contact point on the surface is eliminated through the curvature of the
+distance function; the constraint row and its multiplier are those of `contacts.permanent`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ OUTPUTS = (FORCE, *(result for result in RESULTS if result[0].startswith("contac
 
 @kernel
 def ball_on_surface(rec, ctl, fr, q, g, G):
-    """Rows of all spheres on surfaces, their second derivatives and the forces that hold them."""
+    """Constraint rows of all spheres on surfaces, their second derivatives and constraint forces."""
     c = ctl[0]
     v, gt, gtt, Gf = constraint_rates(ctl)
     for e in range(rec.size):
@@ -51,7 +51,7 @@ def ball_on_surface(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return ball_on_surface(view(rec, n, RECORD), c, fr, q, g, G)
 

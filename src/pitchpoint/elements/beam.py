@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Timoshenko beam between two bodies (body 0 = ground), any section, fixed to the bodies: rotations of any
-size.
+"""Timoshenko beam of any section between two bodies (body 0 = ground), for rotations of any size.
 
-Nodes and section axes are fixed to the bodies and turn with them. For round shafts that spin fast between
-bodies on ground, `shaft_beam` does the same without asking how far they have spun. Formulas: `beams.forces`.
+Nodes and section axes are fixed to the bodies and rotate with them. For round shafts that spin between bodies
+on ground, `shaft_beam` gives the same forces independent of the spin angle. Formulas: `beams.forces`.
 """
 
 from __future__ import annotations
@@ -41,7 +40,7 @@ def beam(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return beam(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """Linear bearing or coupling: a 6 x 6 spring and damper between two bodies (body 0 = ground).
 
-Marker i lies on the spin axis of body i, marker j on that of body j; the springs act in an assembly frame W
-that goes with the non-spinning frame of body j (world axes for ground). The displacement is
-u = (W^T (p_i - p_j) - d0, -n_i.w_y, n_i.w_x, spin_i - spin_j) - u0: three translations, two tilts, the twist.
-The wrench on body i is the conjugate one, that on body j its exact opposite; forces act at marker i. Damping
-works with the twist between the bodies, so between two spinning bodies it rotates with them.
+Marker i is on the spin axis of body i, marker j on that of body j; the springs act in an assembly frame W
+that is fixed to the non-spinning frame of body j (world axes for ground). The displacement is u = (W^T (p_i -
+p_j) - d0, -n_i.w_y, n_i.w_x, spin_i - spin_j) - u0: three translations, two tilts, the twist. The wrench on
+body i is conjugate to u, that on body j is its exact reaction; forces act at marker i. Damping acts on the
+relative velocity of the bodies, so between two spinning bodies it rotates with them.
 
-The twist is conjugate to first order in the tilt; everything else is exact for any tilt when j is ground.
-A bearing in a housing has as body j one that is fixed to the housing at the bearing, along its axis, whose
-frame turns with the housing; it leaves the spin free.
+The twist is conjugate to first order in the tilt; all other components are exact for any tilt if j is ground.
+For a bearing in a housing, body j is fixed to the housing at the bearing, along its axis, and its frame
+rotates with the housing; the spin is free.
 
-Two bodies must be coaxial as assembled, or joined by torsion alone: u knows no spin but the twist, so a force
-between two axes would do work that no spring gives. `model/checks/supports.py` refuses such a coupling.
+Two bodies must be coaxial as assembled, or coupled in torsion only: u contains the spin only in the twist, so
+a force between offset axes would not be conservative. `model/checks/supports.py` refuses such a coupling.
 
-Integrators get P^T (K, D) P. The exact tangent is the whole derivative of the wrenches: the axes of W, the
-markers and the axes of the moments move with the bodies, under spring forces and under the rates of spinning
+Integrators use P^T (K, D) P. The exact tangent is the full derivative of the wrenches: the axes of W, the
+markers and the axes of the moments move with the bodies, under spring forces and under the forces of spinning
 dampers.
 """
 
@@ -36,16 +36,16 @@ RECORD = np.dtype(
     + [
         ("K", "f8", (6, 6)),  # stiffness in W [N/m, N/rad, N m/m, N m/rad]
         ("D", "f8", (6, 6)),  # damping in W, likewise per second
-        ("u0", "f8", 6),  # displacement without force [m, rad]: a preload K u0 on body i
+        ("u0", "f8", 6),  # displacement at zero force [m, rad]: a preload K u0 on body i
         ("zi", "f8"),  # marker on the spin axis of body i, from its origin [m]
         ("zj", "f8"),  # marker on the spin axis of body j [m]
         ("d0", "f8", 3),  # vector from marker j to marker i as assembled, in W [m]
         ("B", "f8", (3, 3)),  # axes of W in the frame of body j, columns
-        ("Pi", "f8", (6, 6)),  # scratch: du per displacement twist of body i
-        ("Pj", "f8", (6, 6)),  # scratch: the same of body j
+        ("Pi", "f8", (6, 6)),  # scratch: gradient of u for motions of body i
+        ("Pj", "f8", (6, 6)),  # scratch: the same for body j
         ("C", "f8", (6, 6)),  # scratch
         ("f", "f8", 6),  # scratch: force on body i in W
-        ("housed", "i8"),  # 1: body j is the seat of a bearing in a housing; W turns with all of its turns
+        ("housed", "i8"),  # 1: body j is the seat of a bearing in a housing; W follows its full rotation
         ("out", "i8"),
     ],
     align=True,
@@ -62,7 +62,7 @@ OUTPUTS = (
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Names of the observations of one record: bearing on ground or in a housing, or coupling."""
+    """Observations of one record, named as bearing (on ground, in a housing) or as coupling."""
     if record["j"] == 0 or record["housed"]:
         return OUTPUTS
     return tuple(
@@ -93,7 +93,7 @@ def _columns(P, sign, W, k, x, y, z, e0, e1, e2):
 
 @kernel
 def _kinematics(b, f, g):
-    """Displacement u into b["f"], its gradients into Pi and Pj; W goes through the scratch C."""
+    """Write the displacement u to b["f"] and its gradients to Pi and Pj; the scratch C holds W."""
     W = b["C"]
     for k in range(3):
         for c in range(3):
@@ -113,7 +113,7 @@ def _kinematics(b, f, g):
             + W[1, k] * (y - h * g["R"][1, 2])
             + W[2, k] * (z - h * g["R"][2, 2])
         ) - (b["d0"][k] + b["u0"][k])
-        if k == 0:  # axis of a turn that raises -n.w_y
+        if k == 0:  # axis of a rotation that increases -n.w_y
             e0 = W[1, 1] * n2 - W[2, 1] * n1
             e1 = W[2, 1] * n0 - W[0, 1] * n2
             e2 = W[0, 1] * n1 - W[1, 1] * n0
@@ -175,13 +175,13 @@ def _twist(f, first):
 
 @kernel
 def _along(b, k):
-    """Axis k of W, as `_kinematics` has left it in Pi."""
+    """Axis k of W, from the gradient Pi."""
     return b["Pi"][k, 0], b["Pi"][k, 1], b["Pi"][k, 2]
 
 
 @kernel
 def _spun(f, turn):
-    """Change of the spin with a turn of the body."""
+    """Change of the spin angle for a rotation of the body."""
     return f["axle"][0] * turn[0] + f["axle"][1] * turn[1] + f["axle"][2] * turn[2]
 
 
@@ -192,7 +192,7 @@ def _axis(f):
 
 @kernel
 def _arms(b, f, g):
-    """Marker i from the origin of body i, from that of body j, and from marker j."""
+    """Position of marker i relative to the origin of body i, to that of body j, and to marker j."""
     own = times(b["zi"], _axis(f))
     arm = add(add(_origin(f), own), times(-1.0, _origin(g)))
     return own, arm, add(arm, times(-b["zj"], _axis(g)))
@@ -200,10 +200,10 @@ def _arms(b, f, g):
 
 @kernel
 def _moves(b, f, g, side, c):
-    """Change of twist, turn of W, change of axis i and of the three arms with one motion of one body.
+    """Change of the twist, rotation of W, changes of axis i and of the three arms for one motion of one body.
 
-    Motion c of body i (`side` 0) or j (1) is a translation (c < 3) or a turn. W turns with the frame of body
-    j, which does not spin, or with the whole body where that is a housing.
+    Motion c of body i (`side` 0) or j (1) is a translation (c < 3) or a rotation. W rotates with the frame of
+    body j, which does not spin, or with the body itself if that is a housing.
     """
     shift = unit(c)
     turn = unit(c - 3)
@@ -233,10 +233,10 @@ def _turned_axis(b, n, frame, dn, k):
 
 @kernel
 def _change(b, f, g, side, c):
-    """What changes with motion c of one body at constant twists, into columns of the scratch C.
+    """Derivatives for motion c of one body at constant body velocities, in the columns of the scratch C.
 
-    0 the displacement u, 1 its rate P_i tw_i + P_j tw_j, 2 the wrench of body i at constant spring forces p,
-    3 that of body j.
+    Column 0: displacement u; 1: its rate P_i tw_i + P_j tw_j; 2: wrench on body i at constant forces f in W;
+    3: wrench on body j, likewise.
     """
     n = _axis(f)
     own, arm, gap = _arms(b, f, g)
@@ -273,7 +273,7 @@ def _change(b, f, g, side, c):
 
 @kernel
 def _exact(b, f, g, kk, ck):
-    """Add ck times the whole derivative of both wrenches by the places of both bodies, at constant twists."""
+    """Add ck times the full derivative of both wrenches by the body poses, at constant velocities."""
     T = b["C"]
     for side in range(2):
         if side == 1 and b["j"] == 0:
@@ -309,7 +309,7 @@ def bearing(rec, ctl, fr, kk):
         _kinematics(b, f, g)
         u = b["f"]
         T = b["C"]
-        for r in range(6):  # rates, kept in the first column of the scratch
+        for r in range(6):  # rates, in the first column of the scratch
             s = 0.0
             for h in range(6):
                 s += b["Pi"][r, h] * f["tw"][h] + b["Pj"][r, h] * g["tw"][h]
@@ -344,7 +344,7 @@ def bearing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return bearing(view(rec, n, RECORD), c, fr, kk)
 
@@ -355,22 +355,22 @@ def defaults(record: np.void) -> None:
 
 
 def _spins(record: np.void) -> str:
-    """Both bodies turn together where the twist has a stiffness."""
+    """Both bodies rotate together if the torsional stiffness is not zero."""
     return HOLDS if record["K"][5, 5] == 0.0 else TOGETHER
 
 
 def _resists(record: np.void) -> str:
-    """A housing is kept from turning about all axes but that of the bearing."""
+    """A bearing constrains its housing about all axes except its own."""
     return NOTHING if record["housed"] == 0 else ACROSS
 
 
 def _linear(record: np.void, spinning: bool) -> bool:
-    """Unless it holds a spin against ground."""
+    """Linear unless it constrains a spin against ground."""
     return not (spinning and 0 in (record["i"], record["j"]) and record["K"][5, 5] != 0.0)
 
 
 def _label(record: np.void) -> str:
-    """Between two bodies it is a coupling."""
+    """Label: coupling between two bodies, else bearing."""
     return "coupling" if record["j"] != 0 else "bearing"
 
 

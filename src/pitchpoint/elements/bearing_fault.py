@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Spalls on the races and elements of a rolling bearing: approach that an element loses over them.
+"""Spalls on races and rolling elements of a bearing: loss of approach of a passing element.
 
-Every row of faults is one spall of one surface. All angles are about the axis of rotation:
+Each row of the fault table is one spall of one surface, its middle at the angle a. Angle of element k from
+the middle, about the axis of rotation:
 
-    outer race      fixed to the outer ring; element k at the azimuth psi_k is psi_k - a off its middle
+    outer race      fixed to the outer ring; with element k at the azimuth psi_k: psi_k - a
     inner race      rotates with the inner ring by T: psi_k - T - a
-    element         turns with its element against the cage, by -s T, s = (d_m/(2 D)) (1 - (D/d_m)^2
-                    cos^2(alpha)) with pure rolling: -s T + a; one row for its way over either race
+    element         rotates with its element relative to the cage, by -s T, s = (d_m/(2 D)) (1 - (D/d_m)^2
+                    cos^2(alpha)) in pure rolling: -s T + a; one row for its passage over either race
 
-The loss grows from zero at either edge to the drop by 6 t^5 - 15 t^4 + 10 t^3, t the share of the ramp, and
-stays there in between: two times continuously differentiable. It depends on the bodies through T alone, so
-its slope over T turns the rings: an element that climbs out of a spall brakes them.
+The loss rises from zero at either edge to the depth of the drop by 6 t^5 - 15 t^4 + 10 t^3, where t is the
+fraction of the ramp, and is constant in between: twice continuously differentiable. It depends on the bodies
+through T alone; its slope over T is a torque on the rings: an element that climbs out of a spall brakes them.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ OUTER = 0.0
 INNER = 1.0
 ELEMENT = 2.0
 COLUMNS = 6
-"""Numbers of one fault: place, element, angle of the middle, half of the length, ramp [rad], drop [m]."""
+"""Values of one fault: surface, element, angle of the middle, half length, ramp [rad], drop [m]."""
 
 
 @kernel
@@ -47,10 +48,10 @@ def spall_shape(angle, half, ramp, drop):
 
 @kernel
 def lost_approach(b, k, psi, share, spun):
-    """Loss of approach of element k at the azimuth psi, first and second derivative over the turn T.
+    """Loss of approach of element k at the azimuth psi, first and second derivative by the rotation T.
 
-    `share` of the turn is that of the cage; `spun` holds the angle of the elements against the cage and its
-    derivative over T.
+    `share` is the ratio of cage rotation to T; `spun` is the angle of the elements relative to the cage with
+    its derivative by T.
     """
     n = b["n_faults"]
     rows = view(b["pool"] + 8 * b["faults"], (n, COLUMNS), F8)
@@ -80,7 +81,7 @@ def lost_approach(b, k, psi, share, spun):
 
 @kernel
 def shifted(b, k, c, s):
-    """Cosine and sine of the azimuth of element k where the cage does not space the elements evenly."""
+    """Cosine and sine of the azimuth of element k with uneven spacing in the cage, and its offset."""
     by = view(b["pool"] + 8 * b["spacing"], b["n"], F8)[k]
     x = math.cos(by)
     y = math.sin(by)

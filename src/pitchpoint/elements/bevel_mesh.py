@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bevel mesh: force of two bevel gears on each other, from their frames alone.
+"""Bevel mesh: contact forces of two bevel gears from the motion of their frames.
 
-Frame channel. `mesh.bevel.plane_of_action` finds where the flanks are and along which rows of a wrench basis
-they push, `mesh.bevel.flank_forces` adds up what they do along their contact lines, this file turns the sums
-into wrenches, tangents and observations. Straight and spiral teeth, any shaft angle, all pairs in contact,
-both flanks, open along a part of the width where axes are tilted.
+Frame channel. `mesh.bevel.plane_of_action` locates the flanks and sets the rows of a wrench basis along which
+they act, `mesh.bevel.flank_forces` integrates the forces along the contact lines, this file converts the sums
+to wrenches, tangents and observations. Straight and spiral teeth, any shaft angle, all pairs in contact, both
+flanks, with partial contact along the face width if the axes are tilted.
 
-Tangents hold at frozen mesh phase and frozen plane of action, exact ones follow the plane of action
-(`mesh.bevel.exact_tangent`). Quantities along the base tangent are those at the mean cone distance:
-mesh_force times a base radius there is the torque, its slope over the travel is the stiffness.
+Tangents hold mesh phase and plane of action constant; exact tangents follow the plane of action
+(`mesh.bevel.exact_tangent`). Quantities along the base tangent refer to the mean cone distance: mesh_force
+times the base radius there is the torque, its derivative by the travel is the stiffness.
 """
 
 from __future__ import annotations
@@ -59,12 +59,12 @@ _BYTES = RECORD.itemsize
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Observations of one record: those of every mesh, the forces of its tooth pairs, torques of friction."""
+    """Observations of one record: those of every mesh, forces of the tooth pairs, friction torques."""
     return mesh_outputs(record, OUTPUTS)
 
 
 def bends(record: np.void) -> tuple[str, ...]:
-    """Event functions of one record at whose zeros forces jump or bend: pairs count where there are any."""
+    """Event functions of one record at whose zeros the force has a jump or a kink."""
     pairs = record["source"] != PHASE
     names = tuple(name for name, _ in EVENTS)
     if record["contact"]["mu"] > 0.0:
@@ -74,7 +74,7 @@ def bends(record: np.void) -> tuple[str, ...]:
 
 @kernel
 def begin_side(b, flank, x):
-    """Phase, contact lines and penetration of one flank, into the scratch; its rows of the basis."""
+    """Set phase, contact lines, penetration and basis rows of one flank in the scratch."""
     now = b["now"]
     begin_flank(b, flank, b["R_m"])
     normal_rows(b, flank)
@@ -86,7 +86,7 @@ def begin_side(b, flank, x):
 
 @kernel
 def _touches(b):
-    """Whether any place of the shared face may be in contact."""
+    """Whether any point of the common face may be in contact."""
     x = b["now"]["x"]
     per_R = x[2] - b["sep_min"] / b["R_m"]
     R = b["R_m"] + (b["z_lo"] if per_R < 0.0 else b["z_hi"])
@@ -95,7 +95,7 @@ def _touches(b):
 
 @kernel
 def _sum(b, f, g):
-    """Sum the current flank; rows and rates remain for what follows. Gives the number of rows in use."""
+    """Sum the current flank; rows and rates remain in the scratch. Returns the number of rows in use."""
     rows = ROWS - 3
     if b["contact"]["mu"] > 0.0:
         friction_rows(b, f, g)
@@ -112,7 +112,7 @@ def _sum(b, f, g):
 
 @kernel
 def _follow(b, f, g, flank):
-    """Exact tangents: add what turns with the plane of action; the flank is summed again for its damping."""
+    """Exact tangents: add the derivative by the plane of action; sums the flank again for its damping."""
     kept = begin_damping(b)
     _sum(b, f, g)
     end_damping(b, kept)
@@ -122,7 +122,7 @@ def _follow(b, f, g, flank):
 
 @kernel
 def _observe_flank(b, flank):
-    """Add one flank to the observations; the force on gear 2 is that of the first two rows."""
+    """Add one flank to the observations; the first two rows give the force on gear 2."""
     now = b["now"]
     force = b["sums"]["force"]
     V = add(times(force[0], triple(b["basis_j"][0], 0)), times(force[1], triple(b["basis_j"][1], 0)))
@@ -206,7 +206,7 @@ def bevel_mesh(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     records = view(rec, n, RECORD)
     for r in range(n):

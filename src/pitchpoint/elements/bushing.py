@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Elastic bushing: a 6 x 6 spring and damper between two body-fixed markers, for large rotations.
 
-Marker i against marker j, in the axes of marker j: the displacement u of the origin and the rotation vector
-s. With x = (u, s) - x0 and its true rate x', the generalised force is
+Displacement u and rotation vector s of marker i relative to marker j, in the axes of marker j. With
+x = (u, s) - x0 and its time derivative x', the generalised force is
 
     f = -K x - D x'
 
-u and s are components of one displacement, and the wrenches are conjugate to it: the power on both bodies is
-f . x', so energy is stored and dissipated as K and D give it, for any rotation. The rotation may reach half a
-turn; beyond, the shorter way back counts. For springs about a spin axis over many turns there is
-`coupling`.
+The wrenches are conjugate to x: the power on both bodies is f . x', so K stores and D dissipates energy
+exactly, for any rotation. The rotation is limited to half a turn; beyond it, the rotation vector jumps to the
+shorter rotation of opposite sense. For springs about a spin axis over many turns use `coupling`.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
 
 SOFT = 1e-9
-"""Stiffness about the axis over the largest below which a bushing lets its ends turn [1]."""
+"""Ratio of stiffness about the axis to largest stiffness below which the ends rotate freely [1]."""
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
@@ -35,9 +34,9 @@ RECORD = np.dtype(
         ("A_j", "f8", (3, 3)),
         ("K", "f8", (6, 6)),  # stiffness [N/m, N/rad, N m/m, N m/rad]
         ("D", "f8", (6, 6)),  # damping, likewise per second
-        ("x0", "f8", 6),  # displacement without force [m, rad]
-        ("x", "f8", 6),  # scratch: displacement, change of it
-        ("w", "f8", 6),  # scratch: rate, change of it
+        ("x0", "f8", 6),  # displacement at zero force [m, rad]
+        ("x", "f8", 6),  # scratch: displacement or its change
+        ("w", "f8", 6),  # scratch: rate or its change
         ("f", "f8", 6),  # scratch: force
         ("g", "f8", 6),  # scratch: change of force
         ("out", "i8"),
@@ -56,13 +55,13 @@ OUTPUTS = (
 
 
 def defaults(record: np.void) -> None:
-    """Give a fresh record markers with the axes of their bodies."""
+    """Set the marker axes of a new record to those of the bodies."""
     record["A_i"] = record["A_j"] = np.eye(3)
 
 
 @kernel
 def _axes(f, A):
-    """Axes of a marker in the world, three tuples."""
+    """World components of the three axes of a marker."""
     return (
         into_world(f["S"], (A[0, 0], A[1, 0], A[2, 0])),
         into_world(f["S"], (A[0, 1], A[1, 1], A[2, 1])),
@@ -101,8 +100,8 @@ def _respond(K, D, x, w, f):
 
 @kernel
 def _kinematics(b, f, g):
-    """Arms of marker i about both origins, axes of marker j, rotation vector, relative velocities in the
-    world; displacement and rate go into the scratch x and w."""
+    """Arms of marker i about both origins, axes of marker j, rotation vector, relative velocities in world
+    axes; writes displacement and rate to the scratch x and w."""
     arm = into_world(f["S"], triple(b["p_i"], 0))
     reach = less(add(origin(f), arm), origin(g))
     axes = _axes(g, b["A_j"])
@@ -125,10 +124,10 @@ def _kinematics(b, f, g):
 
 @kernel
 def _column(b, f, g, line, side, c):
-    """Change of displacement and rate (into x and w), and of arm and reach, with motion c of one body.
+    """Changes of displacement and rate (in x and w), of both arms and of the rotation vector for motion c.
 
-    Side 0 moves body i, 1 body j; twists are held constant. The change of the displacement is also that of
-    the rate with the same motion as a velocity.
+    Side 0 moves body i, 1 body j, at constant body velocities. The change of the displacement is also the
+    change of the rate for the same motion as a velocity.
     """
     arm, reach, axes, s, y, turn = line
     shift = unit(c)
@@ -156,7 +155,7 @@ def _column(b, f, g, line, side, c):
 
 @kernel
 def _tangents(b, f, g, kk, ctl, line):
-    """Add the exact tangents; force on body i in the axes of marker j in the scratch f."""
+    """Add the exact tangents; the scratch f holds the force on body i in the axes of marker j."""
     c = ctl[0]
     ck = c["ck"]
     cd = c["cd"]
@@ -214,13 +213,13 @@ def bushing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return bushing(view(rec, n, RECORD), c, fr, kk)
 
 
 def _lets_turn(record: np.void) -> tuple[str, ...]:
-    """Ends that lie on the axis of their body, if the bushing is soft about it."""
+    """Ends whose body can rotate about its axis because the bushing has no stiffness about it."""
     axis = np.array([0.0, 0.0, 1.0])
     K = record["K"] + record["K"].T
     found = []

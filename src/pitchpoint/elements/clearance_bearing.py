@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain bearing with clearance: a journal that is free inside a radial gap and pressed back beyond it.
+"""Plain bearing with clearance: free motion of the journal in a radial gap, contact force beyond it.
 
-With e the distance of the centre of the journal from that of the bore and d = e - gap,
+With e the eccentricity of the journal in the bore and d = e - gap,
 
     F = K d^p max(0, 1 + chi d')   for d > 0
 
-towards the centre; damping after Hunt and Crossley fades at separation and never pulls. The journal slides
-freely along and about the axis and may tilt: a long bearing is two of these.
+towards the centre; Hunt-Crossley damping vanishes at separation and never pulls. The journal slides and
+rotates freely along and about the axis and may tilt: model a long bearing as two of these.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + RING
     + [
-        ("gap", "f8"),  # radial play of the centred journal, > 0 [m]
+        ("gap", "f8"),  # radial clearance of the centred journal, > 0 [m]
         ("stiffness", "f8"),  # K [N/m^p]
         ("exponent", "f8"),  # p, >= 1
         ("chi", "f8"),  # damping factor [s/m]
@@ -42,7 +42,7 @@ OUTPUTS = (*RING_OUTPUTS, ("penetration", "m", "distance of the journal beyond i
 
 @kernel
 def _press(b, jac):
-    """Force and slopes of the journal in the scratch; returns its penetration."""
+    """Write force and stiffness of the journal to the scratch; returns its penetration."""
     x = b["x"]
     K = b["K"]
     D = b["D"]
@@ -69,7 +69,7 @@ def _press(b, jac):
     if jac != 0:
         along = b["exponent"] * elastic / d * damped
         rate = elastic * b["chi"]
-        swing = rate * across / e  # the direction of the rate turns with the journal
+        swing = rate * across / e  # the radial direction rotates with the journal
         K[0, 0] = along * c * c + force / e * s * s - swing * c * s
         K[0, 1] = (along - force / e) * c * s + swing * c * c
         K[1, 0] = (along - force / e) * c * s - swing * s * s
@@ -106,7 +106,7 @@ def clearance_bearing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return clearance_bearing(view(rec, n, RECORD), c, fr, kk)
 

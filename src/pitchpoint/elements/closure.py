@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rows that close loops: points in planes, directions at right angles, points at a distance, screws.
+"""Loop-closing constraint rows: point in plane, perpendicular directions, constant distance, screw.
 
-Every joint that the tree has no room for is made of such rows (`system/closures.py`): with markers fixed to
-both bodies, s the arm of marker i from the origin of body i, d that of the same point from the origin of
-body j, rho from marker j to marker i,
+Every joint outside the spanning tree consists of such rows (`system/closures.py`). Markers are fixed to both
+bodies; s is the arm of marker i from the origin of body i, d that of the same point from the origin of body
+j, and rho points from marker j to marker i:
 
     POINT     g = a . rho          a fixed to body j      rows (a, s x a) and -(a, d x a)
     RIGHT     g = b . a            b fixed to body i      rows (0, b x a) and -(0, b x a)
     DISTANCE  g = |rho| - length   n = rho / |rho|        rows (n, s x n) and -(n, s_j x n)
     SCREW     g = a . rho - lead theta                    rows of POINT less lead (0, grad theta)
 
-theta being the angle about a from x_j (body j) to b (body i). It is known up to whole turns; g keeps the ones
-that bring it nearest to zero, since the travel along the axis gives the number of turns of the screw.
+theta is the angle about a from x_j (body j) to b (body i), known up to whole turns; g uses the number of
+turns that makes |g| smallest, since the travel along the axis determines the turns of the screw.
 
 The tangent is that of the constraint forces at constant multipliers.
 """
@@ -40,21 +40,21 @@ RECORD = np.dtype(
         ("p_j", "f8", 3),  # marker j, axes S of body j [m]
         ("b_i", "f8", 3),  # RIGHT, SCREW: direction fixed to body i
         ("a_j", "f8", 3),  # POINT, RIGHT, SCREW: direction fixed to body j
-        ("x_j", "f8", 3),  # SCREW: direction fixed to body j from which its angle counts
-        ("lead", "f8"),  # SCREW: way along a per radian [m/rad]
+        ("x_j", "f8", 3),  # SCREW: direction fixed to body j at which the angle is zero
+        ("lead", "f8"),  # SCREW: travel along a per radian [m/rad]
         ("length", "f8"),  # DISTANCE [m]
         ("out", "i8"),
     ],
     align=True,
 )
 
-OUTPUTS = (("reaction_force", "N", "force that the row puts on the first body"),)
+OUTPUTS = (("reaction_force", "N", "force of the row on the first body"),)
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Names of the observations of one record: a force, or the moment that keeps a right angle."""
+    """Observations of one record: a reaction force, or a reaction moment for perpendicular directions."""
     if record["form"] == RIGHT:
-        return (("reaction_moment", "N m", "moment that the row puts on the first body"),)
+        return (("reaction_moment", "N m", "moment of the row on the first body"),)
     return OUTPUTS
 
 
@@ -67,7 +67,7 @@ def _row(Gf, r, side, sign, linear, angular):
 
 @kernel
 def _second(f, s):
-    """Acceleration of a point at the arm s of a body, as its frame has it."""
+    """Acceleration of the point at the arm s of a body."""
     w = triple(f["tw"], 3)
     return add(triple(f["ac"], 0), add(cross(triple(f["ac"], 3), s), cross(w, cross(w, s))))
 
@@ -95,7 +95,7 @@ def _put(k, ck, first, linear, angular, col):
 
 @kernel
 def _point(b, f, g, rows, r, ck, kk):
-    """Row and tangent of a point of body i in a plane of body j; returns g and its second derivative."""
+    """Row and tangent of a point of body i in a plane of body j; returns g and its second time derivative."""
     a = moved_axis(g, b["a_j"])
     s = moved_axis(f, b["p_i"])
     s_j = moved_axis(g, b["p_j"])
@@ -123,7 +123,7 @@ def _point(b, f, g, rows, r, ck, kk):
 
 @kernel
 def _right(b, f, g, rows, r, ck, kk):
-    """Row and tangent of two directions at right angles; returns g and its second derivative."""
+    """Row and tangent of two perpendicular directions; returns g and its second time derivative."""
     a = moved_axis(g, b["a_j"])
     e = moved_axis(f, b["b_i"])
     nothing = (0.0, 0.0, 0.0)
@@ -146,7 +146,7 @@ def _right(b, f, g, rows, r, ck, kk):
 
 @kernel
 def _distance(b, f, g, rows, r, ck, kk):
-    """Row and tangent of two points at a distance; returns g, its second derivative and the distance."""
+    """Row and tangent of two points at constant distance; returns g, its second derivative, the distance."""
     s = moved_axis(f, b["p_i"])
     s_j = moved_axis(g, b["p_j"])
     rho = less(add(triple(f["r"], 0), s), add(triple(g["r"], 0), s_j))
@@ -179,7 +179,7 @@ def _distance(b, f, g, rows, r, ck, kk):
 
 @kernel
 def _angle(e, x, y, de, dx, dy):
-    """Gradient of the angle of e over x and y by a turn of e, and its change with those of all three.
+    """Gradient of the angle of e in the plane x, y by a rotation of e, and its change for given de, dx, dy.
 
     theta = atan2(s, p) with p = e . x, s = e . y, so d(theta) = turn . (e x u), u = (p y - s x)/(p p + s s).
     """
@@ -196,8 +196,7 @@ def _angle(e, x, y, de, dx, dy):
 
 @kernel
 def _screw(b, f, g, rows, r, ck, kk):
-    """Row and tangent of a point that moves along an axis as its body turns; returns g and its second
-    derivative."""
+    """Row and tangent of a screw; returns g and its second time derivative."""
     way, second = _point(b, f, g, rows, r, ck, kk)
     lead = b["lead"]
     x = moved_axis(g, b["x_j"])
@@ -228,7 +227,7 @@ def _screw(b, f, g, rows, r, ck, kk):
 
 @kernel
 def closure(rec, ctl, fr, g):
-    """Rows of all closures, their second derivatives, tangents and reactions."""
+    """Constraint rows of all closures, their second derivatives, tangents and reactions."""
     c = ctl[0]
     v, gt, gtt, rows = constraint_rates(ctl)
     lam = view(c["lam"], c["nc"], F8)
@@ -238,7 +237,7 @@ def closure(rec, ctl, fr, g):
         r = b["row"]
         f = fr[b["i"]]
         h = fr[b["j"]]
-        # iterations do without: near singular positions multipliers are large, their noise would rule
+        # exact tangents only: near singular positions the noise of large multipliers would spoil iterations
         ck = c["ck"] * lam[r] if c["jac"] == 2 else 0.0
         if b["form"] == POINT:
             g[r], gtt[r] = _point(b, f, h, rows, r, ck, kk)
@@ -258,13 +257,13 @@ def closure(rec, ctl, fr, g):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return closure(view(rec, n, RECORD), c, fr, g)
 
 
 def _row_unit(record: np.void) -> str:
-    """Right angles have none."""
+    """Rows of perpendicular directions have no unit."""
     return "" if record["form"] == RIGHT else "m"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Joints that the tree has no room for, as rows of the kind `closure`."""
+"""Joints outside the spanning tree (cut joints) as rows of the kind `closure`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pitchpoint.elements.closure import DISTANCE, POINT, RECORD, RIGHT, SCREW
 from pitchpoint.multibody import joints
 from pitchpoint.multibody.bodies import Body
 
-#: Directions (of body i, of body j) that stay at right angles, by the turns that a joint leaves free.
+#: Pairs of perpendicular directions (of body i, of body j) for the free rotations of a joint.
 _RIGHT: dict[tuple[int, ...], tuple[tuple[int, int], ...]] = {
     (): ((0, 1), (1, 2), (2, 0)),
     (5,): ((2, 0), (2, 1)),
@@ -32,7 +32,7 @@ def cut_joint(
     axes: ArrayLike,
     lead: float = 0.0,
 ) -> tuple[NDArray[np.void], list[str]]:
-    """Rows that let body i move against body j as a joint does.
+    """Constraint rows of a joint between body i and body j.
 
     Parameters
     ----------
@@ -41,16 +41,16 @@ def cut_joint(
     bodies
         All bodies without ground; i and j count from 1, 0 is ground.
     i, j
-        The body that the joint moves and the one it sits on.
+        Body that the joint moves and body that it is attached to.
     position, axes
-        Place of the joint and its frame (columns), world axes, with all coordinates of the tree zero.
+        Position of the joint and its frame (columns), world axes, with all coordinates of the tree zero.
     lead
-        Way of a screw per radian [m/rad].
+        Travel of a screw per radian [m/rad].
 
     Returns
     -------
     records, words
-        Records of the kind and what each row holds fast, "x", "xy" and the like.
+        Records of the kind and the constrained direction of each row, such as "x" or "xy".
 
     Examples
     --------
@@ -82,16 +82,16 @@ def rod(
     point_j: ArrayLike,
     length: float | None = None,
 ) -> NDArray[np.void]:
-    """One row that holds two points at a distance: a massless rod with a ball at either end.
+    """Row of a massless rod with a spherical joint at either end: constant distance of two points.
 
     Parameters
     ----------
     bodies, i, j
         As in `cut_joint`.
     point_i, point_j
-        Its ends in world axes, with all coordinates of the tree zero.
+        Ends of the rod in world axes, with all coordinates of the tree zero.
     length
-        Its length [m]; None takes the distance of the ends.
+        Length of the rod [m]; None: distance of the ends.
     """
     record = np.zeros(1, RECORD)
     distance = float(np.linalg.norm(np.subtract(point_i, point_j)))
@@ -109,7 +109,7 @@ def _fill(
     point_j: ArrayLike,
     values: dict[str, Any],
 ) -> None:
-    """Write one record; directions and points are given in the world and stored in the axes of the bodies."""
+    """Fill one record; world directions and points are stored in body axes."""
     record["i"], record["j"] = i, j
     record["p_i"] = _seen(bodies, i, point_i, True)
     record["p_j"] = _seen(bodies, j, point_j, True)
@@ -120,7 +120,7 @@ def _fill(
 
 
 def _seen(bodies: Sequence[Body], k: int, vector: ArrayLike, is_place: bool) -> NDArray[np.float64]:
-    """Point or direction of the world in the axes of a body."""
+    """Point or direction in the axes of a body, from world components."""
     x = np.asarray(vector, float)
     if k == 0:
         return x

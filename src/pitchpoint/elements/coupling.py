@@ -3,10 +3,10 @@
 
     T = -k x(u) - d w + L(t, u, w)
 
-u is the angle of body i against body j less the angle without torque, w the relative speed, x(u) = u or, with
-a gap, the part of u beyond +-gap/2. L is a signal: a table, a formula (`angle` is u, `speed` is w) or a
-user law; a table over one turn subtracts whole turns exactly. For bodies on spinning parents, tilted bodies
-and bodies that turn in opposite senses, `turning` gives angle, speed and the axis of the torque.
+u is the angle of body i relative to body j less the angle at zero torque, w the relative speed, x(u) = u or,
+with a gap, the part of u beyond +-gap/2. L is a signal: a table, a formula (`angle` is u, `speed` is w) or a
+user law; a table over one revolution subtracts whole turns exactly. For bodies on spinning parents, tilted
+bodies and bodies that rotate in opposite senses, `torsion` defines angle, speed and axis of the torque.
 """
 
 from __future__ import annotations
@@ -37,17 +37,17 @@ RECORD = np.dtype(
     + [
         ("k", "f8"),  # stiffness [N m/rad]
         ("d", "f8"),  # damping [N m s/rad]
-        ("u0", "f8"),  # angle without torque [rad]
-        ("gap", "f8"),  # total play [rad]
+        ("u0", "f8"),  # angle at zero torque [rad]
+        ("gap", "f8"),  # total backlash [rad]
     ]
-    + SIGNAL  # further torque on body i over u and w [N m]
+    + SIGNAL  # additional torque on body i, function of t, u and w [N m]
     + [("out", "i8")],
     align=True,
 )
 
 OUTPUTS = (
     ("torque", "N m", "torque on the first body"),
-    ("twist", "rad", "angle of the first body against the second"),
+    ("twist", "rad", "angle of the first body relative to the second"),
 )
 
 
@@ -99,13 +99,13 @@ def coupling(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return coupling(view(rec, n, RECORD), c, fr, kk)
 
 
 def _linear(record: np.void, spinning: bool) -> bool:
-    """Without play and without a law of its own."""
+    """Linear without backlash and without an additional law."""
     return bool(record["gap"] == 0.0 and record["form"] == CONSTANT)
 
 

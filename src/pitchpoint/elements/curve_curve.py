@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Planar curves of two bodies in contact, with force and friction: cams on flat followers, tooth profiles.
+"""Contact of planar curves of two bodies with contact force and friction: cam and follower, tooth profiles.
 
-The curves lie in planes of their markers, whose third axes point (nearly) the same way; a tilt beyond 84 deg
-is refused. Up to four places
-touch at once; straight pieces that touch along their length do so at the corners.
+The curves are in the planes of their markers, whose third axes have (nearly) the same direction; a tilt above
+84 deg is refused. Up to four points are in contact simultaneously; straight segments that touch along their
+length have contact points at their ends.
 """
 
 from __future__ import annotations
@@ -29,22 +29,22 @@ def set_curves(
     depth: float | None = None,
     margin: float | None = None,
 ) -> None:
-    """Give a contact its curves.
+    """Set both curves of a contact.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
     pool
         Pool of the kind.
     curves
         Curves of bodies i and j.
     depth
-        Deepest overlap that counts as contact [m]. None = a twentieth of the smaller curve, and where nothing
-        overlaps less, the nearest place: of two outlines at any overlap, of an outline on an open curve up to
-        the size of the outline, of two open curves up to half the smaller one.
+        Maximum overlap in contact [m]. None: 5 % of the smaller curve; if every overlap is larger, the
+        nearest point is in contact: two outlines at any overlap, an outline on an open curve up to the size
+        of the outline, two open curves up to half the smaller one.
     margin
-        Largest gap that is looked for and shown [m]; None = half the smaller curve. Small ones save time.
+        Maximum gap that is searched and reported [m]; None: half the smaller curve. Small values save time.
     """
     size = min(curve.circle()[2] for curve in curves)
     outlines = [curve.circle()[2] for curve in curves if curve.closed]
@@ -58,7 +58,7 @@ def set_curves(
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     return planar_entry(ctl, rec, n)
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Planar curves of two bodies that never part: a cam and its flat or round follower held together.
+"""Permanent contact of planar curves of two bodies: a cam and its positively guided follower.
 
-The curves lie in planes of their markers as in `curve_curve`. Of several common normals the one counts whose
-gap is nearest to zero. How the places run along both curves is eliminated (`contacts.planar`); the row and
-its load are those of `contacts.permanent`.
+The curves are in the planes of their markers as in `curve_curve`. Of several common normals the one with the
+gap nearest to zero is used. The motion of the contact points along both curves is eliminated
+(`contacts.planar`); row and multiplier are those of `contacts.permanent`.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ OUTPUTS = (FORCE, *PATHS)
 
 
 def set_held_curves(record: np.void, pool: Pool, curves: tuple[Curve, Curve]) -> None:
-    """Give a constraint its curves.
+    """Set both curves of a constraint.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def set_held_curves(record: np.void, pool: Pool, curves: tuple[Curve, Curve]) ->
 
 @kernel
 def curve_on_curve(rec, ctl, fr, q, g, G):
-    """Rows of all pairs of curves, their second derivatives and the forces that hold them."""
+    """Constraint rows of all curve pairs, their second derivatives and constraint forces."""
     c = ctl[0]
     v, gt, gtt, Gf = constraint_rates(ctl)
     for e in range(rec.size):
@@ -74,7 +74,7 @@ def curve_on_curve(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return curve_on_curve(view(rec, n, RECORD), c, fr, q, g, G)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Constant damping matrix on the coordinates, in blocks of bodies: Rayleigh and modal damping.
+"""Constant damping matrix of the coordinates in blocks of bodies: Rayleigh and modal damping.
 
-f = -D v. One record per ordered pair of bodies with a block that is not zero.
+f = -D v. One record per ordered pair of bodies with a nonzero block.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pitchpoint.multibody.channels import coordinate_args
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
-        ("blk", "i8"),  # block of the matrix and offsets in it; written by the layout, like the next four
+        ("blk", "i8"),  # block of the system matrix and offsets in it; written by the layout
         ("o_i", "i8"),
         ("o_j", "i8"),
         ("dof_i", "i8"),
@@ -53,7 +53,7 @@ def damping(rec, ctl, q, v, R, A):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, q, v, R, A = coordinate_args(ctl)
     return damping(view(rec, n, RECORD), c, q, v, R, A)
 

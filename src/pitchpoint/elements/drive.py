@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Prescribed coordinate of a joint: constant speed, speed in pieces or formula, as a constraint row.
+"""Drive: constraint row for a prescribed joint coordinate (constant speed, piecewise speed or angle formula).
 
-g = q - theta(t), with the time derivatives that explicit methods need; mostly q is the spin of a body, with
-its whole turns. The observation is the torque, or the force, that the drive puts on the coordinate.
+g = q - theta(t), with the time derivatives that explicit methods need; q is usually the spin of a body with
+its whole turns. The observation is the torque or force of the drive on the coordinate.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from pitchpoint.elements.speed_profile import SpeedPieces
 from pitchpoint.multibody.channels import F8, I8, constraint_args, constraint_rates, observations
 
 TURN, TURN_REST = 6.283185303211212, 3.968374073792802e-09
-"""A whole turn in two parts, the first of 27 bits: times the turns of a day it is exact."""
+"""2 pi as a sum of two parts, the first with 27 bits: exact product with the number of turns of a day."""
 SPEED, SPEED_PIECES, ANGLE_FORMULA = 0, 1, 2
 STENCIL = 1e-5
-"""Distance of the points from which a formula of the angle gets its acceleration [s]."""
+"""Step of the finite differences for the acceleration of an angle formula [s]."""
 
 
 RECORD = np.dtype(
@@ -33,7 +33,7 @@ RECORD = np.dtype(
         ("form", "i8"),  # SPEED, SPEED_PIECES or ANGLE_FORMULA
         ("dof_i", "i8"),  # first coordinate of the body and its spin; written by the layout
         ("spin_i", "i8"),
-        ("q_i", "i8"),  # which coordinate of the joint, SPIN for its spin
+        ("q_i", "i8"),  # coordinate of the joint; SPIN: its spin
         ("linear", "i8"),  # 1: the coordinate is a length
         ("row", "i8"),  # constraint row; written by the layout
         ("angle", "f8"),  # spin at t = 0 [rad]
@@ -51,12 +51,12 @@ OUTPUTS = (("torque", "N m", "torque of the drive on its body"),)
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Names of the observations of one record: a torque, or a force along a length."""
+    """Observations of one record: a torque, or a force for a translation."""
     return (("force", "N", "force of the drive on its body"),) if record["linear"] else OUTPUTS
 
 
 def set_speed_pieces(record: np.void, pool: Pool, pieces: SpeedPieces) -> None:
-    """Prescribe a speed by polynomials; the angle is their exact integral."""
+    """Prescribe a speed by piecewise polynomials; the angle is their exact integral."""
     record["form"], record["n"] = SPEED_PIECES, len(pieces.powers)
     record["degree"] = pieces.powers.shape[1] - 1
     record["start"] = pool.add(np.concatenate([pieces.edges, pieces.angles(), pieces.powers.ravel()]))
@@ -72,7 +72,7 @@ def set_angle_formula(record: np.void, pool: Pool, formula: object) -> None:
 
 @kernel
 def target(b, t):
-    """Prescribed angle and its first two derivatives by time."""
+    """Prescribed angle and its first two time derivatives."""
     n = b["n"]
     where = b["pool"] + 8 * b["start"]
     if b["form"] == SPEED_PIECES:
@@ -106,7 +106,7 @@ def target(b, t):
         room = view(where + 8 * n, 1 << 20, F8)
         x, s = evaluate_slope(ops, n, room, t, 0.0, 0.0, 0)
         acceleration = 0.0
-        for k in range(-2, 3):  # fourth order: 1e-6 for a ripple of 1 kHz
+        for k in range(-2, 3):  # fourth order: relative error 1e-6 for a ripple of 1 kHz
             if k != 0:
                 _, slope = evaluate_slope(ops, n, room, t + k * STENCIL, 0.0, 0.0, 0)
                 acceleration += slope * (8.0 if abs(k) == 1 else -1.0) * (1.0 if k > 0 else -1.0)
@@ -116,7 +116,7 @@ def target(b, t):
 
 @kernel
 def target_entry(out, rec, n):
-    """Targets of n drives, each at the time that its row of `out` begins with; they replace the row."""
+    """Targets of n drives; each row of `out` has the time as first value and is replaced by the target."""
     rows = view(out, (n, 3), F8)
     drives = view(rec, n, RECORD)
     for e in range(n):
@@ -125,7 +125,7 @@ def target_entry(out, rec, n):
 
 
 def target_of(record: np.void, t: float) -> tuple[float, float, float]:
-    """Prescribed angle [rad], speed [rad/s] and acceleration [rad/s^2] of a drive at a time, for Python."""
+    """Prescribed angle [rad], speed [rad/s] and acceleration [rad/s^2] of a drive at time t, for Python."""
     rec, out = np.array([record], RECORD), np.array([t, 0.0, 0.0])
     invoke(target_entry, out.ctypes.data, rec.ctypes.data, 1)
     return float(out[0]), float(out[1]), float(out[2])
@@ -133,7 +133,7 @@ def target_of(record: np.void, t: float) -> tuple[float, float, float]:
 
 @kernel
 def drive(rec, ctl, fr, q, g, G):
-    """Rows of all drives, their time derivatives and torques."""
+    """Constraint rows of all drives, their time derivatives and torques."""
     c = ctl[0]
     v, gt, gtt, frames = constraint_rates(ctl)
     for e in range(rec.size):
@@ -145,8 +145,8 @@ def drive(rec, ctl, fr, q, g, G):
             c["bad"] = e
             return NOT_FINITE
         if d == b["spin_i"]:
-            # turns are taken off the target first: q plus the turns would be rounded at the size of the
-            # angle, which after some seconds is coarser than what Newton's iteration must settle
+            # subtract the turns from the target: q plus the turns has the round-off of the full angle, which
+            # after some seconds exceeds the tolerance of Newton's iteration
             turns = fr[b["i"]]["turns"]
             angle = (angle - turns * TURN) - turns * TURN_REST
         g[r] = q[d] - angle
@@ -160,7 +160,7 @@ def drive(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return drive(view(rec, n, RECORD), c, fr, q, g, G)
 

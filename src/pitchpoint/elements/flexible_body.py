@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Inertia and stiffness of an elastic body in its floating frame (docs/decisions/0015-floating-frame.md).
 
-Body i is the floating frame. Its modal coordinates eta are the displacements of bodies without mass that
-hang on ground and only translate, three coordinates each: j, k, l, m and so on. Their wrenches are the modal
-forces. With the integrals of `multibody/mass_invariants.py`, everything in the axes of the frame, a its
-acceleration less gravity:
+Body i is the floating frame. Its modal coordinates eta are the displacements of massless bodies on ground
+that only translate, three coordinates each: j, k, l, m and so on. Their wrenches are the modal forces. With
+the integrals of `multibody/mass_invariants.py`, in the axes of the frame, with a its acceleration less
+gravity:
 
     s = s0 + P eta,  J = J0 + sum eta_k (J1_k + sum eta_l J2_kl),  C = C0 + sum eta_k A_k,
     F   = -(m a + alpha x s + omega x (omega x s) + 2 omega x P eta' + P eta'')
@@ -12,8 +12,8 @@ acceleration less gravity:
     Q_k = -(P_k . a + C_k . alpha + m_kl eta_l'' + 2 eta_l' A_l,k . omega - 1/2 omega . dJ/deta_k omega
             + (K + K_g)_kl eta_l + D_kl eta_l')
 
-K_g is the stiffness by the loads that steady inertia forces put on the body: a sum over the components of a
-and the products of those of omega. Its reactions on the frame are of second order in eta and neglected.
+K_g is the geometric stiffness from the inertia loads: a sum over the components of a and the products of the
+components of omega. Its reactions on the frame are of second order in eta and neglected.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ from pitchpoint.multibody.joints import GUIDED
 from pitchpoint.multibody.mass_invariants import MassInvariants
 
 MOST = 30
-"""Most modal coordinates of one body."""
+"""Maximum number of modal coordinates of one body."""
 GROUP = 3
-"""Modal coordinates of one hidden body."""
+"""Modal coordinates per hidden body."""
 LOADS = 9
-"""Loads that stiffen: a_x, a_y, a_z, then the products of omega: xx, yy, zz, xy, yz, zx."""
+"""Loads with geometric stiffness: a_x, a_y, a_z, then the products of omega: xx, yy, zz, xy, yz, zx."""
 
 _PAIR = ["i", "j", "ii", "ij", "ji", "jj"]
 
@@ -59,14 +59,14 @@ RECORD = np.dtype(
         ("K", "f8", (MOST, MOST)),
         ("D", "f8", (MOST, MOST)),
         ("geo", "f8", (LOADS, MOST, MOST)),
-        # scratch: filled and read within one call
-        ("eta", "f8", (3, MOST)),  # coordinates, rates, second rates
+        # scratch: written and read within one call
+        ("eta", "f8", (3, MOST)),  # coordinates, first and second time derivatives
         ("d_eta", "f8", (3, MOST)),
         ("x", "f8", (3, 3)),  # a, alpha, omega in the axes of the frame
         ("d_x", "f8", (3, 3)),
-        ("s", "f8", (3, 3)),  # s and its two derivatives, all but the frame's motion
+        ("s", "f8", (3, 3)),  # s and its two time derivatives relative to the frame
         ("J", "f8", (3, 3)),
-        ("dJ", "f8", (3, 3)),  # change of J with time
+        ("dJ", "f8", (3, 3)),  # time derivative of J
         ("Jk", "f8", (MOST, 3, 3)),
         ("C", "f8", (3, MOST)),
         ("Kg", "f8", (MOST, MOST)),
@@ -79,7 +79,7 @@ RECORD = np.dtype(
     align=True,
 )
 
-OUTPUTS = (("strain_energy", "J", "energy of the modal coordinates in the stiffness"),)
+OUTPUTS = (("strain_energy", "J", "strain energy of the modal coordinates"),)
 
 
 def flexible_row(
@@ -99,17 +99,17 @@ def flexible_row(
     integrals
         Mass integrals about the origin of the frame, in its axes.
     stiffness
-        Of the modal coordinates, (n, n) or the diagonal (n,).
+        Modal stiffness, (n, n) or the diagonal (n,).
     frame
-        Number of the body that is the floating frame; it has no mass of its own.
+        Number of the body that is the floating frame; it is massless.
     hidden
-        Numbers of the bodies that carry the modal coordinates, three each, see `modal_bodies`.
+        Numbers of the hidden bodies of the modal coordinates, three each, see `modal_bodies`.
     damping
-        Like `stiffness`, per second.
+        Modal damping, shape as `stiffness`.
     stiffening
-        Stiffness per unit of each of the nine loads, (9, n, n), see `LOADS`.
+        Geometric stiffness per unit of each of the nine loads, (9, n, n), see `LOADS`.
     gravity
-        World axes [m/s^2].
+        Gravitational acceleration in world axes [m/s^2].
     """
     n = integrals.modal.shape[0]
     if not 0 < n <= MOST or len(hidden) != -(-n // GROUP):
@@ -123,8 +123,7 @@ def flexible_row(
         r[name] = number
     r["inertia"], r["gravity"] = integrals.inertia, gravity
     r["P"][:, :n], r["C0"][:, :n] = integrals.momentum, integrals.angular
-    # points without rotary inertia make A antisymmetric in both modes; what elements with rotations add is
-    # dropped
+    # A is antisymmetric in the two modes for mass points; the contribution of rotary inertia is neglected
     r["A"][:n, :, :n] = 0.5 * (integrals.angular_1 - integrals.angular_1.transpose(2, 1, 0))
     r["J1"][:n] = integrals.inertia_1
     r["J2"][:n, :n] = 0.5 * (integrals.inertia_2 + integrals.inertia_2.transpose(1, 0, 2, 3))
@@ -139,12 +138,12 @@ def flexible_row(
 
 
 def modal_bodies(name: str, n: int, first: int) -> tuple[list[Body], NDArray[np.void]]:
-    """Hidden bodies that carry n modal coordinates, three each, and the functions that move them.
+    """Hidden bodies for n modal coordinates, three each, and the guide records that move them.
 
     Parameters
     ----------
     name
-        Name of the elastic body; the hidden ones are called ``NAME.1`` and so on, the coordinates eta1 ...
+        Name of the elastic body; the hidden bodies are named ``NAME.1`` and so on, the coordinates eta1 ...
     n
         Number of modal coordinates.
     first
@@ -177,19 +176,19 @@ def interface_bodies(
     hidden: tuple[int, ...],
     first: int,
 ) -> tuple[list[Body], NDArray[np.void]]:
-    """Frame that goes with one node of an elastic body: a body without mass for joints and forces.
+    """Massless bodies that follow one node of an elastic body, for joints and forces.
 
-    It is a chain of bodies, the last of which is at the deflected place; three modal coordinates after three,
-    displacements add up, then small turns follow one another.
+    The last body of the chain has the pose of the deflected node; in groups of three modal coordinates, first
+    the displacements are added, then the small rotations are applied in sequence.
 
     Parameters
     ----------
     name
-        Name of the last body; those before it are called ``NAME.1`` and so on.
+        Name of the last body; the others are named ``NAME.1`` and so on.
     shape
-        Displacement and turn of the node per modal coordinate in the axes of the frame, (6, n).
+        Displacement and rotation of the node per modal coordinate in the axes of the frame, (6, n).
     place, axes
-        Node and axes of the floating frame in the world with all coordinates zero, as of other bodies.
+        Position of the node and axes of the floating frame in world axes, with all coordinates zero.
     frame, hidden
         Numbers of the floating frame and of the bodies of `modal_bodies`.
     first
@@ -201,8 +200,8 @@ def interface_bodies(
     """
     phi = np.asarray(shape, float)
     groups = len(hidden)
-    # displacements of groups 1 to G-1, those of G with its turns, then the turns of the others: the place is
-    # the sum of all displacements, which no turn moves
+    # displacements of groups 1 to G-1, then displacements and rotations of G, then rotations of the others:
+    # the position is the sum of all displacements and independent of the rotations
     steps = [(g, range(3)) for g in range(groups - 1)]
     steps += [(groups - 1, range(6)), *((g, range(3, 6)) for g in range(groups - 1))]
     bodies, rows = [], []
@@ -228,7 +227,7 @@ def interface_bodies(
 
 
 def interface_count(modes: int) -> int:
-    """How many bodies `interface_bodies` makes of one node of a body with so many modes."""
+    """Number of bodies that `interface_bodies` creates for one node of a body with `modes` modes."""
     return 2 * -(-modes // GROUP) - 1
 
 
@@ -257,7 +256,7 @@ def flexible_body(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return flexible_body(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Wrench and modal forces of an elastic body; equations in `flexible_body`.
 
-Exact tangents require how they change with one motion of its frame or of one modal coordinate.
+Exact tangents are their derivatives for one motion of the frame or of one modal coordinate at a time.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from pitchpoint.multibody.vectors import add, cross, dot, into_body, into_world,
 
 @kernel
 def hidden(b, g):
-    """Body that carries the modal coordinates of group g."""
+    """Hidden body of the modal coordinates of group g."""
     if g == 0:
         return b["j"]
     if g == 1:
@@ -34,13 +34,13 @@ def hidden(b, g):
 
 @kernel
 def column(x, k):
-    """Column k of three rows."""
+    """Column k of an array of three rows."""
     return x[0, k], x[1, k], x[2, k]
 
 
 @kernel
 def row(x, k):
-    """Row k of three numbers."""
+    """Row k of an array of three columns."""
     return x[k, 0], x[k, 1], x[k, 2]
 
 
@@ -54,7 +54,7 @@ def put(x, k, a):
 
 @kernel
 def coordinates(b, fr):
-    """Read the modal coordinates, their rates and second rates."""
+    """Read the modal coordinates with their first and second time derivatives."""
     for k in range(b["n"]):
         f = fr[hidden(b, k // 3)]
         b["eta"][0, k] = f["r"][k % 3]
@@ -64,7 +64,7 @@ def coordinates(b, fr):
 
 @kernel
 def combine(P, eta, order, n):
-    """Sum of columns of P with the coordinates, rates or second rates."""
+    """P times the modal coordinates (`order` 0) or their time derivatives (1, 2)."""
     x = 0.0
     y = 0.0
     z = 0.0
@@ -78,7 +78,7 @@ def combine(P, eta, order, n):
 
 @kernel
 def load(b, r, a, w):
-    """Load r of those that stiffen the body."""
+    """Load r with geometric stiffness: component of a or product of components of omega."""
     if r < 3:
         return a[r]
     if r < 6:
@@ -88,7 +88,7 @@ def load(b, r, a, w):
 
 @kernel
 def _integrals(b):
-    """Moments, inertia and their changes at the deflection."""
+    """Set s, J and C of the deflected body, and the time derivatives of s and J."""
     n = b["n"]
     eta = b["eta"]
     for order in range(3):
@@ -116,7 +116,7 @@ def _integrals(b):
 
 @kernel
 def _modal(b, a, alpha, w):
-    """Modal forces and the stiffness by loads."""
+    """Set the modal forces and the geometric stiffness."""
     n = b["n"]
     eta = b["eta"]
     for k in range(n):
@@ -135,7 +135,7 @@ def _modal(b, a, alpha, w):
 
 @kernel
 def loads(b, f):
-    """Wrench on the frame and modal forces, in the axes of the frame."""
+    """Set the wrench on the frame, in its axes, and the modal forces."""
     S = f["S"]
     a = into_body(S, less(triple(f["ac"], 0), triple(b["gravity"], 0)))
     alpha = into_body(S, triple(f["ac"], 3))
@@ -159,7 +159,7 @@ def loads(b, f):
 
 @kernel
 def shares(b, f, fr):
-    """Give the wrenches to the bodies."""
+    """Add the wrench to the frame and the modal forces to the hidden bodies."""
     force = into_world(f["S"], triple(b["F"], 0))
     moment = into_world(f["S"], triple(b["F"], 3))
     for r in range(3):
@@ -171,10 +171,7 @@ def shares(b, f, fr):
 
 @kernel
 def _swing(b):
-    """Changes of inertia, of its rate and of C by the modal coordinates, as products with what they act on.
-
-    Returns those of J alpha, J omega, J' omega, C eta'' and C eta'.
-    """
+    """Changes of J alpha, J omega, J' omega, C eta'' and C eta' with the modal coordinates."""
     n = b["n"]
     alpha = row(b["x"], 1)
     w = row(b["x"], 2)
@@ -232,7 +229,7 @@ def _modal_change(b, k, da, dalpha, dw):
 
 @kernel
 def _change(b):
-    """Changes of wrench and modal forces with those of the frame's motion and of the modal coordinates."""
+    """Changes of wrench and modal forces for given changes of frame motion and modal coordinates."""
     n = b["n"]
     a = row(b["x"], 0)
     alpha = row(b["x"], 1)
@@ -264,7 +261,7 @@ def _change(b):
 
 @kernel
 def _column(b, S, turn, kk, p, c):
-    """Subtract the changes from column c of the blocks with body p; `turn` is that of the axes, in them."""
+    """Subtract the changes from column c of the blocks with body p; `turn`: rotation of the frame axes."""
     F = triple(b["F"], 0)
     M = triple(b["F"], 3)
     force = into_world(S, add(triple(b["dF"], 0), cross(turn, F)))
@@ -279,7 +276,7 @@ def _column(b, S, turn, kk, p, c):
 
 @kernel
 def tangent(b, S, kk, cm, cd, ck):
-    """Add ck K + cd D + cm M of one elastic body to its pair blocks; `loads` was called before."""
+    """Add ck K + cd D + cm M of one elastic body to its pair blocks; call `loads` first."""
     nothing = (0.0, 0.0, 0.0)
     for order in range(3):
         for k in range(b["n"]):

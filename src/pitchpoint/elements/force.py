@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Force and moment on a body at a point of it, in axes of the world or of the body, scaled by a signal.
+"""Force and moment at a point of a body, in world or body axes, scaled by a signal.
 
-The signal is a factor: constant, table, formula or user law of time, angle and speed, as of a torque (see
-`turning`). A force whose components follow different signals is as many records. The point lies at z on the
-spin axis, plus p in the axes of the body. The reaction goes to body j at the same point (0 = ground).
+The signal is a factor: constant, table, formula or user law of time, angle and speed, as for a torque (see
+`torsion`). Components with different signals need one record each. The point is at z on the spin axis, plus p
+in the axes of the body. The reaction acts on body j at the same point (0 = ground).
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + SIGNAL
     + [
-        ("F", "f8", 6),  # force [N] and moment [N m] at a signal of one, in the axes named next
+        ("F", "f8", 6),  # force [N] and moment [N m] at a signal of 1, in the axes `axes`
         ("axes", "i8"),  # WORLD or BODY
-        ("z", "f8"),  # point of attack on the spin axis, from the origin [m]
-        ("p", "f8", 3),  # and from there, axes of the body [m]
+        ("z", "f8"),  # point of application on the spin axis, from the origin [m]
+        ("p", "f8", 3),  # additional offset, axes of the body [m]
         ("out", "i8"),
     ],
     align=True,
@@ -45,7 +45,7 @@ RECORD = np.dtype(
 
 @kernel
 def _from_body(f, a):
-    """World components of a vector given in the axes of the body; S itself may not be kept up."""
+    """World components of a vector given in body axes; from R and phi, since S may be out of date."""
     c = math.cos(f["phi"])
     s = math.sin(f["phi"])
     x = c * a[0] - s * a[1]
@@ -60,7 +60,7 @@ def _from_body(f, a):
 
 @kernel
 def _tangents(b, f, g, kk, ctl, sense, place, load, slopes):
-    """Add the tangents: the arm turns, a load in axes of the body too, the factor has its slopes."""
+    """Add the tangents: rotation of the arm and of loads in body axes, slopes of the factor."""
     c = ctl[0]
     ck = c["ck"]
     arm, reach, m = place
@@ -135,7 +135,7 @@ def force(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return force(view(rec, n, RECORD), c, fr, kk)
 

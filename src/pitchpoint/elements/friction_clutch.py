@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Clutch between two bodies or brake on ground: dry friction about their axis, with stick and slip.
+"""Clutch between two bodies or brake to ground: dry friction about their axis, with stick and slip.
 
-The capacity C(t, angle, speed), a signal, is the torque of fast sliding; the engaging force or pressure is in
-it, zero means open. With the relative speed w about the common axis (see `turning`) and Stribeck's g(w), 1
-for fast sliding and `ratio` at rest:
+The capacity C(t, angle, speed), a signal, is the torque of fast sliding and contains the engaging force or
+pressure; zero means open. With the relative speed w about the common axis (see `torsion`) and the Stribeck
+function g(w), 1 for fast sliding and `ratio` at rest:
 
-REGULARISED  T = -C g(w) S(w/v_eps), S the smooth sign: simple, but what should stick creeps.
-BRISTLE      T = -C (y + sigma y'), y' as in `pitchpoint.contact.bristle`: a spring until it slips, so what
-             sticks stays where it is. The deflection y has the capacity as unit, so a clutch that opens
-             lets go.
+REGULARISED  T = -C g(w) S(w/v_eps), S the smooth sign: simple, but creeps instead of sticking.
+BRISTLE      T = -C (y + sigma y'), y' as in `pitchpoint.contact.bristle`: elastic until it slips, so that it
+             sticks without creep. The deflection y is relative to the capacity, so an opening clutch releases
+             its torque.
 
-Body k is the hidden torsional body of polar inertia 1 kg m^2 on ground whose spin rate is y (ground where the
+Body k is the hidden torsional body of polar inertia 1 kg m^2 on ground with the spin rate y (ground if the
 law is REGULARISED).
 """
 
@@ -40,7 +40,7 @@ from pitchpoint.multibody.channels import bounded, events, frame_args, observati
 
 TWO_PI = 6.283185307179586
 STILL = 1e-3
-"""Slip over `v_eps` by which what stays put may turn back without a reversal: round-off does not count."""
+"""Reverse slip over `v_eps` without a reversal event: hides round-off of a sticking clutch."""
 REGULARISED, BRISTLE = 0, 1
 
 
@@ -53,7 +53,7 @@ RECORD = np.dtype(
         ("v_s", "f8"),  # Stribeck speed [rad/s]
         ("v_eps", "f8"),  # REGULARISED: speed of full friction [rad/s]
         ("stiffness", "f8"),  # BRISTLE: torque per angle before slip over capacity [1/rad]
-        ("onset", "f8"),  # BRISTLE: share of the capacity below which nothing slips, < 1
+        ("onset", "f8"),  # BRISTLE: fraction of the capacity below which there is no slip, < 1
         ("sigma", "f8"),  # BRISTLE: damping of the bristles over the stiffness, as a time [s]
         ("ev", "i8"),
         ("out", "i8"),
@@ -63,22 +63,22 @@ RECORD = np.dtype(
 
 EVENTS = (
     ("slip_reversal", "the slip of a clutch or brake changes its sign"),
-    ("slip", "a clutch or brake begins to slip or sticks"),
+    ("slip", "a clutch or brake starts to slip or sticks"),
 )
 
 OUTPUTS = (
     ("torque", "N m", "friction torque on the first body"),
-    ("slip_speed", "rad/s", "speed of the first body against the second"),
-    ("friction_power", "W", "power lost to friction"),
+    ("slip_speed", "rad/s", "speed of the first body relative to the second"),
+    ("friction_power", "W", "friction power loss"),
 )
 
 
 @kernel
 def _side(y, onset):
-    """Direction of slip that bristles remember: -1 where they have yielded backwards, else 1.
+    """Direction of the last slip from the bristle deflection: -1 after backward slip, else 1.
 
-    A clutch at rest keeps one sign of its event function, loaded or not; between -0.95 and -1.05 of the
-    onset it changes steadily.
+    It gives the event function of a sticking clutch a constant sign, loaded or not; continuous between -0.95
+    and -1.05 of the onset.
     """
     x = y / max(onset, 1e-6)
     return min(max(20.0 * (x + 1.0), -1.0), 1.0)
@@ -151,7 +151,7 @@ def friction_clutch(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return friction_clutch(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gear mesh: force of two toothed bodies on each other, from their frames alone.
+"""Gear mesh: contact forces of two toothed bodies from the motion of their frames.
 
-Frame channel. `mesh.line_of_action` finds where the flanks are, `mesh.tooth_pairs` sums what they do along
-their contact lines, this file turns the sums into wrenches, tangents and observations. Forces act along the
-normal in the transverse plane of each flank plus their axial share: N_f = n_f - f tan(beta_b) m per unit of
+Frame channel. `mesh.line_of_action` locates the flanks, `mesh.tooth_pairs` integrates the forces along the
+contact lines, this file converts the sums to wrenches, tangents and observations. The force of flank f acts
+along the normal in the transverse plane plus its axial component: N_f = n_f - f tan(beta_b) m per unit of
 base-tangent force.
 
-Tangents hold at frozen mesh phase and frozen line of action: what the Newton iteration and static equilibrium
-need. Exact ones, for modes about an operating point, follow the line of action too (`mesh.exact_tangent`).
-The change of the stiffness with the phase shows up as parametric power.
+Tangents hold mesh phase and line of action constant, as the Newton iteration and static equilibrium need.
+Exact tangents, for modes about an operating point, also follow the line of action (`mesh.exact_tangent`). The
+change of stiffness with the phase appears as parametric power.
 """
 
 from __future__ import annotations
@@ -78,21 +78,21 @@ __all__ = ["EVENTS", "KIND", "OUTPUTS", "RECORD", "entry", "gear_mesh"]
 
 RECORD_BYTES = RECORD.itemsize
 _STEP = 1e-5
-"""Largest step of phase for the rate of a user's stiffness law; only the parametric power needs it."""
+"""Maximum phase step of the difference quotient of a user stiffness law (for the parametric power only)."""
 _STEP_OF_TIME = 1e-6
-"""Largest step of time for the same [s]."""
+"""Maximum time step of the same difference quotient [s]."""
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Observations of one record: those of every mesh, the forces of its tooth pairs, torques of friction."""
+    """Observations of one record: those of every mesh, forces of the tooth pairs, friction torques."""
     return mesh_outputs(record, OUTPUTS)
 
 
 def bends(record: np.void) -> tuple[str, ...]:
-    """Event functions of one record at whose zeros forces jump or bend.
+    """Event functions of one record at whose zeros the force has a jump or a kink.
 
-    Those of contact always; those of pairs unless the stiffness is a sum of harmonics; that of the sliding
-    velocity only with friction, whose force reverses with it.
+    Contact: always. Tooth pairs: unless the stiffness is a sum of harmonics. Sliding velocity: only with
+    friction, whose force reverses with it.
     """
     names = tuple(name for name, _ in EVENTS)
     if record["contact"]["mu"] > 0.0:
@@ -105,15 +105,15 @@ def bends(record: np.void) -> tuple[str, ...]:
 
 @kernel
 def _user_ratio(b, t, psi):
-    """k(t, psi)/mean by a user's law."""
-    if b["c_prime"] == 0.0:  # solvers take the spring of a mesh out like this
+    """Ratio of the stiffness k(t, psi) of a user law to its mean."""
+    if b["c_prime"] == 0.0:  # solvers remove the mesh spring in this way
         return 0.0
     return call_law(b["law"], t, psi - math.floor(psi), b["pool"] + 8 * b["params"]) / b["c_prime"]
 
 
 @kernel
 def _stiffness_ratio(b, t, watch):
-    """k/mean of a prescribed stiffness and its rate [1/s]; that of a user's law only if observed."""
+    """Ratio of a prescribed stiffness to its mean, with its rate [1/s]; for a user law only if observed."""
     now = b["now"]
     phase_rate = now["phase_rate"][0 if now["flank"] > 0 else 1]
     if b["form"] == USER:
@@ -131,7 +131,7 @@ def _stiffness_ratio(b, t, watch):
 
 @kernel
 def _flank(b, f, g, flank, x_0, spins, rate):
-    """Sum one flank; `spins` 1: the gears only spin and their travel rate is `rate`."""
+    """Sum one flank; `spins` 1: pure rotation of the gears with the travel rate `rate`."""
     now = b["now"]
     begin_flank(b, flank, 1.0)
     begin_sums(b)
@@ -176,7 +176,7 @@ def _sum(b, watch, x_0):
 
 @kernel
 def _turning(b, f, g, flank, x_0):
-    """Exact tangents: add what turns with the line of action; the flank is summed again for its damping."""
+    """Exact tangents: add the derivative by the line of action; sums the flank again for its damping."""
     kept = begin_damping(b)
     _flank(b, f, g, flank, x_0, 0, 0.0)
     end_damping(b, kept)
@@ -185,7 +185,7 @@ def _turning(b, f, g, flank, x_0):
 
 @kernel
 def _slack(b):
-    """How much deeper than the middle of the face a tilted flank can reach."""
+    """Upper bound of the additional penetration of a tilted flank beyond that at mid-face."""
     now = b["now"]
     dn = now["dn"]
     xi_A = now["xi_A"]
@@ -197,7 +197,7 @@ def _slack(b):
 
 @kernel
 def _pair_leaves(b):
-    """Path position at which a pair leaves [base pitches]; of a rectangular wave where it falls."""
+    """Path position at which a pair leaves contact [base pitches]; rectangular wave: its falling edge."""
     if b["source"] == PHASE and b["form"] == RECTANGULAR:
         return view(pooled(b, b["cosine"]), 3, F8)[2]
     return b["now"]["eps"]
@@ -247,7 +247,7 @@ def _one_mesh(b, fr, kk):
     if now["eps"] > 0.0 and now["z_hi"] > now["z_lo"]:
         for flank in (1, -1):
             x_0 = flank * x - 0.5 * now["gap"]
-            # a flank cannot touch while even its deepest corner is open
+            # no contact while even the deepest corner of the flank is separated
             if x_0 + slack <= b["sep_min"]:
                 continue
             status = _flank(b, f, g, flank, x_0, spins, u_rate)
@@ -298,7 +298,7 @@ def _one_mesh(b, fr, kk):
 
 @kernel
 def _displaced_mesh(b, ctl, fr, kk):
-    """A mesh of gears that are eccentric or wobble on the axes of their bodies."""
+    """Evaluate the mesh of gears that are eccentric or wobble on the axes of their bodies."""
     frames = begin_displaced(b, fr)
     request = b["request"]
     status = OK
@@ -330,7 +330,7 @@ def gear_mesh(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     records = view(rec, n, RECORD)
     for r in range(n):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Weight of a body at its centre of mass.
 
-One record per body; `gravity_records` makes them. The centre of a round body lies on its spin axis, so its
-turn is not needed; that of any other body turns with it.
+One record per body, from `gravity_records`. A body with its centre of mass on the spin axis does not need its
+spin angle; the centre of mass of any other body rotates with it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ RECORD = np.dtype(
     + [
         ("weight", "f8", 3),  # mass times acceleration of gravity, world axes [N]
         ("com", "f8", 3),  # centre of mass from the origin, axes of the body [m]
-        ("round", "i8"),  # 1: the centre lies on the spin axis
+        ("round", "i8"),  # 1: centre of mass on the spin axis
         ("out", "i8"),
     ],
     align=True,
@@ -33,12 +33,12 @@ RECORD = np.dtype(
 
 
 def gravity_records(bodies: Sequence[Body], acceleration: ArrayLike) -> NDArray[np.void]:
-    """Records of the weight of all bodies that have a mass.
+    """Weight records of all bodies that have a mass.
 
     Parameters
     ----------
     bodies
-        The bodies without ground, in the order of the system.
+        Bodies without ground, in the order of the system.
     acceleration
         Acceleration of gravity in world axes, shape (3,) [m/s^2].
 
@@ -81,7 +81,7 @@ def gravity(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return gravity(view(rec, n, RECORD), c, fr, kk)
 

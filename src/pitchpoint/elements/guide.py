@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Joints made of functions: displacements that follow time or the coordinates of the joint.
+"""Guided joints: displacements as functions of time or of the joint coordinates.
 
-One record is one function: displacement m of a guided body as a function of time (a moved frame) or of one
-coordinate of its joint (a slot, a cam groove, any path). The functions of one displacement add up. First and
-second derivatives are those of the same function: polynomials are differentiated, formulas carry their slope
-along and its difference of fourth order gives the second derivative.
+One record is one function: displacement m of a guided body as a function of time (a moving frame) or of one
+coordinate of its joint (a slot, a cam groove, any path). The functions of one displacement are added.
+Polynomials are differentiated exactly; formulas give their exact slope, and a fourth-order difference
+quotient of the slope gives the second derivative.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ RECORD = np.dtype(
         ("dof_i", "i8"),  # first coordinate of the body; written by the layout
         ("guide_i", "i8"),  # number of its guide; written by the layout
         ("m", "i8"),  # displacement 0 ... 5: x, y, z, alpha, beta, spin
-        ("k", "i8"),  # coordinate that it follows, or TIME
+        ("k", "i8"),  # independent variable: coordinate of the joint, or TIME
         ("first", "i8"),  # 1: first record of its body
         ("form", "i8"),  # LINEAR, PIECES or FORMULA
-        ("value", "f8"),  # LINEAR: value at zero; else added
+        ("value", "f8"),  # LINEAR: value at zero; else an offset
         ("slope", "f8"),  # LINEAR
-        ("step", "f8"),  # FORMULA: distance of the points of the second derivative
-        ("period", "f8"),  # PIECES: period, 0 for none: constant beyond the ends
+        ("step", "f8"),  # FORMULA: step of the difference quotient for the second derivative
+        ("period", "f8"),  # PIECES: period; 0: not periodic, constant beyond the ends
         ("pool", "i8"),
         ("start", "i8"),
         ("n", "i8"),  # pieces or programme words
@@ -52,11 +52,11 @@ RECORD = np.dtype(
 OUTPUTS: tuple[tuple[str, str, str], ...] = ()
 
 STEP_OF_TIME, STEP_OF_COORDINATE = 1e-5, 1e-3
-"""[s]: 1e-8 of the second derivative at 100 Hz; [rad] or [m]: 1e-11 of smooth functions of order one."""
+"""[s]: relative error of the second derivative 1e-8 at 100 Hz; [rad], [m]: 1e-11 for smooth functions."""
 
 
 def set_formula(record: Any, pool: Pool, formula: Any) -> None:
-    """Follow a formula of one variable, see `pitchpoint.core.formula.formula.Formula`."""
+    """Set a formula of one variable, see `pitchpoint.core.formula.formula.Formula`."""
     record["form"] = FORMULA
     record["step"] = STEP_OF_TIME if record["k"] == TIME else STEP_OF_COORDINATE
     record["start"], record["n"] = pool.add(formula.ops.view(np.float64)), formula.ops.size
@@ -64,7 +64,7 @@ def set_formula(record: Any, pool: Pool, formula: Any) -> None:
 
 
 def set_table(record: Any, pool: Pool, x: ArrayLike, y: ArrayLike, period: float = 0.0) -> None:
-    """Follow a cubic spline through points; with a period, first and last value must be equal."""
+    """Set a cubic spline through points; with a period, first and last value must be equal."""
     from scipy.interpolate import CubicSpline
 
     xs = np.asarray(x, float)
@@ -76,7 +76,7 @@ def set_table(record: Any, pool: Pool, x: ArrayLike, y: ArrayLike, period: float
 def set_function(
     record: Any, pool: Pool, function: Callable[[NDArray[np.float64]], Any], begin: float, end: float
 ) -> None:
-    """Follow a Python function over a range, fitted by polynomials to nine digits."""
+    """Set a Python function over a range, fitted by piecewise polynomials to nine digits."""
     pieces = fit_pieces(function, begin, end)
     record["form"], record["n"] = PIECES, len(pieces.powers)
     record["degree"] = pieces.powers.shape[1] - 1
@@ -84,7 +84,7 @@ def set_function(
 
 
 def _set_pieces(record: Any, pool: Pool, edges: NDArray[np.float64], function: Any, degree: int) -> None:
-    """Polynomials of a degree through a function that is one on every piece."""
+    """Set the exact pieces of a piecewise polynomial function of the given degree."""
     nodes = np.linspace(-1.0, 1.0, degree + 1)
     at = 0.5 * (edges[:-1] + edges[1:])[:, None] + 0.5 * np.diff(edges)[:, None] * nodes
     powers = np.linalg.solve(np.vander(nodes, increasing=True), function(at).T).T
@@ -94,7 +94,7 @@ def _set_pieces(record: Any, pool: Pool, edges: NDArray[np.float64], function: A
 
 @kernel
 def _pieces(b, x):
-    """Value, slope and second derivative of polynomials on pieces; beyond the ends the value stays."""
+    """Value, slope and second derivative of piecewise polynomials; constant beyond the ends."""
     n = b["n"]
     most = b["degree"]
     where = b["pool"] + 8 * b["start"]
@@ -137,7 +137,7 @@ def function(b, x):
     n = b["n"]
     where = b["pool"] + 8 * b["start"]
     ops = view(where, n, I8)
-    room = view(where + 8 * n, 1 << 20, F8)  # the programme knows how much of it is its own
+    room = view(where + 8 * n, 1 << 20, F8)  # upper bound; the programme uses only its own workspace
     value, slope = evaluate_slope(ops, n, room, x, 0.0, 0.0, 0)
     h = b["step"]
     second = 0.0
@@ -150,7 +150,7 @@ def function(b, x):
 
 @kernel
 def guide(rec, ctl, q, guides):
-    """Displacements of all guided bodies and their derivatives."""
+    """Set the displacements of all guided bodies and their derivatives."""
     t = ctl[0]["t"]
     exact = ctl[0]["jac"] == 2
     for e in range(rec.size):
@@ -189,7 +189,7 @@ def guide(rec, ctl, q, guides):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, q, guides = motion_args(ctl)
     return guide(view(rec, n, RECORD), c, q, guides)
 

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Friction of joints from the load that they carry: Coulomb and Stribeck, regularised.
+"""Load-dependent joint friction: Coulomb and Stribeck, regularised.
 
-The load of a joint in the tree is what all bodies beyond it put on it, inertia included; that of a cut joint
-follows from the multipliers of its rows. Across the axis of the joint the force F_r, along it F_a, and the
-moment M_r that bends it press its surfaces together,
+The load of a tree joint is the sum of all wrenches of the bodies beyond it, inertia included; that of a cut
+joint follows from the multipliers of its rows. With the radial force F_r, the axial force F_a and the bending
+moment M_r,
 
     load = preload + c_r |F_r| + c_a |F_a| + c_m |M_r|,
 
-for a pin of radius r in a bush of length l: c_r = r, c_a = the mean radius of its shoulder, c_m = 2 r / l;
-for a slide: c_r = 1, c_m = 2 over its length. Friction mu load acts against the turn or the way. Kinds of
-this channel run when all other forces are known; their tangents neglect how the load changes.
+for a pin of radius r in a bush of length l: c_r = r, c_a = mean radius of the shoulder, c_m = 2 r / l; for a
+slide: c_r = 1, c_m = 2 over its length. The friction mu load opposes rotation or sliding. Kinds of this
+channel run after all other forces are known; their tangents neglect the change of the load.
 """
 
 from __future__ import annotations
@@ -36,23 +36,23 @@ TURN, WAY = 0, 1
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
-        ("form", "i8"),  # TURN about the axis or WAY along it
-        ("p_i", "f8", 3),  # place of the joint on body i, axes S [m]
+        ("form", "i8"),  # TURN: rotation about the axis; WAY: translation along it
+        ("p_i", "f8", 3),  # position of the joint on body i, axes S [m]
         ("p_j", "f8", 3),  # and on body j
         ("axis", "f8", 3),  # axis of the joint, fixed to body j
-        ("c_r", "f8"),  # lever of the force across the axis [m], or share of it
-        ("c_a", "f8"),  # lever of the force along the axis
-        ("c_m", "f8"),  # share of the bending moment, or [1/m]
+        ("c_r", "f8"),  # friction radius of the radial force [m], or its factor
+        ("c_a", "f8"),  # friction radius of the axial force [m], or its factor
+        ("c_m", "f8"),  # factor of the bending moment [1] or [1/m]
         ("preload", "f8"),  # [N m] or [N]
-        ("mu", "f8"),  # friction of fast sliding
-        ("ratio", "f8"),  # static over that
+        ("mu", "f8"),  # coefficient of dynamic friction
+        ("ratio", "f8"),  # static over dynamic friction
         ("v_s", "f8"),  # Stribeck speed [rad/s] or [m/s]; 0: none
-        ("v_eps", "f8"),  # speed at which friction has grown up
-        ("n_beyond", "i8"),  # bodies beyond the joint; 0: it is a cut joint
+        ("v_eps", "f8"),  # speed of full friction
+        ("n_beyond", "i8"),  # number of bodies beyond the joint; 0: cut joint
         ("beyond", "i8"),  # their numbers, as integers in the pool
-        ("n_rows", "i8"),  # records of the kind closure that make it
-        ("rows", "i8"),  # first of them
-        ("closures", "i8"),  # address of the records of that kind; written by the linker
+        ("n_rows", "i8"),  # number of closure records of a cut joint
+        ("rows", "i8"),  # the first of them
+        ("closures", "i8"),  # address of the closure records; written by the linker
         ("pool", "i8"),
         ("ev", "i8"),
         ("out", "i8"),
@@ -60,28 +60,28 @@ RECORD = np.dtype(
     align=True,
 )
 
-#: One function per direction, zero where friction has grown up. At rest both are far from zero, whatever
-#: rounding or a load below friction make of the slip there; a reversal within one step changes both.
+#: One function per direction, zero at the speed of full friction. At rest both are far from zero, regardless
+#: of round-off and creep; a reversal within one step changes the sign of both.
 EVENTS = (
-    ("forward_slip", "a joint with friction begins to slip forwards, or stops to"),
-    ("backward_slip", "a joint with friction begins to slip backwards, or stops to"),
+    ("forward_slip", "forward slip of a joint with friction starts or stops"),
+    ("backward_slip", "backward slip of a joint with friction starts or stops"),
 )
 
 OUTPUTS = (
     ("friction_torque", "N m", "friction of the joint on its moved body"),
-    ("friction_power", "W", "power lost to friction"),
+    ("friction_power", "W", "friction power loss"),
 )
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Names of the observations of one record: a torque, or a force along a slide."""
+    """Observations of one record: friction torque, or friction force of a slide."""
     if record["form"] == WAY:
         return (("friction_force", "N", "friction of the joint on its moved body"), OUTPUTS[1])
     return OUTPUTS
 
 
 def bodies_beyond(bodies: Sequence[Body], k: int) -> NDArray[np.int64]:
-    """Numbers of body k and of all that hang on it.
+    """Numbers of body k and of all its descendants in the tree.
 
     Examples
     --------
@@ -97,7 +97,7 @@ def bodies_beyond(bodies: Sequence[Body], k: int) -> NDArray[np.int64]:
 
 @kernel
 def _hung_load(b, fr, place):
-    """Force and moment about the joint that the bodies beyond it put on it."""
+    """Force and moment about the joint of all bodies beyond it."""
     bodies = view(b["pool"] + 8 * b["beyond"], b["n_beyond"], I8)
     force = (0.0, 0.0, 0.0)
     moment = (0.0, 0.0, 0.0)
@@ -111,7 +111,7 @@ def _hung_load(b, fr, place):
 
 @kernel
 def _cut_load(b, fr, lam):
-    """Force and moment about the joint that the rows of a cut joint put on body i."""
+    """Force and moment about the joint of the rows of a cut joint, on body i."""
     rows = view(b["closures"], b["rows"] + b["n_rows"], CLOSURE)
     force = (0.0, 0.0, 0.0)
     moment = (0.0, 0.0, 0.0)
@@ -127,8 +127,8 @@ def _cut_load(b, fr, lam):
 
 @kernel
 def _across(x, n):
-    """Length of the part of a vector normal to a unit vector."""
-    rest = less(x, times(dot(x, n), n))  # squares would cancel to half the digits
+    """Magnitude of the component of a vector normal to a unit vector."""
+    rest = less(x, times(dot(x, n), n))  # a difference of squares would lose half of the digits
     return math.sqrt(dot(rest, rest))
 
 
@@ -145,7 +145,7 @@ def _put(k, s, one_l, one_m, two_l, two_m):
 
 @kernel
 def joint_friction(rec, ctl, fr, kk):
-    """Friction of all joints, their tangents at constant load, and observations."""
+    """Friction of all joints with tangents at constant load and observations."""
     c = ctl[0]
     lam = view(c["lam"], c["nc"], F8)
     for e in range(rec.size):
@@ -157,7 +157,7 @@ def joint_friction(rec, ctl, fr, kk):
         place = add(triple(f["r"], 0), s_i)
         s_j = less(place, triple(g["r"], 0))
         nothing = (0.0, 0.0, 0.0)
-        # directions in which a unit of friction acts: about the axis, or along it at the joint
+        # direction of unit friction: about the axis, or along it at the joint
         l_i = n if b["form"] == WAY else nothing
         m_i = cross(s_i, n) if b["form"] == WAY else n
         m_j = cross(s_j, n) if b["form"] == WAY else n
@@ -196,7 +196,7 @@ def joint_friction(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return joint_friction(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the rest of the package knows about a kind of element: one description, in the module of the kind.
+"""Description of a kind of element: one constant in the module of the kind, read by the rest of the package.
 
-Solvers, scenes and power flows read these traits and name no kind. Traits are read while a system is
-compiled or prepared, never in the loop over time steps.
+Solvers, scenes and power flows use these traits instead of names of kinds. Traits are read while a system is
+compiled or prepared, never in the time-step loop.
 """
 
 from __future__ import annotations
@@ -49,48 +49,48 @@ __all__ = [
 ]
 
 Rows: TypeAlias = tuple[tuple[str, str, str], ...]
-"""Name, unit and long name of observations; ``{}`` in a name is replaced by that of the element."""
+"""Name, unit and long name of observations; ``{}`` in a name is replaced by the name of the element."""
 
-# --- channels: when the entry of a kind runs
+# --- channels: when the entry point of a kind runs
 FRAME, COORDINATE, CONSTRAINT, MOTION = "frame", "coordinate", "constraint", "motion"
 FRICTION = "friction"
 """Channel of frame kinds that need all other wrenches and multipliers."""
 
-# --- roles: what solvers search for; kinds of one role share the names of the record fields that are read
+# --- roles: search keys of solvers; kinds of one role share the names of the record fields that are read
 MESH = "mesh"
-"""Teeth: the fields of `elements/mesh/bevel/record.py` that solvers read."""
+"""Gear meshes: the fields of `elements/mesh/bevel/record.py` that solvers read."""
 DRIVE = "drive"
 """Prescribed motion of the coordinate q_i of body i."""
 TORQUE, FORCE = "torque", "force"
-"""Loads of the size `value` on body i, with their reaction on body j."""
+"""Loads of magnitude `value` on body i, with reaction on body j."""
 CLUTCH = "clutch"
-"""Dry friction that sticks: `ratio`, and the state k of those with bristles."""
+"""Dry friction with sticking: `ratio`, and the state k of bristle models."""
 SIGNAL = "signal"
 """Signals in the order of their evaluation (`elements/signals/record.py`)."""
 RAYLEIGH = "rayleigh"
 """Damping matrix D of all coordinates."""
 RATIO = "ratio"
-"""Linear relation between rates: factors `c_i`, `c_j`, `c_k`."""
+"""Linear relation between speeds: factors `c_i`, `c_j`, `c_k`."""
 JOINT = "joint"
-"""Friction of joints from the load that they carry: `mu`."""
+"""Load-dependent joint friction: `mu`."""
 CLOSURE = "closure"
-"""Rows that close loops, whose multipliers are the loads of joints."""
+"""Loop-closing rows, whose multipliers are joint reactions."""
 
-# --- scopes: what the records of a kind act on
+# --- scopes: on what the records of a kind act
 BETWEEN, SINGLE, EVERYWHERE = "between", "single", "everywhere"
 
-# --- spins: what an element does to rotations about axes
+# --- spins: effect on rotations about the body axes
 FREE, TOGETHER, GEARED, HOLDS = "free", "together", "geared", "holds"
 
-# --- resists: which rotations it resists
+# --- resists: rotations that the element resists
 NOTHING, RELATIVE, ACROSS, OWN, WEIGHT = "nothing", "relative", "across", "own", "weight"
 
 WITH_STATE = (("i", "j"), ("i", "k"), ("j", "k"))
 """Pairs of kinds whose state is the spin rate of a hidden body k."""
 MODAL = ("i", "j", "k", "l", "m", *(f"m{n}" for n in range(5, 11)))
-"""Fields of a floating frame, and of the bodies that carry its modal coordinates, three each."""
+"""Fields of a floating frame and of the hidden bodies of its modal coordinates, three each."""
 WITH_MODES = tuple((a, b) for n, a in enumerate(MODAL) for b in MODAL[n + 1 :])
-"""Pairs of kinds that join a floating frame and all bodies that carry its modal coordinates."""
+"""Pairs of kinds that couple a floating frame and all hidden bodies of its modal coordinates."""
 
 
 @dataclass(frozen=True)
@@ -100,15 +100,15 @@ class Power:
     Parameters
     ----------
     torque
-        Channel of the torque on body i about its axis, ``{}`` for the name of the element; "" if the kind
-        neither gives nor takes power on the mean, or is evaluated by its role.
+        Channel of the torque on body i about its axis, ``{}`` for the name of the element; "" if the mean
+        power of the kind is zero or is evaluated by its role.
     loss
-        Name of the loss that makes up the difference between both sides.
+        Name of the power loss between input and output.
     source
-        Word for an element that brings power from outside, such as "load"; "" for one that passes it on
+        Word for an element that supplies power from outside, such as "load"; "" for one that transmits it
         from body i to body j.
     where
-        Whether a record passes power on; all do if omitted.
+        Whether a record transmits power; default: all do.
     """
 
     torque: str = ""
@@ -129,71 +129,73 @@ class Kind:
         FRAME, COORDINATE, CONSTRAINT, MOTION or FRICTION.
     record
         Aligned dtype of int64, float64 and nested arrays. Its first fields are i, j, ii, ij, ji, jj (bodies
-        and pair blocks; filled in by the layout), its last is out, the index of its first observation. Some
-        more names have a meaning: row and ev (first row and first event), pool (address of a float array),
-        law (address of a user law).
+        and pair blocks; set by the layout), its last is out, the index of its first observation. More
+        reserved names: row and ev (first row and first event), pool (address of a float array), law (address
+        of a user law).
     entry
         Kernel with the signature ``int64 entry(int64 ctl, int64 records, int64 n)``.
     outputs
-        Observations per record, or a function that gives those of one record.
+        Observations per record, or a function of the record that returns them.
     pairs
-        Pairs of record fields that hold interacting bodies.
+        Pairs of record fields of interacting bodies.
     paired
-        Fields of bodies all of which interact; their blocks go to the field `pairs` of the record.
+        Fields of bodies that all interact; their blocks are in the field `pairs` of the record.
     modal
-        Fields of hidden bodies that carry modal coordinates of an elastic body.
+        Fields of the hidden bodies of the modal coordinates of an elastic body.
     rows, row_unit
-        Number of constraint rows per record, and the unit of what they are off by, of one record.
+        Number of constraint rows per record, and a function of the record for the unit of their residual.
     events, bends
-        Event functions per record; of one record those at whose zeros forces jump or bend (all if omitted).
+        Event functions per record, and a function of the record for those at whose zeros the force has a jump
+        or a kink (default: all).
     exact
-        Entries that only exact tangents call, by the record field of their address.
+        Entry points called only for exact tangents, by the record field of their address.
     some
-        Entries that only records with some field other than 0 call: by the record field of their address,
-        with the name of the other field.
+        Entry points called only by records with a nonzero field: by the record field of their address, with
+        the name of the other field.
     body_fixed
-        Whether it reads the frames S of its bodies, which turn with their spin.
+        Whether it reads the body-fixed frames S, which rotate with the spin.
     role
-        What solvers search for, such as MESH; most kinds have none.
+        Search key of solvers, such as MESH; most kinds have none.
     scope
-        BETWEEN: joins its bodies. SINGLE: acts on body i alone. EVERYWHERE: acts on all coordinates.
+        BETWEEN: couples its bodies. SINGLE: acts on body i alone. EVERYWHERE: acts on all coordinates.
     massless
-        Whether it is known to have no inertia, so that accelerations mean nothing to it.
+        Whether its forces are independent of accelerations.
     spins
-        FREE: keeps no body from turning about its axis. TOGETHER: both bodies turn together. GEARED: they
-        turn in a ratio. HOLDS: anything else. A word, or a function of the record.
+        FREE: all bodies rotate freely about their axes. TOGETHER: both bodies rotate together. GEARED: they
+        rotate in a ratio. HOLDS: all other cases. A word, or a function of the record.
     resists
-        Rotations from which it keeps the bodies. RELATIVE: of one end against the other (default of HOLDS).
-        ACROSS: the same but about the axis of body i. OWN: of body i about its axis. WEIGHT: of all whose
-        centre of mass is off the axis. NOTHING (default of all others). A word, or a function of the
-        record.
+        Rotations that it resists. RELATIVE: of one end relative to the other (default of HOLDS). ACROSS: the
+        same, except about the axis of body i. OWN: of body i about its axis. WEIGHT: of all bodies whose
+        centre of mass is off the axis. NOTHING (default of all others). A word, or a function of the record.
     lets_turn
-        Ends, of one record, that may turn about their axis although it resists other rotations.
+        Function of the record: ends that rotate freely about their axis although other rotations are
+        resisted.
     linear
-        Whether its linearisation is the same at all times, so that `reduce` may condense it: true or false,
-        or a function of the record and of whether one of its bodies has a spin of its own.
+        Whether its linearisation is constant in time, so that `reduce` may condense it: true or false, or a
+        function of the record and of whether one of its bodies spins.
     large
-        Whether its kernel holds for large motions, so that it stays where both its bodies stay.
+        Whether its kernel is valid for large motions, so that it is retained if both its bodies are.
     fine
-        Whether it brings modes far above what excites them.
+        Whether it introduces modes far above the excitation frequencies.
     excites
-        Whether its forces change by themselves, so that time steps follow the modes that it moves.
+        Whether its forces vary without a motion of the modes, so that time steps resolve the modes it
+        excites.
     sections
         Sections of the model file whose components become records, with the name of the schematic that
         represents them in a scene (`report.scene.connections.SCHEMATICS`); "" if there is none.
     label
-        Word for it next to the name of an element; a word, or a function of the record.
+        Word before the name of an element; a word, or a function of the record.
     title, plural
-        Its name in words, if that differs from `name`, and a word for several of them.
+        Name of the kind in words, if different from `name`, and its plural.
     main
-        Whether lists of stiffness show it first, and with no stiffness too.
+        Whether stiffness tables list it first, even with zero stiffness.
     names_modes
         Whether a mode may be named after it.
     arrow
         How its force ``bearing_force[NAME.fx]`` … is drawn: "bearing" in the axes B at zi, "ring" in those of
-        the second ring, "" if it is not. A word, or a function of the record.
+        the second ring, "" not drawn. A word, or a function of the record.
     power
-        How it appears in a power flow; None: it may take or give power that is not followed.
+        How it appears in a power flow; None: power is not evaluated.
     law_call
         Last call of the user law of a record, so that a failed call can be repeated in Python: a function of
         the record, the frames, the pool of the kind and the time [s] that gives the second argument of the
@@ -237,7 +239,7 @@ class Kind:
 
     @property
     def module(self) -> str:
-        """Name of the module that its entry is written in."""
+        """Name of the module of its entry point."""
         return str(self.entry.__module__)
 
     @property
@@ -250,25 +252,25 @@ class Kind:
         return self.outputs(record) if callable(self.outputs) else self.outputs
 
     def bends_of(self, record: np.void) -> tuple[str, ...]:
-        """Event functions of one record at whose zeros forces jump or bend."""
+        """Event functions of one record at whose zeros the force has a jump or a kink."""
         return self.bends(record) if self.bends is not None else tuple(event[0] for event in self.events)
 
     def spins_of(self, record: np.void) -> str:
-        """What one record does to rotations about axes."""
+        """Effect of one record on rotations about the body axes."""
         return self.spins(record) if callable(self.spins) else self.spins
 
     def resists_of(self, record: np.void) -> str:
-        """Which rotations one record resists."""
+        """Rotations that one record resists."""
         if self.resists is None:
             return RELATIVE if self.spins_of(record) == HOLDS else NOTHING
         return self.resists(record) if callable(self.resists) else self.resists
 
     def is_linear(self, record: np.void, spinning: bool) -> bool:
-        """Whether the linearisation of one record is the same at all times."""
+        """Whether the linearisation of one record is constant in time."""
         return self.linear(record, spinning) if callable(self.linear) else self.linear
 
     def label_of(self, record: np.void) -> str:
-        """Word for one record."""
+        """Label of one record."""
         found = self.label(record) if callable(self.label) else self.label
         return found or self.words
 
@@ -278,5 +280,5 @@ class Kind:
 
     @property
     def words(self) -> str:
-        """Its name in words."""
+        """Name of the kind in words."""
         return self.title or self.name.replace("_", " ")

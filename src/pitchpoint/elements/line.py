@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The line between two points that are fixed to two bodies, and a tension along it with its tangents.
+"""Line between two body-fixed points, and the wrenches and tangents of a tension along it.
 
-The points are given in the axes of their bodies. A tension T > 0 draws them together: T times the unit vector
-from the point of body i to that of body j acts on body i, the opposite on body j. Where the points coincide
-there is no direction: the unit vector is zero then, and a spring of free length zero keeps its stiffness.
+The points are given in body axes. A tension T > 0 pulls them together: T times the unit vector from the point
+of body i to that of body j acts on body i, the reaction on body j. For coincident points the direction is
+undefined: the unit vector is zero, and a spring of free length zero retains its stiffness.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from pitchpoint.elements.wrench import angular_velocity, origin, push, put, velo
 from pitchpoint.multibody.vectors import add, cross, dot, into_world, less, times, triple, unit
 
 COINCIDENT = 1e-12
-"""Distance below which two points are one [m]."""
+"""Distance below which two points coincide [m]."""
 
 
 @kernel
 def line_between(b, f, g):
-    """Arms of both points, unit vector from j to i, length, relative velocity of i against j and its part
+    """Arms of both points, unit vector from j to i, length, velocity of i relative to j and its component
     along the line."""
     arm_i = into_world(f["S"], triple(b["p_i"], 0))
     arm_j = into_world(g["S"], triple(b["p_j"], 0))
@@ -42,10 +42,10 @@ def pull(f, g, arm_i, arm_j, e, tension):
 
 @kernel
 def line_column(f, g, line, side, c):
-    """Change of length, of its rate at constant twists, of the unit vector times the length, and of the arm.
+    """Changes of length, of its rate at constant velocities, of the unit vector times length, and of the arm.
 
-    The motion is the one of body i (`side` 0) or j (1) along c: three translations, three turns. The change
-    of the length is also that of the rate with the same motion as a velocity.
+    Motion c of body i (`side` 0) or j (1): three translations, three rotations. The change of the length is
+    also the change of the rate for the same motion as a velocity.
     """
     arm_i, arm_j, e, length, w, rate = line
     moved = cross(unit(c - 3), arm_i if side == 0 else arm_j)
@@ -67,7 +67,7 @@ def tension_tangent(b, f, g, kk, ctl, line, tension, by_length, by_rate):
     """Add the tangents of `pull`; b needs the index fields of the pair (i, j)."""
     c = ctl[0]
     arm_i, arm_j, e, length, w, rate = line
-    # where the points coincide, every direction is along
+    # coincident points: the stiffness is isotropic
     over = tension / length if length > COINCIDENT else by_length
     force = times(-tension, e)
     for side in range(2):

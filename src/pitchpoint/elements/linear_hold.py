@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks of a condensed linear part on one body whose joint it keeps from turning freely."""
+"""Blocks of a condensed linear part on one body that constrain the spin of the body."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["KIND", "OUTPUTS", "RECORD", "entry"]
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, v, a, R, A = part_args(ctl)
     return linear_part(view(rec, n, RECORD), c, fr, q, v, a, R, A)
 

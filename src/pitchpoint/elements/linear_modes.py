@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks of a condensed linear part that join bodies to modal coordinates: they hold no rotation."""
+"""Blocks of a condensed linear part between bodies and modal coordinates; they constrain no rotation."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["KIND", "OUTPUTS", "RECORD", "entry"]
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, v, a, R, A = part_args(ctl)
     return linear_part(view(rec, n, RECORD), c, fr, q, v, a, R, A)
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Constant mass, damping and stiffness on the coordinates, in blocks of bodies: a condensed linear part.
+"""Condensed linear part: constant mass, damping and stiffness of the coordinates, in blocks of bodies.
 
 f_i = -(f0 + M a_j + D (v_j - v0) + K (q_j - x0)), summed over the records of body i. One record per ordered
-pair of bodies with a block that is not zero. Shafts turn freely: where `relative` is set, the spin of body j
-counts against that of body i, whole turns included, which leaves the sum unchanged because K does nothing to
-a rotation of all of them.
+pair of bodies with a nonzero block. Shafts rotate freely: if `relative` is set, the spin of body j is
+relative to that of body i, whole turns included; the sum is the same because K has no stiffness against a
+common rotation.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ TWO_PI = 6.283185307179586
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
-        ("blk", "i8"),  # block of the matrix and offsets in it; written by the layout, like the next eight
+        ("blk", "i8"),  # block of the system matrix and offsets in it; written by the layout up to spin_j
         ("o_i", "i8"),
         ("o_j", "i8"),
         ("dof_i", "i8"),
@@ -30,7 +30,7 @@ RECORD = np.dtype(
         ("n_j", "i8"),
         ("spin_i", "i8"),
         ("spin_j", "i8"),
-        ("relative", "i8"),  # 1: the spin of body j counts against that of body i
+        ("relative", "i8"),  # 1: the spin of body j is relative to that of body i
         ("spin0", "f8"),  # spin of body i, whole turns included, at the operating point [rad]
         ("x0", "f8", 6),  # coordinates of body j there [m, rad], a spin with whole turns
         ("v0", "f8", 6),  # their rates there
@@ -47,7 +47,7 @@ OUTPUTS: tuple[tuple[str, str, str], ...] = ()
 
 @kernel
 def _displacement(b, k, q, fr):
-    """Coordinate k of body j from the operating point."""
+    """Displacement of coordinate k of body j from the operating point."""
     d = b["dof_j"] + k
     x = q[d] - b["x0"][k]
     if d == b["spin_j"]:
@@ -96,7 +96,7 @@ def part_args(where):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, v, a, R, A = part_args(ctl)
     return linear_part(view(rec, n, RECORD), c, fr, q, v, a, R, A)
 

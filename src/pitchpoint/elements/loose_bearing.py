@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Linear bearing whose ring is loose in its seat: a radial play in series with its springs.
+"""Linear bearing with a loose ring: radial clearance of the seat in series with the bearing springs.
 
-With rho = |(X, Y)| the distance of the shaft from the middle of the seat and g the radial play, the ring lies
-against its seat from x = rho - g + w/2 = 0 on and the spring of radial stiffness k carries
+With rho = |(X, Y)| the eccentricity of the shaft in the seat and g the radial clearance, the ring touches its
+seat for x = rho - g + w/2 > 0, and the spring of radial stiffness k has the force
 
     N = max(0, k p(x) + d s(x) rho'),   p = x^2/(2 w) up to x = w, x - w/2 beyond: k (rho - g)
 
-towards the middle. The seat yields over the width w, so that stiffness and damping grow from zero
-(s = t^2 (3 - 2 t), t = x/w); N never pulls. Along the seat, which has no friction, the spring rotates with
-the shaft; its damper sees the share (p/rho)^2 of that motion. What holds the shaft axially and against
-tilting stays linear: axial displacement and tilts have a 3 x 3 stiffness and damping of their own. With g = 0
-and w = 0 all of this is the linear bearing.
+towards the centre. The seat yields over the width w, so that stiffness and damping rise from zero
+(s = t^2 (3 - 2 t), t = x/w); N never pulls. The seat is frictionless: tangentially, the spring rotates with
+the shaft, and its damper acts on the fraction (p/rho)^2 of that motion. Axial displacement and tilts have a
+separate linear 3 x 3 stiffness and damping. g = 0 and w = 0 give the linear bearing.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + RING
     + [
-        ("gap", "f8"),  # radial play g [m]
+        ("gap", "f8"),  # radial clearance g [m]
         ("seat", "f8"),  # width w over which the seat yields [m]
         ("k", "f8"),  # radial stiffness [N/m]
         ("d", "f8"),  # radial damping [N s/m]
@@ -48,7 +47,7 @@ OUTPUTS = RING_OUTPUTS
 
 @kernel
 def _seat(b, x):
-    """Compression p, its slope, share s of the damping and its slope, x beyond the first touch [m]."""
+    """Compression p and damping factor s with their slopes, at the distance x beyond first contact [m]."""
     w = b["seat"]
     if x >= w:
         return x - 0.5 * w, 1.0, 1.0, 0.0
@@ -58,7 +57,7 @@ def _seat(b, x):
 
 @kernel
 def _others(b, jac):
-    """Linear forces against axial displacement and tilt into the scratch; slopes of all else are zero."""
+    """Write the linear forces of axial displacement and tilt to the scratch; all other slopes are zero."""
     for r in range(6):
         b["f"][r] = 0.0
         if jac != 0:
@@ -73,7 +72,7 @@ def _others(b, jac):
 
 @kernel
 def _radial(b, jac):
-    """Add what the ring in its seat does; returns its distance from the first touch [m]."""
+    """Add the radial force of the ring in its seat; returns the distance x beyond first contact [m]."""
     rho = math.sqrt(b["x"][0] * b["x"][0] + b["x"][1] * b["x"][1])
     x = rho - b["gap"] + 0.5 * b["seat"]
     if not (x > 0.0 and rho > 0.0):
@@ -95,7 +94,7 @@ def _radial(b, jac):
         by_x = b["d"] * share_slope
         A = b["k"] * p_slope + by_x * out
         B = by_x * q * q * round_ + 2.0 * d * q * round_ * (p_slope - q) / rho
-        rr = A  # rows along and across the displacement, columns likewise
+        rr = A  # rows and columns: radial and tangential direction
         rt = (d * round_ - T) / rho
         tr = B
         tt = (N - d * q * q * out) / rho
@@ -106,7 +105,7 @@ def _radial(b, jac):
 
 @kernel
 def _turned(M, c, s, rr, rt, tr, tt):
-    """Put a 2 x 2 matrix over directions along and across the displacement into x and y."""
+    """Rotate a 2 x 2 matrix from radial and tangential directions to x and y."""
     M[0, 0] = rr * c * c - (rt + tr) * c * s + tt * s * s
     M[0, 1] = (rr - tt) * c * s + rt * c * c - tr * s * s
     M[1, 0] = (rr - tt) * c * s - rt * s * s + tr * c * c
@@ -136,7 +135,7 @@ def loose_bearing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return loose_bearing(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Spring and damper in series along the line between two body-fixed points: a force with a memory.
+"""Maxwell element: spring and damper in series along the line between two body-fixed points.
 
-The state is the tension T. Both parts carry it, and their rates of elongation add up to that of the line:
+The state is the tension T. It is equal in both parts, and their elongation rates add up to that of the line:
 
     dT/dt = k (w - T/d)
 
@@ -33,17 +33,17 @@ RECORD = np.dtype(
     align=True,
 )
 
-OUTPUTS = (("tension", "N", "tension of a spring, positive where it pulls"),)
+OUTPUTS = (("tension", "N", "tension of a spring, positive in tension"),)
 
 
 @kernel
 def _state_tangent(b, f, g, kk, ctl, line, n):
-    """Tangents that have to do with the state: of the force by T, and of the rate of T."""
+    """Add the tangents with respect to the state: of the force by T, and of the rate of T."""
     c = ctl[0]
     arm_i, arm_j, e, length, w, rate = line
     k = b["stiffness"]
     nothing = (0.0, 0.0, 0.0)
-    for h in range(3):  # dT = n . (turn of body k, as a velocity)
+    for h in range(3):  # dT = n . (angular velocity of body k)
         s = c["cd"] * n[h]
         put(kk[b["ik"]], 3 + h, s, e, cross(arm_i, e))
         put(kk[b["jk"]], 3 + h, -s, e, cross(arm_j, e))
@@ -84,7 +84,7 @@ def maxwell(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return maxwell(view(rec, n, RECORD), c, fr, kk)
 

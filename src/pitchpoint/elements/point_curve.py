@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cam and follower: a point or a roller of body i against a planar curve of body j, with force and friction.
+"""Cam and follower: contact of a point or roller of body i with a planar curve of body j, with friction.
 
 The plane is that of the marker of body j; the centre of the roller is the origin of the marker of body i,
-however far it is from the plane. Up to four places touch at once (a pin in a slot, a roller in a corner).
+at any distance from the plane. Up to four points are in contact simultaneously (a pin in a slot, a roller in
+a corner).
 """
 
 from __future__ import annotations
@@ -27,12 +28,12 @@ OUTPUTS = RESULTS + PATHS
 def set_cam(
     record: np.void, pool: Pool, curve: Curve, radius: float = 0.0, depth: float | None = None
 ) -> None:
-    """Give a contact its curve and its roller.
+    """Set curve and roller of a contact.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
     pool
         Pool of the kind.
     curve
@@ -40,9 +41,8 @@ def set_cam(
     radius
         Radius of the roller of body i, 0 for a point [m].
     depth
-        Deepest overlap that counts as contact [m]. None = a twentieth of the size of both, and where nothing
-        overlaps less, the nearest place at any overlap: an outline is never fallen through. Behind an open
-        curve it counts up to half the size of the curve.
+        Maximum overlap in contact [m]. None: 5 % of the size of both; if every overlap is larger, the nearest
+        point is in contact: at any overlap with a closed outline, up to half the size of an open curve.
     """
     size = curve.circle()[2]
     set_curve(record, "i", pool, chain([vertex()], True))
@@ -56,7 +56,7 @@ def set_cam(
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     return planar_entry(ctl, rec, n)
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A point or the centre of a roller that stays on a planar curve: a cam and follower that never part.
+"""Permanent contact of a point or roller with a planar curve: a cam with positively guided follower.
 
-The constraint row is g = phi(y) - r, phi being the signed distance of the point y of body i, in the plane of
-the marker of body j, from the curve. The place on the curve is eliminated: with the direction tau, the
-curvature kappa and W = kappa/(1 + kappa phi) tau tau^T the unit normal turns by n' = omega_j x n + W u, u
-being the velocity of the point against the plane; the rest is that of `contacts.permanent`. Of several places
-nearest to the point, the one counts at which |g| is smallest.
+The constraint row is g = phi(y) - r, where phi is the signed distance of the point y of body i from the
+curve, in the plane of the marker of body j. The contact point on the curve is eliminated: with the tangent
+tau, the curvature kappa and W = kappa/(1 + kappa phi) tau tau^T, the unit normal changes by n' = omega_j x n
++ W u, where u is the velocity of the point relative to the plane; see `contacts.permanent`. Of several
+nearest points of the curve, the one with the smallest |g| is used.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ RECORD = np.dtype(
         ("c", "f8", 3),  # scratch: the point in the world
         ("o", "f8", 3),  # scratch: the marker in the world
         ("h", "f8"),  # scratch: distance less the radius
-        ("n", "f8", 3),  # scratch: normal and place of the row in the world, and their changes
+        ("n", "f8", 3),  # scratch: normal and contact point in the world, and their derivatives
         ("Q", "f8", 3),
         ("dn", "f8", (3, 12)),
         ("dQ", "f8", (3, 12)),
@@ -49,24 +49,24 @@ RECORD = np.dtype(
 )
 
 OUTPUTS = (
-    ("contact_force", "N", "force that presses the point off the curve; negative where it would part"),
-    ("contact_path[{}.j]", "m", "place of the contact along the curve of the second body"),
+    ("contact_force", "N", "normal force between point and curve; negative in tension"),
+    ("contact_path[{}.j]", "m", "position of the contact along the curve of the second body"),
 )
 
 
 def set_point_on_curve(record: np.void, pool: Pool, curve: Curve, radius: float = 0.0) -> None:
-    """Give a constraint its curve.
+    """Set the curve of a constraint.
 
     Parameters
     ----------
     record
-        Record with bodies i and j; its marker is that of body j unless set otherwise.
+        Record with bodies i and j; marker axes that are not set are those of body j.
     pool
         Pool of the kind.
     curve
-        The curve.
+        Curve of body j.
     radius
-        Radius of the roller on its outer side [m], 0 for a point; negative on the inner side.
+        Radius of the roller on the outer side of the curve [m], 0 for a point; negative on the inner side.
     """
     if not np.any(record["Bj"]):
         record["Bj"] = np.eye(3)
@@ -76,7 +76,7 @@ def set_point_on_curve(record: np.void, pool: Pool, curve: Curve, radius: float 
 
 @kernel
 def _project(b, f, g):
-    """The point in axes of the marker of the curve."""
+    """Set the position of the point in the axes of the curve marker."""
     E = b["E"]
     for r in range(3):
         p = b["pi"]
@@ -94,7 +94,7 @@ def _project(b, f, g):
 
 @kernel
 def _search(b, rows):
-    """Piece and parameter of the place that counts, and g there; piece -1 if there is none."""
+    """Piece and parameter of the contact point on the curve, and g there; piece -1 if there is none."""
     best = 1e300
     piece = -1
     s = 0.0
@@ -117,7 +117,10 @@ def _search(b, rows):
 
 @kernel
 def _run(b, f, g, tau, w):
-    """How normal and place change with both bodies; the place of the row is the point of body i."""
+    """Set the derivatives of normal and contact point by the motion of both bodies.
+
+    The contact point of the row is the point of body i.
+    """
     n = triple(b["n"], 0)
     ai = plus(triple(b["c"], 0), -1.0, triple(f["r"], 0))
     aj = plus(triple(b["c"], 0), -1.0, triple(g["r"], 0))
@@ -135,7 +138,7 @@ def _run(b, f, g, tau, w):
 
 @kernel
 def point_on_curve(rec, ctl, fr, q, g, G):
-    """Rows of all points on curves, their second derivatives and the forces that hold them."""
+    """Constraint rows of all points on curves, their second derivatives and constraint forces."""
     c = ctl[0]
     v, gt, gtt, Gf = constraint_rates(ctl)
     for e in range(rec.size):
@@ -167,7 +170,7 @@ def point_on_curve(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return point_on_curve(view(rec, n, RECORD), c, fr, q, g, G)
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A point or a sphere of body i against a surface of body j: plane, sphere, cylinder, cone, torus, triangles.
+"""Contact of a point or sphere of body i with a plane, sphere, cylinder, cone, torus or triangles of body j.
 
-The sphere has its centre at the origin of the marker of body i, the surface lies in the axes of the marker of
-body j (contact/surface.py). Convex and hollow shapes alike; against triangles up to four places of different
-direction count at once (a ball in an edge of a box), of faces that are nearly alike the deepest.
+The centre of the sphere is the origin of the marker of body i; the surface is given in the axes of the marker
+of body j (contact/surface.py). Shapes may be convex or hollow. With triangles, up to four contacts with
+different normals are simultaneous (a ball in an edge of a box); of faces with similar normals the deepest is
+used.
 """
 
 from __future__ import annotations
@@ -32,12 +33,12 @@ OUTPUTS = RESULTS
 def set_surface(
     record: np.void, form: str, size: ArrayLike = (), radius: float = 0.0, hollow: bool = False
 ) -> None:
-    """Give a contact its sphere and the surface of body j.
+    """Set the sphere and the surface of body j of a contact.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
     form
         "plane", "sphere", "cylinder", "cone" or "torus".
     size
@@ -51,9 +52,9 @@ def set_surface(
     needed = {PLANE: 0, TORUS: 2}.get(NAMES[form], 1)
     given = np.atleast_1d(np.asarray(size, float))
     if given.size != needed or np.any(given <= 0.0):
-        raise ValueError(f"a {form} takes {needed} sizes above zero")
+        raise ValueError(f"size: a {form} has {needed} sizes (limit above 0)")
     if NAMES[form] == CONE and given[0] >= 0.5 * np.pi:
-        raise ValueError("the half angle of a cone is below a right angle")
+        raise ValueError(f"size: half angle {given[0]:g} rad of the cone (limit below pi/2)")
     record["form_j"], record["radius"] = NAMES[form], radius
     record["size_j"][:needed] = given
     record["sense"] = -1.0 if hollow else 1.0
@@ -63,22 +64,22 @@ def set_surface(
 def set_mesh(
     record: np.void, pool: Pool, surface: TriangleSurface, radius: float = 0.0, depth: float | None = None
 ) -> None:
-    """Give a contact its sphere and the triangles of body j.
+    """Set the sphere and the triangles of body j of a contact.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
     pool
         Pool of the kind.
     surface
-        Triangles of body j, closed where a point can touch them.
+        Triangles of body j, closed wherever contact is possible.
     radius
         Radius of the sphere of body i, 0 for a point [m].
     depth
-        How far below the surface the centre of the sphere counts, and how far above it a gap is looked for
-        beyond the radius [m]; None = the size of a closed surface, which is never fallen through, and a
-        twentieth of the size of an open one.
+        Maximum depth of the centre of the sphere below the surface for contact, and maximum gap that is
+        reported [m]; None: the size of a closed surface, so that contact is never lost, and 5 % of the size
+        of an open one.
     """
     set_triangles(record, "j", pool, surface)
     record["radius"] = radius
@@ -89,7 +90,7 @@ def set_mesh(
 
 @kernel
 def _on_analytic(b, c, f, g, kk):
-    """A sphere against a surface of simple shape."""
+    """Add the contact of a sphere with a surface of simple shape."""
     phi, nx, ny, nz = distance(b["form_j"], b["size_j"], b["sense"], b["d"], b["V"])
     curvature_in_world(b["Ej"], b["V"], b["W"])
     m = into_world(b["Ej"], (nx, ny, nz))
@@ -99,7 +100,7 @@ def _on_analytic(b, c, f, g, kk):
 
 @kernel
 def _at_hit(b, c, f, g, kk, where):
-    """A sphere at one place of a triangle surface."""
+    """Add the contact of a sphere with one point of a triangle surface."""
     phi, nx, ny, nz = signed_place(where, b["d"], b["hit"], b["V"])
     curvature_in_world(b["Ej"], b["V"], b["W"])
     m = into_world(b["Ej"], (nx, ny, nz))
@@ -109,7 +110,7 @@ def _at_hit(b, c, f, g, kk, where):
 
 @kernel
 def _on_triangles(b, c, f, g, kk):
-    """A sphere against a triangle surface."""
+    """Add the contact of a sphere with a triangle surface."""
     where = b["pool"] + 8 * b["start_j"]
     if not nearest_place(where, b["d"], b["radius"] + b["depth"], b["hit"]):
         return
@@ -127,7 +128,7 @@ def _on_triangles(b, c, f, g, kk):
 
 @kernel
 def point_surface(rec, ctl, fr, kk):
-    """Wrenches, tangents and results of all spheres against surfaces."""
+    """Wrenches, tangents and results of all contacts of spheres with surfaces."""
     c = ctl[0]
     for e in range(rec.size):
         b = rec[e]
@@ -145,7 +146,7 @@ def point_surface(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return point_surface(view(rec, n, RECORD), c, fr, kk)
 

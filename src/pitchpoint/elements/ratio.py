@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fixed ratios of joint coordinates as constraint rows: gears, racks, belts, planet sets.
+"""Kinematic ratios of joint coordinates as constraint rows: gears, racks, belts, planetary sets.
 
-c_i q_i + c_j q_j + c_k q_k = constant, each q one coordinate of the joint of a body, spins with their whole
-turns. Gears take their signed numbers of teeth as coefficients (both positive for an external pair, the
-second negative for an internal one): turns are then summed as integers, and the row is as exact after 1e5
-revolutions as at the start. A planet set on a carrier has three terms, z_s spin_s + z_p spin_p - z_s spin_c.
+c_i q_i + c_j q_j + c_k q_k = constant, where each q is one joint coordinate of a body, spins including their
+whole turns. For gears the coefficients are the signed numbers of teeth (both positive for an external pair,
+the second negative for an internal one): turns are then summed as integers, without loss of precision after
+many revolutions. A planetary set with carrier has three terms, z_s spin_s + z_p spin_p - z_s spin_c, where
+the spin of the planet is relative to the carrier.
 """
 
 from __future__ import annotations
@@ -28,10 +29,10 @@ RECORD = np.dtype(
         ("spin_i", "i8"),  # their spins, -1 for none; written by the layout
         ("spin_j", "i8"),
         ("spin_k", "i8"),
-        ("q_i", "i8"),  # which coordinate of each joint, SPIN for its spin
+        ("q_i", "i8"),  # coordinate of each joint; SPIN: its spin
         ("q_j", "i8"),
         ("q_k", "i8"),
-        ("c_i", "f8"),  # coefficients; 0 leaves a term out, but not the first
+        ("c_i", "f8"),  # coefficients; 0 disables the second or third term
         ("c_j", "f8"),
         ("c_k", "f8"),
         ("linear", "i8"),  # 1: the first coordinate is a length
@@ -46,7 +47,7 @@ OUTPUTS = (("torque", "N m", "torque of the ratio on the first body"),)
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Names of the observations of one record: torque, or force where the first coordinate is a length."""
+    """Observations of one record: a torque, or a force if the first coordinate is a length."""
     return (("force", "N", "force of the ratio on the first body"),) if record["linear"] else OUTPUTS
 
 
@@ -69,7 +70,7 @@ def _turns(body, spin, d):
 
 @kernel
 def ratio(rec, ctl, fr, q, g, G):
-    """Rows of all ratios and the forces they take."""
+    """Constraint rows of all ratios, and their torques or forces."""
     c = ctl[0]
     for e in range(rec.size):
         b = rec[e]
@@ -97,7 +98,7 @@ def ratio(rec, ctl, fr, q, g, G):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, q, g, G = constraint_args(ctl)
     return ratio(view(rec, n, RECORD), c, fr, q, g, G)
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the kinds of elements are found: by the name of their module, or of an entry point.
+"""Registry of element kinds: lookup by module name or by package entry point.
 
 A kind is imported only when a model uses it. The kinds of this package are the constants ``KIND`` of the
-modules of `pitchpoint.elements`. Other packages add kinds by an entry point of that name in the group
-``pitchpoint.kinds``, or by calling `register`. What a kind describes is listed in `elements.kind.Kind`.
+modules of `pitchpoint.elements`. Other packages add kinds by an entry point of the same name in the group
+``pitchpoint.kinds``, or by calling `register`. The traits of a kind are documented in `elements.kind.Kind`.
 """
 
 from __future__ import annotations
@@ -21,32 +21,32 @@ _KINDS: dict[str, Kind] = {}
 
 
 def register(kind: Kind) -> None:
-    """Add a kind at run time; the name of another one is refused."""
+    """Register a kind at run time; a name that is already in use is refused."""
     known = _KINDS.get(kind.name)
     if known is not None and known.module != kind.module:
-        raise CompileError(f"the kind {kind.name!r} is registered already ({known.module})")
+        raise CompileError(f"the kind {kind.name!r} is already registered ({known.module})")
     if kind.channel not in (FRAME, COORDINATE, CONSTRAINT, MOTION, FRICTION):
-        raise CompileError(f"the kind {kind.name!r} names no known channel: {kind.channel!r}")
+        raise CompileError(f"the kind {kind.name!r} has an unknown channel: {kind.channel!r}")
     _KINDS.setdefault(kind.name, kind)
 
 
 def find(name: str) -> Kind:
-    """Look a kind up: among those known, in this package, at last among the entry points of others."""
+    """Kind of a given name: registered, of this package, or of an entry point of another package."""
     if name not in _KINDS:
         found = _of_this_package(name) or _of_others(name)
         if found is None:
-            raise CompileError(f"no element kind is called {name!r}; known: {', '.join(names())}")
+            raise CompileError(f"{name!r} is not an element kind; known: {', '.join(names())}")
         register(found)
     return _KINDS[name]
 
 
 def names(others: bool = False) -> tuple[str, ...]:
-    """Names of all kinds of this package, and of others that are known so far, sorted.
+    """Sorted names of all kinds of this package and of all registered kinds.
 
     Parameters
     ----------
     others
-        Search all packages that are installed, too.
+        Also search all installed packages.
     """
     for kind in plugin_objects(Kind) if others else ():
         register(kind)
@@ -59,7 +59,7 @@ def names(others: bool = False) -> tuple[str, ...]:
 
 
 def of_role(kinds: Iterable[str], role: str) -> list[str]:
-    """Those of some kinds that have a role, sorted."""
+    """Sorted names of the kinds that have a given role."""
     return [name for name in sorted(kinds) if find(name).role == role]
 
 

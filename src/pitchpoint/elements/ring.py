@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two rings on a common axis, one on each body: what bearings of every kind see and how they push.
+"""Kinematics of two bearing rings, one on each body, and wrenches and tangents of the forces between them.
 
 A marker on body i (inner ring) and one on body j (outer ring) coincide as assembled; their third axis is that
 of the bearing. With e_x, e_y, e_z the axes of marker j and n the third axis of marker i, the displacements
@@ -7,13 +7,14 @@ are
 
     U = (X, Y, Z, n_x, n_y, turn)
 
-X, Y, Z of the inner centre against the outer one, the two tilts as components of n, and the turn of the inner
-ring about the axis, all in the axes of marker j. The turn is the twist that is left when n is swung back to
-e_z; its gradient by a turn of body i against j is (e_z + n)/(1 + e_z . n), the same for both rings.
+X, Y, Z of the inner centre relative to the outer one, the two tilts as components of n, and the rotation of
+the inner ring about the axis, all in the axes of marker j. This rotation is the twist that remains after n is
+rotated back to e_z; its gradient by a rotation of body i relative to j is (e_z + n)/(1 + e_z . n), the same
+for both rings.
 
-A kind computes the forces f conjugate to U and the slopes K = -df/dU, D = -df/dU'; this module makes wrenches
-and exact tangents of them. The wrenches are in balance and their power is f . U' for displacements and tilts
-of any size.
+A bearing kind computes the forces f conjugate to U and the slopes K = -df/dU, D = -df/dU'; this module
+converts them to wrenches and exact tangents. The wrenches are in equilibrium, and their power is f . U' for
+displacements and tilts of any size.
 """
 
 from __future__ import annotations
@@ -32,10 +33,10 @@ RING: list[tuple[Any, ...]] = [
     ("p_j", "f8", 3),
     ("A_i", "f8", (3, 3)),  # axes of the marker in those of body i, columns
     ("A_j", "f8", (3, 3)),
-    ("K", "f8", (6, 6)),  # scratch: slopes of the forces by displacement
-    ("D", "f8", (6, 6)),  # scratch: by rate
-    ("x", "f8", 6),  # scratch: displacement, change of it
-    ("w", "f8", 6),  # scratch: rate, change of it
+    ("K", "f8", (6, 6)),  # scratch: stiffness -df/dU
+    ("D", "f8", (6, 6)),  # scratch: damping -df/dU'
+    ("x", "f8", 6),  # scratch: displacement or its change
+    ("w", "f8", 6),  # scratch: rate or its change
     ("f", "f8", 6),  # scratch: force
     ("g", "f8", 6),  # scratch: change of force
 ]
@@ -52,7 +53,7 @@ OUTPUTS = (
 
 @kernel
 def _axis(f, A, k):
-    """Axis k of a marker in the world."""
+    """Axis k of a marker in world components."""
     return into_world(f["S"], (A[0, k], A[1, k], A[2, k]))
 
 
@@ -73,14 +74,14 @@ def _fill(x, a, tilt_x, tilt_y, turn):
 
 @kernel
 def _sense(f, axis):
-    """Whether the spin of a body counts along a bearing axis: 1, -1, or 0 if it is another axis."""
+    """Sense of the spin of a body about a bearing axis: 1, -1, or 0 for a different axis."""
     along = dot(spin_axis(f), axis)
     return 1 if along > 0.7 else -1 if along < -0.7 else 0
 
 
 @kernel
 def whole_turns(f, g, j, line, turn):
-    """Whole turns of the inner ring against the outer one; the turn stays continuous where it is wrapped."""
+    """Whole turns of the inner ring relative to the outer one, which make the wrapped `turn` continuous."""
     arm, reach, axes, n, h, y, spin = line
     si = _sense(f, n)
     sj = _sense(g, axes[2]) if j != 0 else 0
@@ -91,10 +92,10 @@ def whole_turns(f, g, j, line, turn):
 
 @kernel
 def ring_motion(b, f, g):
-    """Displacements U into the scratch x, rates into w; returns what the other functions need as `line`.
+    """Write the displacements U to the scratch x, the rates to w; returns `line` for the other functions.
 
-    These are the arms of the inner centre about both origins, the axes of marker j, n, the gradient h of the
-    turn, the velocity of the inner centre against body j, and the relative angular velocity.
+    `line` has the arms of the inner centre about both origins, the axes of marker j, n, the gradient h of the
+    rotation, the velocity of the inner centre relative to body j, and the relative angular velocity.
     """
     arm = into_world(f["S"], triple(b["p_i"], 0))
     reach = less(add(origin(f), arm), origin(g))
@@ -145,10 +146,10 @@ def ring_observations(b, line, out):
 
 @kernel
 def _column(b, f, g, line, side, c):
-    """Change of displacements and rates (into x and w) with motion c of one body at constant twists.
+    """Changes of displacements and rates (in x and w) for motion c of one body at constant body velocities.
 
-    Side 0 moves body i, 1 body j. Returned are the changes of arm, reach, n and h. The change of the
-    displacements is also that of the rates with the same motion as a velocity.
+    Side 0 moves body i, 1 body j. Returns the changes of arm, reach, n and h. The change of the displacements
+    is also the change of the rates for the same motion as a velocity.
     """
     arm, reach, axes, n, h, y, spin = line
     w = unit(c - 3)
@@ -161,7 +162,7 @@ def _column(b, f, g, line, side, c):
         du = d_reach
         dy = less(cross(angular_velocity(f), d_arm), cross(angular_velocity(g), d_reach))
         dn = cross(w, n)
-        swung = dn  # of n against the axes of marker j
+        swung = dn  # change of n relative to the axes of marker j
         d_moved = cross(spin, dn)
         dz = nothing
         turn = dot(h, w)
@@ -207,7 +208,7 @@ def ring_tangents(b, f, g, kk, ctl, line):
             df, dm = _force_and_couple(b["g"], axes, n, h)
             more = add(times(F[3], cross(dn, axes[0])), times(F[4], cross(dn, axes[1])))
             more = add(more, times(F[5], dh))
-            if side == 1:  # axes x and y turn with body j
+            if side == 1:  # axes x and y rotate with body j
                 w = unit(k - 3)
                 df = add(df, times(ck, cross(w, force)))
                 more = add(more, times(F[3], cross(n, cross(w, axes[0]))))

@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rolling bearing with its turning elements: varying compliance, clearance, radial, axial and tilting forces.
+"""Rolling bearing with discrete elements: varying compliance, clearance, radial, axial and tilting forces.
 
-Element k is at the azimuth psi_k = psi_0 + c T + 2 pi k/n of the outer ring, T the turn of the inner ring
-against it with all whole turns and c = (1 - (D/d_m) cos(alpha))/2 the share of the cage, pure rolling
-assumed. There the inner raceway comes nearer to the outer one by
+Element k is at the azimuth psi_k = psi_0 + c T + 2 pi k/n of the outer ring, where T is the rotation of the
+inner ring relative to it with all whole turns, and c = (1 - (D/d_m) cos(alpha))/2 the cage ratio for pure
+rolling. The approach of the raceways there is
 
     radial   a_r = X cos(psi) + Y sin(psi) - gap
     axial    a_z = Z - (d_m/2)(n_x cos(psi) + n_y sin(psi))
 
-With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) (rollers, simple balls). With
-a distance A of the centres of the grooves it is that of Jones and Harris, whose contact angle follows the
-load: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. Each element carries
+With constant contact angle the approach is d = a_r cos(alpha) + a_z sin(alpha) (rollers, simple model of
+balls). With a distance A of the groove centres it is that of Jones and Harris, with a load-dependent contact
+angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. The load of each element is
 
     Q = K d^p max(0, 1 + chi d')   for d > 0
 
-(p = 3/2 or 10/9; damping after Hunt and Crossley, J. Appl. Mech. 42, 1975: it fades at separation and never
-pulls). Forces are conjugate to d, the turn included: what lifts the shaft over an element turns it. T. A.
-Harris, *Rolling Bearing Analysis*; no centrifugal forces of the elements.
+(p = 3/2 or 10/9; damping after Hunt and Crossley, J. Appl. Mech. 42, 1975, which vanishes at separation and
+never pulls). Forces are conjugate to d, including the rotation: an element that lifts the shaft also has a
+torque on it. T. A. Harris, *Rolling Bearing Analysis*; centrifugal forces of the elements are neglected.
 
-An element over a spall has its approach less what it drops into it (`bearing_fault`); a cage that does not
-space its elements evenly adds an angle of its own to psi_k.
+Over a spall the approach of an element is reduced by the depth that it drops (`bearing_fault`); with uneven
+spacing in the cage each element has an additional angle in psi_k.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586
 SPLIT = 67108864.0
-"""2^26: a share of the cage is cut after so many binary digits, so that whole turns of it are exact."""
+"""2^26: the cage ratio is split after 26 binary digits, so that its product with whole turns is exact."""
 
 
 RECORD = np.dtype(
@@ -56,40 +56,40 @@ RECORD = np.dtype(
         ("n", "i8"),  # number of rolling elements
         ("pitch", "f8"),  # pitch diameter d_m [m]
         ("element", "f8"),  # diameter of a rolling element D [m]
-        ("angle", "f8"),  # contact angle; positive: carries an axial force on the inner ring along -z [rad]
-        ("gap", "f8"),  # radial play of a centred ring, half of the radial internal clearance [m]
+        ("angle", "f8"),  # contact angle; positive: the axial force on the inner ring is along -z [rad]
+        ("gap", "f8"),  # half of the radial internal clearance [m]
         ("grooves", "f8"),  # distance A of the groove centres, 0 = constant contact angle [m]
         ("stiffness", "f8"),  # K of an element between both raceways [N/m^p]
         ("exponent", "f8"),  # p
         ("chi", "f8"),  # damping factor [s/m]
         ("azimuth", "f8"),  # psi_0 [rad]
-        ("n_faults", "i8"),  # spalls
+        ("n_faults", "i8"),  # number of spalls
         ("faults", "i8"),  # their rows, offset in the pool; see `bearing_fault`
-        ("uneven", "i8"),  # 1: the elements are not spaced evenly
-        ("spacing", "i8"),  # what is added to the azimuth of every element [rad], offset in the pool
+        ("uneven", "i8"),  # 1: uneven spacing of the elements
+        ("spacing", "i8"),  # additional azimuth of every element [rad], offset in the pool
         ("pool", "i8"),  # address of the float array that holds all tables
-        ("known_n", "i8"),  # what the four below were computed for
+        ("known_n", "i8"),  # n and angle for which the next four fields were computed
         ("known_angle", "f8"),
         ("ca", "f8"),
         ("sa", "f8"),  # cosine and sine of the contact angle
         ("step_c", "f8"),
         ("step_s", "f8"),  # and of the angle from one element to the next
-        ("G", "f8", (4, 6)),  # scratch: gradients of radial and axial approach, of d, and across d
+        ("G", "f8", (4, 6)),  # scratch: gradients of radial and axial approach, of d, and normal to d
         ("H", "f8", (6, 6)),  # scratch: second derivative of d
         ("out", "i8"),
     ],
     align=True,
 )
 
-OUTPUTS = (*RING_OUTPUTS, ("cage_angle", "rad", "turn of the cage against the outer ring within one turn"))
+OUTPUTS = (*RING_OUTPUTS, ("cage_angle", "rad", "angle of the cage relative to the outer ring, modulo 2 pi"))
 
 
 @kernel
 def cage_angle(share, turn, turns):
-    """Turn of the cage less whole ones: `share` times (turn + 2 pi turns) [rad].
+    """Rotation of the cage without whole turns: `share` times (turn + 2 pi turns) [rad].
 
-    The product of the leading digits of the share and the number of turns has no rounding error, so nothing
-    is lost up to 1e8 turns.
+    The product of the leading digits of `share` and the number of turns has no round-off error, so that the
+    angle is exact up to 1e8 turns.
     """
     lead = math.floor(share * SPLIT) / SPLIT
     x = lead * turns
@@ -101,14 +101,14 @@ def cage_angle(share, turn, turns):
 
 @kernel
 def roll_angle(share, turn, turns):
-    """Angle of a body that turns by `share` of the inner ring, less whole turns of it [rad]."""
+    """Angle of a body with the speed ratio `share` to the inner ring, without whole turns [rad]."""
     whole = math.floor(share)
     return whole * turn + cage_angle(share - whole, turn, turns)
 
 
 @kernel
 def _remember_angles(b):
-    """Compute what never changes only once."""
+    """Compute constant cosines and sines once."""
     if b["known_n"] != b["n"] or b["known_angle"] != b["angle"]:
         b["known_n"] = b["n"]
         b["known_angle"] = b["angle"]
@@ -120,7 +120,7 @@ def _remember_angles(b):
 
 @kernel
 def _gradients(b, c, s, share):
-    """Gradients of radial and axial approach into G[0] and G[1]."""
+    """Write the gradients of radial and axial approach to G[0] and G[1]."""
     x = b["x"]
     G = b["G"]
     half = 0.5 * b["pitch"]
@@ -138,7 +138,7 @@ def _gradients(b, c, s, share):
 
 @kernel
 def _curvatures(b, c, s, share, ca, sa, bend):
-    """Second derivative of the approach into H."""
+    """Write the second derivative of the approach to H."""
     x = b["x"]
     G = b["G"]
     H = b["H"]
@@ -198,7 +198,7 @@ def _approach(b, c, s):
 def _element(b, c, s, share, jac, loss):
     """Add force and slopes of one element at an azimuth with cosine c and sine s.
 
-    `loss` of approach over spalls, with first and second derivative over the turn.
+    `loss`: loss of approach over spalls, with first and second derivative by the rotation.
     """
     d, ca, sa, bend = _approach(b, c, s)
     lost, lost_slope, lost_bend = loss
@@ -227,7 +227,7 @@ def _element(b, c, s, share, jac, loss):
 
 @kernel
 def _spun(b, turns):
-    """Angle of the elements about their own axes, against the cage, and its derivative over the turn."""
+    """Angle of the elements about their axes relative to the cage, and its derivative by the rotation."""
     gamma = b["element"] / b["pitch"] * b["ca"]
     share = -0.5 * b["pitch"] / b["element"] * (1.0 - gamma * gamma)
     return roll_angle(share, b["x"][5], turns), share
@@ -235,9 +235,9 @@ def _spun(b, turns):
 
 @kernel
 def _faulty_element(b, k, place, cage, spun, jac):
-    """Element k of a bearing with faults.
+    """Add element k of a bearing with faults.
 
-    `place`: cosine and sine of its even azimuth; `cage`: share and angle of the cage.
+    `place`: cosine and sine of its azimuth with even spacing; `cage`: ratio and angle of the cage.
     """
     c, s = place
     share, turned = cage
@@ -302,7 +302,7 @@ def rolling_bearing(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return rolling_bearing(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of the elements of a rolling bearing, without their slopes: what explicit methods require.
+"""Forces of the rolling elements without slopes, for explicit methods.
 
-The same equations as in `rolling_bearing`, whose tangents want the gradients in memory; here they stay in
+Same equations as in `rolling_bearing`, whose tangents need the gradients in memory; here they remain in
 registers, which is three times as fast.
 """
 
@@ -14,9 +14,9 @@ from pitchpoint.core.kernel import kernel
 
 @kernel
 def push_elements(b, c, s, share):
-    """Subtract what all elements carry from the forces in the scratch f.
+    """Subtract the loads of all elements from the forces in the scratch f.
 
-    c and s are cosine and sine of the azimuth of the first element, share is that of the cage.
+    c and s are cosine and sine of the azimuth of the first element, `share` is the cage ratio.
     """
     x0, x1, x2, x3, x4 = b["x"][0], b["x"][1], b["x"][2], b["x"][3], b["x"][4]
     w0, w1, w2, w3, w4, w5 = b["w"][0], b["w"][1], b["w"][2], b["w"][3], b["w"][4], b["w"][5]

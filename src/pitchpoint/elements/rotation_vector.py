@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rotation vector of one frame against another: its rate, what is conjugate to it, and their changes.
+"""Rotation vector of one frame relative to another: its rate, conjugate moment, and their derivatives.
 
-A frame turned from unity by the angle t about the unit vector a has the rotation vector s = t a, t <= pi. A
-further small turn p of it (in the axes of the first frame) changes s by
+A frame rotated by the angle t about the unit vector a has the rotation vector s = t a, t <= pi. A further
+small rotation p (in the axes of the first frame) changes s by
 
     ds = B(s) p,  B p = p - s x p/2 + c s x (s x p),  c = (1 - (t/2) cot(t/2))/t^2
 
-and a moment m conjugate to s is the moment B^T m, which differs in the sign of the middle term. O. A.
+and for m conjugate to s the moment is B^T m, which differs in the sign of the middle term. O. A.
 Bauchau, *Flexible Multibody Dynamics*, 2011, ch. 13 (the inverse of the tangent operator).
 """
 
@@ -18,14 +18,14 @@ from pitchpoint.core.kernel import kernel
 from pitchpoint.multibody.vectors import add, cross, dot, times
 
 SMALL = 0.2
-"""Angle below which series replace quotients of small numbers; their error is below 1e-13 there [rad]."""
+"""Angle below which series replace quotients of small numbers, with an error below 1e-13 [rad]."""
 
 
 @kernel
 def rotation_vector(A):
     """Rotation vector of an orthonormal matrix (three rows as tuples).
 
-    By way of the quaternion whose largest component is found first, so that it is exact up to t = pi.
+    From the quaternion, computed from its largest component, so that it is accurate up to t = pi.
     """
     x, y, z = A
     trace = x[0] + y[1] + z[2]
@@ -68,7 +68,7 @@ def curl_factor(s):
 
 @kernel
 def by_turn(s, p, side):
-    """B p (`side` -1: rate of s with a turn p) or B^T p (`side` 1: moment that is conjugate to p)."""
+    """B p (`side` -1: change of s for a rotation p) or B^T p (`side` 1: moment for p conjugate to s)."""
     c, slope = curl_factor(s)
     once = cross(s, p)
     return add(p, add(times(0.5 * side, once), times(c, cross(s, once))))

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Piece of a round shaft between two bodies (body 0 = ground) that spin about its axis.
+"""Beam element of a round shaft between two bodies (body 0 = ground) that spin about its axis.
 
-The nodes lie on the spin axes of the bodies, and the axes of both ends are the frames of the bodies, which do
-not spin. The twist is the difference of the counted spins, so no sine of a spin is taken and whole turns lose
-no digit. The bodies must not tumble: their spins would start afresh. Formulas: `beams.forces`.
+The nodes are on the spin axes of the bodies, and the section axes of both ends are the non-spinning frames of
+the bodies. The twist is the difference of the spin angles, without trigonometric functions of the spin and
+without loss of precision over whole turns. The bodies must not tumble, since their spin angles would be
+redefined. Formulas: `beams.forces`.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def shaft_row(
     twist: float = 0.0,
     gravity: ArrayLike = (0.0, 0.0, 0.0),
 ) -> NDArray[np.void]:
-    """Record of one piece of shaft, shape (1,).
+    """Record of one shaft element, shape (1,).
 
     Parameters
     ----------
@@ -48,14 +49,14 @@ def shaft_row(
     bodies
         Numbers of the bodies at both ends; 0 = ground.
     places
-        Places of the ends on the spin axes of their bodies, from the origins [m].
+        Positions of the ends on the spin axes of their bodies, from the origins [m].
     senses
-        1 where the spin axis points from the first end to the second, -1 where it points back.
+        1 if the spin axis points from the first end to the second, -1 if it is opposite.
     eta, twist, gravity
         See `beam_row`.
     """
     if not beam.section.round:
-        raise CompileError("a shaft that spins needs a round section; use a beam that is fixed to its bodies")
+        raise CompileError("the section of a spinning shaft must be round; use a beam fixed to its bodies")
     axes = tuple(np.diag([1.0, float(s), float(s)]) for s in senses)
     nodes = tuple((0.0, 0.0, float(z)) for z in places)
     return beam_row(
@@ -71,10 +72,10 @@ def shaft_row(
 
 @kernel
 def _spun(b, f, g, turn):
-    """Angle of the second end against the first: that of their frames and that of their spins.
+    """Twist angle of the second end relative to the first: angle of the frames plus difference of the spins.
 
-    Frames of bodies that hang on spinning bodies turn with them; their angle is taken near what these spins
-    make of it.
+    Frames of bodies with a spinning parent rotate with it; the spins of the parents determine the whole turns
+    of the angle between the frames.
     """
     si = b["B_i"][2, 2]
     sj = b["B_j"][2, 2]
@@ -88,7 +89,7 @@ def _spun(b, f, g, turn):
 
 @kernel
 def shaft_beam(rec, ctl, fr, kk):
-    """Forces, tangents and observations of all pieces of shaft."""
+    """Forces, tangents and observations of all shaft elements."""
     c = ctl[0]
     for e in range(rec.size):
         b = rec[e]
@@ -108,7 +109,7 @@ def shaft_beam(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return shaft_beam(view(rec, n, RECORD), c, fr, kk)
 

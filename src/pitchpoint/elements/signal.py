@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A number that depends on time, angle or speed: constant, table, formula or user law.
+"""Scalar function of time, angle or speed: constant, table, formula or user law.
 
-The fields `SIGNAL` are part of a record; tables, formula programmes and law parameters lie in the float pool
-of the kind, whose address `link` writes into ``pool``. Formula programmes keep their integers bit by bit.
+The fields `SIGNAL` are part of a record; tables, formula programmes and law parameters are in the float pool
+of the kind, whose address `link` writes to ``pool``. The integers of formula programmes are stored bitwise.
 """
 
 from __future__ import annotations
@@ -24,23 +24,23 @@ TWO_PI = 6.283185307179586
 CONSTANT, TABLE, FORMULA, LAW = 0, 1, 2, 3
 OVER_TIME, OVER_ANGLE, OVER_SPEED = 0, 1, 2
 OVER_BOTH = 3
-"""For user laws: x is the angle, and the speed follows the parameters."""
+"""User laws: x is the angle, and the speed is stored after the parameters."""
 
 SIGNAL: list[tuple[Any, ...]] = [
     ("form", "i8"),  # CONSTANT, TABLE, FORMULA or LAW
-    ("over", "i8"),  # what a table runs over, what a law gets as x
+    ("over", "i8"),  # abscissa of a table, argument x of a law
     ("value", "f8"),  # CONSTANT: the value; others: a factor
-    ("ramp", "f8"),  # time over which the signal grows smoothly from zero at t = 0 [s]; 0 = at once
+    ("ramp", "f8"),  # time over which the signal rises smoothly from zero at t = 0 [s]; 0: no ramp
     ("period", "f8"),  # TABLE: period of its abscissa, 0 = not periodic (constant beyond the ends)
     ("pool", "i8"),  # address of the pool of the kind
-    ("start", "i8"),  # first place in the pool
+    ("start", "i8"),  # offset in the pool
     ("n", "i8"),  # number of points, of programme words or of law parameters
     ("law", "i8"),  # LAW: address
 ]
 
 
 class Pool:
-    """Collects the float arrays of the records of one kind.
+    """Concatenation of the float arrays of all records of one kind.
 
     Examples
     --------
@@ -56,7 +56,7 @@ class Pool:
         self._size = 0
 
     def add(self, values: ArrayLike) -> int:
-        """Append values; returns the place of the first."""
+        """Append values; returns the offset of the first."""
         part = np.ascontiguousarray(values, dtype=np.float64).reshape(-1)
         self._parts.append(part)
         self._size += part.size
@@ -68,14 +68,14 @@ class Pool:
 
 
 def set_constant(record: np.void, value: float) -> None:
-    """Make the signal of a record constant."""
+    """Set a constant signal."""
     record["form"], record["value"] = CONSTANT, value
 
 
 def set_table(
     record: np.void, pool: Pool, x: ArrayLike, y: ArrayLike, over: int = OVER_TIME, period: float = 0.0
 ) -> None:
-    """Make the signal a table with straight lines between its points; x must increase."""
+    """Set a table signal, linear between its points; x must increase."""
     xs, ys = np.asarray(x, float), np.asarray(y, float)
     if xs.ndim != 1 or xs.shape != ys.shape or xs.size < 2 or np.any(np.diff(xs) <= 0.0):
         raise ValueError("a table needs at least two points with increasing abscissa")
@@ -84,14 +84,14 @@ def set_table(
 
 
 def set_formula(record: np.void, pool: Pool, formula: Any) -> None:
-    """Make the signal a formula of (t, angle, speed); see `pitchpoint.core.formula.formula.Formula`."""
+    """Set a formula signal of (t, angle, speed); see `pitchpoint.core.formula.formula.Formula`."""
     record["form"], record["value"] = FORMULA, 1.0
     record["start"], record["n"] = pool.add(formula.ops.view(np.float64)), formula.ops.size
     pool.add(formula.workspace())
 
 
 def set_law(record: np.void, pool: Pool, parameters: Sequence[float] = (), over: int = OVER_SPEED) -> None:
-    """Make the signal a user law f(t, x, p); the law itself goes to `assemble(laws=...)`.
+    """Set a user-law signal f(t, x, p); the law itself is an argument of `assemble(laws=...)`.
 
     With `over` OVER_BOTH, x is the angle (or elongation) and ``p[len(parameters)]`` the speed.
     """
@@ -128,7 +128,7 @@ def _table(b, t, phi, turns, speed):
     xs = view(where, n, F8)
     if period > 0.0:
         if b["over"] == OVER_ANGLE and period == TWO_PI:
-            x = phi  # whole turns drop out exactly
+            x = phi  # whole turns cancel exactly
         x -= period * math.floor((x - xs[0]) / period)
     return interpolate(x, xs, view(where + 8 * n, n, F8))
 
@@ -172,7 +172,7 @@ def signal(b, t, phi, turns, speed, slopes):
         n = b["n"]
         where = b["pool"] + 8 * b["start"]
         ops = view(where, n, I8)
-        room = view(where + 8 * n, 1 << 20, F8)  # the programme knows how much of it is its own
+        room = view(where + 8 * n, 1 << 20, F8)  # upper bound; the programme uses only its own workspace
         angle = phi + TWO_PI * turns
         y, s = evaluate_slope(ops, n, room, t, angle, speed, 1 if slopes != 0 else -1)
         if slopes != 0:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Signals: sensors, blocks and actuators of a control system, evaluated in the order of their records.
 
-A state of a controller is the spin rate of a hidden body of polar inertia 1 kg m^2, so every integrator,
-equilibrium and linearisation has it. Tangents follow the chain from every source (sensor or state) through
-all blocks to every actuator: derivatives W of each signal by the sources are carried along with the values,
-and links multiply them into the pair tangents of the bodies at both ends. They are exact but for loads
-(reactions, observations of other elements), whose derivatives are not known and are neglected.
+A controller state is the spin rate of a hidden body of polar inertia 1 kg m^2, so that every integrator,
+equilibrium and linearisation includes it. Tangents follow from the chain rule, from every source (sensor or
+state) through all blocks to every actuator: the derivatives W of each signal by the sources are computed with
+the values, and link records multiply them into the pair tangents of the bodies at both ends. They are exact
+except for loads (reactions, observations of other elements), whose derivatives are unknown and neglected.
 
 The kind *signal_flow* runs with the forces; *signal_of_loads*, the same code, after all of them.
 """
@@ -49,13 +49,13 @@ __all__ = ["KIND", "RECORD"]
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
-    """Name of the observation of one record; links have none."""
+    """Observation of one record; links have none."""
     return () if record["op"] == LINK else (("signal", UNITS[record["unit"]] or "1", "value of a signal"),)
 
 
 @kernel
 def _reaction(b, fr):
-    """Load that the joint of body i puts on it, about a point of it: a component along an axis on body j."""
+    """Joint reaction on body i, moments about a point of it: component along an axis fixed to body j."""
     beyond = view(b["pool"] + 8 * b["start"], b["n"], F8)
     place = add(triple(fr[b["i"]]["r"], 0), moved_axis(fr[b["i"]], b["p_i"]))
     force = (0.0, 0.0, 0.0)
@@ -89,14 +89,14 @@ def _source(b, fr, ctl, V, W, rows, tangents):
     if op <= ANGULAR_ACCELERATION:
         return sense(b, fr[b["i"]], fr[b["j"]], rows, tangents)
     if op == CHANNEL:
-        # without observations the last value holds
+        # without observations the last value is used
         return observations(ctl)[b["channel"]] if ctl[0]["out"] != 0 else value
     return _reaction(b, fr)
 
 
 @kernel
 def _follow(b, W, source, slope):
-    """Derivatives of a signal grow by `slope` times those of another."""
+    """Add `slope` times the derivatives of signal `source` to those of the signal of `b`."""
     for s in range(b["sources"]):
         W[b["slot"], s] += slope * W[source, s]
 
@@ -107,7 +107,7 @@ def _formula(b, t, V, W, tangents):
     n = b["n"]
     where = b["pool"] + 8 * b["start"]
     ops = view(where, n, I8)
-    room = view(where + 8 * n, 1 << 20, F8)  # the programme knows how much of it is its own
+    room = view(where + 8 * n, 1 << 20, F8)  # upper bound; the programme uses only its own workspace
     x0 = V[b["a"]] if b["a"] >= 0 else t if b["a"] == TIME else 0.0
     x1 = V[b["b"]] if b["b"] >= 0 else t if b["b"] == TIME else 0.0
     x2 = V[b["c"]] if b["c"] >= 0 else t if b["c"] == TIME else 0.0
@@ -167,7 +167,7 @@ def _block(b, t, V, W, tangents):
 
 @kernel
 def _link(b, kk, ctl):
-    """How an actuator on body i follows the motion of body j, through one source."""
+    """Add the tangent of an actuator on body i by the motion of body j, through one source."""
     c = ctl[0]
     pool = b["pool"]
     weight = view(pool + 8 * b["c"], 1, F8)[0]
@@ -222,7 +222,7 @@ def flow(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return flow(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Signals that depend on loads: the same code as `signal_flow`, run after all forces and multipliers."""
+"""Signals that depend on loads: code of `signal_flow`, evaluated after all forces and multipliers."""
 
 from __future__ import annotations
 

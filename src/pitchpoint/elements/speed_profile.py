@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Speeds over time as polynomials on pieces: what a drive turns by, to nine digits, however long it runs.
+"""Speed over time as piecewise polynomials, accurate to nine digits for any duration.
 
-The speed is interpolated at Chebyshev points on every piece and the piece halved until that fits. A smooth
-ripple takes two pieces of eight degrees per period where straight lines would take thousands; the angle is
-the exact integral of the pieces.
+The speed is interpolated at Chebyshev points on every piece, and pieces are halved until the error is small
+enough. A smooth ripple needs two pieces of degree eight per period, where linear interpolation would need
+thousands of points; the angle is the exact integral of the pieces.
 
 Source: L. N. Trefethen, Approximation Theory and Approximation Practice, 2013, chapters 2 and 8.
 """
@@ -22,17 +22,17 @@ Array = NDArray[np.float64]
 
 DEGREE = 8
 FIRST_PIECES = 2000
-"""Pieces at first: a pulse of 1/10000 of the duration falls on some point of them."""
+"""Initial number of pieces: a pulse of 1/10000 of the duration contains at least one sample point."""
 MOST_PIECES = 1_000_000
-"""Pieces of a speed; beyond that it would take more than 100 MB."""
+"""Maximum number of pieces (about 100 MB)."""
 MOST_SPLITS = 34
-"""Halvings of a first piece: a kink is met by then, a jump never."""
+"""Maximum number of halvings of an initial piece: sufficient for a kink, not for a jump."""
 RELATIVE, ABSOLUTE = 1e-9, 1e-12
-"""Difference between pieces and speed: share of the greatest speed, and [rad/s]."""
+"""Tolerances of the fit: relative to the maximum speed, and [rad/s]."""
 
 
 class SpeedPieces(NamedTuple):
-    """A speed over time.
+    """Speed over time as piecewise polynomials.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ class SpeedPieces(NamedTuple):
 
 
 def straight_pieces(times: ArrayLike, speeds: ArrayLike) -> SpeedPieces:
-    """A table with straight lines between its points.
+    """Pieces of a speed table with linear interpolation.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def straight_pieces(times: ArrayLike, speeds: ArrayLike) -> SpeedPieces:
 def fit_pieces(
     speed: Callable[[Array], Array], begin: float, end: float, bends: ArrayLike = ()
 ) -> SpeedPieces:
-    """Pieces that follow a speed.
+    """Fit piecewise polynomials to a speed function.
 
     Parameters
     ----------
@@ -98,12 +98,12 @@ def fit_pieces(
     begin, end
         Range of the pieces [s].
     bends
-        Times where the speed is known to bend; edges lie there.
+        Known times of kinks of the speed; they become edges.
 
     Raises
     ------
     CompileError
-        If the speed jumps, or takes more than `MOST_PIECES`.
+        If the speed jumps, or needs more than `MOST_PIECES`.
 
     Examples
     --------
@@ -138,12 +138,12 @@ def fit_pieces(
             return SpeedPieces(np.append(starts[order], end), np.concatenate([k[1] for k in kept])[order])
         if count > MOST_PIECES:
             raise CompileError(
-                f"a prescribed speed changes too fast to be followed from {begin:g} s to {end:g} s with "
-                f"{MOST_PIECES} polynomials; give a shorter duration, or the speed as a table"
+                f"a prescribed speed varies too fast from {begin:g} s to {end:g} s (limit {MOST_PIECES} "
+                "polynomials); give a shorter duration, or the speed as a table"
             )
         middle = middle[bad]
         low, high = np.concatenate([low[bad], middle]), np.concatenate([middle, high[bad]])
     raise CompileError(
-        f"a prescribed speed jumps at t = {low[0]:.6g} s, which takes an infinite torque; "
-        "let it rise by ramp or smoothstep, or give the speed as a table"
+        f"a prescribed speed jumps at t = {low[0]:.6g} s, which requires an infinite torque; "
+        "use ramp or smoothstep, or give the speed as a table"
     )

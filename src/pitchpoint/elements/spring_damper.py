@@ -4,7 +4,7 @@
     tension = k x + d w + L(t, x, w)
 
 x is the elongation, length less free length, w its rate. L is a signal: a table over elongation (angle) or
-rate (speed), a formula in which `angle` is x and `speed` is w, or a user's law.
+rate (speed), a formula in which `angle` is x and `speed` is w, or a user law.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ RECORD = np.dtype(
     + [
         ("p_i", "f8", 3),  # point on body i from its origin, axes of the body [m]
         ("p_j", "f8", 3),  # point on body j likewise
-        ("free", "f8"),  # length without force [m]
+        ("free", "f8"),  # free length [m]
         ("k", "f8"),  # stiffness [N/m]
         ("d", "f8"),  # damping [N s/m]
     ]
-    + SIGNAL  # further tension over x and w [N]
+    + SIGNAL  # additional tension, function of t, x and w [N]
     + [("out", "i8")],
     align=True,
 )
 
 OUTPUTS = (
-    ("tension", "N", "tension of a spring, positive where it pulls"),
+    ("tension", "N", "tension of a spring, positive in tension"),
     ("elongation", "m", "length of a spring less its free length"),
 )
 
@@ -75,13 +75,13 @@ def spring_damper(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return spring_damper(view(rec, n, RECORD), c, fr, kk)
 
 
 def _linear(record: np.void, spinning: bool) -> bool:
-    """Without a law of its own."""
+    """Linear without an additional law."""
     return bool(record["form"] == CONSTANT)
 
 

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two surfaces in contact: cylinders along lines, crossed cylinders, a ring on a plane, triangles.
+"""Contact of two surfaces: cylinders in line contact, crossed cylinders, ring on a plane, triangles.
 
-A cylinder lies along the z axis of its marker, from -length/2 to length/2; a ring (torus; a disc if its tube
-is zero) in the plane z = 0. Spheres against anything are the kind point_surface.
+A cylinder extends along the z axis of its marker, from -length/2 to length/2; a ring (torus; a disc if its
+tube radius is zero) is in the plane z = 0. For spheres use the kind point_surface.
 
-* cylinder on plane, against a cylinder or in a bore: a line of contact (elements/contacts/line.py), parallel
-  or tilted; the law counts for the whole line. Cylinders have flat ends there;
-* ring on plane: the lowest place of the circle;
-* crossed cylinders: one place, on the common normal of the axes, which must not be parallel; round ends;
-* triangles: the middle of every face of one surface that is below the other one presses with the area of its
-  face, in both directions with half of it, so that finer triangles converge to a layer of springs (law per
-  area);
-* triangles on a plane, cylinder, cone, torus or sphere: the same with the triangles alone, on a surface that
-  is exact.
+* cylinder on a plane, on a cylinder or in a bore: line contact (elements/contacts/line.py), parallel or
+  tilted; the law is for the whole line; flat ends;
+* ring on a plane: contact at the lowest point of the circle;
+* crossed cylinders: one contact point, on the common normal of the axes, which must not be parallel; round
+  ends;
+* triangles: contact at the centroid of every face that is inside the other body, weighted with half of the
+  face area in either direction, so that finer triangles converge to an elastic foundation (law per area);
+* triangles on a plane, cylinder, cone, torus or sphere: contact at the face centroids, weighted with the full
+  face area, on the exact surface.
 """
 
 from __future__ import annotations
@@ -54,9 +54,9 @@ OUTPUTS = RESULTS
 
 
 def _set_line(record: np.void, radius: float, length: float, shared: float, stations: int) -> None:
-    """Cylinder of body i and Gauss points along its axis."""
+    """Set the cylinder of body i and the Gauss points along its axis."""
     if not 1 <= stations <= MOST_STATIONS or not min(radius, length) > 0.0:
-        raise ValueError("a line of contact needs a radius, a length and 1 to 8 stations")
+        raise ValueError("line contact: radius and length (limit above 0), stations (limit 1 to 8)")
     x, w = np.polynomial.legendre.leggauss(stations)
     record["form_i"], record["stations"], record["length"] = CYLINDER, stations, shared
     record["size_i"] = radius, length
@@ -65,17 +65,17 @@ def _set_line(record: np.void, radius: float, length: float, shared: float, stat
 
 
 def set_cylinder_on_plane(record: np.void, radius: float, length: float, stations: int = 8) -> None:
-    """A cylinder of body i rolls or rests on a plane of body j.
+    """Set the contact of a cylinder of body i with a plane of body j.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts for the
-        whole length.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately, the law for
+        the whole length.
     radius, length
-        [m].
+        Radius and length of the cylinder [m].
     stations
-        Gauss points along every part of the line in touch, 1 to 8.
+        Gauss points along every part of the line in contact, 1 to 8.
     """
     _set_line(record, radius, length, length, stations)
     record["form_j"] = PLANE
@@ -88,60 +88,60 @@ def set_cylinders_in_line(
     hollow: bool = False,
     stations: int = 8,
 ) -> None:
-    """A cylinder of body i against a cylinder of body j or in its bore, with axes that are nearly parallel.
+    """Set the contact of a cylinder of body i with a cylinder or bore of body j, with nearly parallel axes.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts for the
-        whole length of the shorter cylinder.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately, the law for
+        the whole length of the shorter cylinder.
     radii, lengths
-        Of bodies i and j [m]; without `hollow` the first one should be the shorter one.
+        Of bodies i and j [m]; without `hollow` the first cylinder should be the shorter one.
     hollow
         Body j is a bore.
     stations
-        Gauss points along every part of the line in touch, 1 to 8.
+        Gauss points along every part of the line in contact, 1 to 8.
     """
     if hollow and not radii[0] < radii[1]:
-        raise ValueError(f"a cylinder of radius {radii[0]:g} m does not go into a bore of {radii[1]:g} m")
+        raise ValueError(f"cylinder of radius {radii[0]:g} m in a bore (limit below {radii[1]:g} m)")
     if not min(*radii, *lengths) > 0.0:
-        raise ValueError("cylinders need radii and lengths above zero")
+        raise ValueError("cylinders: radii and lengths (limit above 0)")
     _set_line(record, radii[0], lengths[0], min(lengths), stations)
     record["form_j"], record["size_j"] = CYLINDER, (radii[1], lengths[1])
     record["sense"] = -1.0 if hollow else 1.0
 
 
 def set_ring_on_plane(record: np.void, radius: float, tube: float = 0.0) -> None:
-    """A ring or disc of body i on a plane of body j.
+    """Set the contact of a ring or disc of body i with a plane of body j.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
     radius
-        Radius of the circle in the middle of the tube [m].
+        Radius of the centre circle of the tube [m].
     tube
         Radius of the tube, 0 for the edge of a disc [m].
     """
     if radius <= 0.0 or tube < 0.0:
-        raise ValueError("a ring needs a radius above zero")
+        raise ValueError("ring: radius (limit above 0), tube (limit 0 or above)")
     record["form_i"], record["form_j"] = RIM, PLANE
     record["size_i"] = radius, tube
     record["margin"] = np.inf
 
 
 def set_crossed_cylinders(record: np.void, radii: Sequence[float], lengths: Sequence[float]) -> None:
-    """Two cylinders that cross.
+    """Set the contact of two crossed cylinders.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
     radii, lengths
         Of the cylinders of bodies i and j [m].
     """
     if min(*radii, *lengths) <= 0.0:
-        raise ValueError("cylinders need radii and lengths above zero")
+        raise ValueError("cylinders: radii and lengths (limit above 0)")
     record["form_i"] = record["form_j"] = CYLINDER
     record["size_i"], record["size_j"] = (radii[0], lengths[0]), (radii[1], lengths[1])
     record["margin"] = np.inf
@@ -150,20 +150,20 @@ def set_crossed_cylinders(record: np.void, radii: Sequence[float], lengths: Sequ
 def set_meshes(
     record: np.void, pool: Pool, surfaces: Sequence[TriangleSurface], depth: float | None = None
 ) -> None:
-    """Two triangle surfaces.
+    """Set the contact of two triangle surfaces.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts per area:
-        K in N/m^(e+2), C in N s/m^3.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately, the law per
+        area: K in N/m^(e+2), C in N s/m^3.
     pool
         Pool of the kind.
     surfaces
         Closed surfaces of bodies i and j.
     depth
-        How deep a point may be below the other surface, and up to which distance a gap is looked for [m];
-        None = a hundredth of the smaller one. Small ones save time.
+        Maximum depth of a point inside the other body for contact, and maximum gap that is reported [m];
+        None: 1 % of the smaller surface. Small values save time.
     """
     set_triangles(record, "i", pool, surfaces[0])
     set_triangles(record, "j", pool, surfaces[1])
@@ -180,26 +180,25 @@ def set_mesh_on_shape(
     hollow: bool = False,
     depth: float | None = None,
 ) -> None:
-    """Triangles of body i on a surface of simple shape of body j.
+    """Set the contact of triangles of body i with a surface of simple shape of body j.
 
     Parameters
     ----------
     record
-        Record of the contact (`contacts.record.new_records`), markers and law apart; the law counts per area:
-        K in N/m^(e+2), C in N s/m^3.
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately, the law per
+        area: K in N/m^(e+2), C in N s/m^3.
     pool
         Pool of the kind.
     surface
         Triangles of body i.
     form, size, hollow
-        As in `point_surface.set_surface`; a cylinder may have its length [m] as second size, it then has flat
-        ends.
+        As in `point_surface.set_surface`; a cylinder with its length [m] as second size has flat ends.
     depth
-        How deep a point may be below the surface [m]; None = without limit.
+        Maximum depth of a point below the surface for contact [m]; None: no limit.
     """
     of_length = form == "cylinder" and len(size) == 2
     if of_length and not size[1] > 0.0:
-        raise ValueError("the length of a cylinder is above zero")
+        raise ValueError(f"size: length {size[1]:g} m of the cylinder (limit above 0)")
     set_surface(record, form, size[:1] if of_length else size, 0.0, hollow)
     if of_length:
         record["size_j"][1] = size[1]
@@ -210,7 +209,7 @@ def set_mesh_on_shape(
 
 @kernel
 def surface_surface(rec, ctl, fr, kk):
-    """Wrenches, tangents and results of all pairs of surfaces."""
+    """Wrenches, tangents and results of all surface pairs."""
     c = ctl[0]
     for e in range(rec.size):
         b = rec[e]
@@ -235,7 +234,7 @@ def surface_surface(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return surface_surface(view(rec, n, RECORD), c, fr, kk)
 

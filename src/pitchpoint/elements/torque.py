@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Torque about the spin axis of a body: constant, table, formula or user law of time, angle and speed.
 
-Its reaction goes to body j (0 = ground); angle and speed are those of body i against body j, along the axis
-that `turning` explains, so power is torque times the speed that the law sees.
+The reaction acts on body j (0 = ground); angle and speed are those of body i relative to body j about the
+common axis of `torsion`, so that the power is torque times the speed in the law.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def torque(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return torque(view(rec, n, RECORD), c, fr, kk)
 

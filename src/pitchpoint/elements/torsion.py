@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Torsion between two bodies: angle, speed and common axis, and a torque about that axis with its tangents.
 
-What turns body i against body j is counted from ground: its own spin and those of the bodies it hangs on, as
-a remainder and whole turns. The common axis m lies half-way between the two spin axes, so action equals
-reaction and neither body is preferred; where the axes point in opposite senses, the angles add. A body whose
-axis lies more than 45 degrees off that of body i (a housing, ground) has no turn about it: m is then the axis
-of body i. The speed is m . (omega_i - omega_j), so the power of the torque is torque times speed whatever the
-tilts are.
+The rotation of each body is relative to ground: its own spin plus those of its parents, as a remainder and
+whole turns. The common axis m is the bisector of the two spin axes, so that action equals reaction and the
+element is symmetric; for axes of opposite sense the angles are added. A body whose axis differs by more than
+45 degrees from that of body i (a housing, ground) has no rotation about it: m is then the axis of body i. The
+speed is m . (omega_i - omega_j), so that the power of the torque is torque times speed for any tilt.
 
-Angles are those of the joints, whose rate is the speed where the axes are parallel; the error is of first
-order in the tilt times the rate of tilting.
+Angles are joint angles, whose rate is the speed for parallel axes; the error is of first order in the tilt
+times the rate of tilt.
 """
 
 from __future__ import annotations
@@ -21,12 +20,12 @@ from pitchpoint.elements.wrench import angular_velocity, spin_axis
 from pitchpoint.multibody.vectors import add, cross, dot, less, times, unit
 
 SAME = math.sqrt(0.5)
-"""Cosine of the angle up to which two axes count as one."""
+"""Cosine of the maximum angle between two axes that are treated as one."""
 
 
 @kernel(inline=True)
 def sense_of(f, g, j):
-    """How body j turns about the axis of body i: 1 in the same sense, -1 in the opposite, 0 not."""
+    """Sense of rotation of body j about the axis of body i: 1 same, -1 opposite, 0 none."""
     if j == 0:
         return 0
     along = dot(spin_axis(f), spin_axis(g))
@@ -35,7 +34,7 @@ def sense_of(f, g, j):
 
 @kernel(inline=True)
 def common_axis(f, g, sense):
-    """Unit vector half-way between both spin axes."""
+    """Unit vector of the bisector of both spin axes."""
     n = spin_axis(f)
     if sense == 0:
         return n
@@ -48,7 +47,7 @@ def common_axis(f, g, sense):
 
 @kernel(inline=True)
 def turn_between(f, g, sense):
-    """Angle of body i against body j: remainder [rad] and whole turns."""
+    """Angle of body i relative to body j: remainder [rad] and whole turns."""
     angle = f["phi"] + f["base"]
     turns = f["turns"] + f["base_turns"]
     if sense != 0:
@@ -59,7 +58,7 @@ def turn_between(f, g, sense):
 
 @kernel(inline=True)
 def speed_between(f, g, m):
-    """Angular velocity of body i against body j about m [rad/s]."""
+    """Angular velocity of body i relative to body j about m [rad/s]."""
     return dot(m, less(angular_velocity(f), angular_velocity(g)))
 
 
@@ -73,9 +72,9 @@ def add_torque(f, g, m, torque):
 
 @kernel
 def turn_column(f, g, sense, m, side, c, exact):
-    """Change of angle, of speed and of m with a turn of body i (`side` 0) or j (1) about the world axis c.
+    """Changes of angle, speed and m for a rotation of body i (`side` 0) or j (1) about the world axis c.
 
-    Where tangents need not be exact, the turn of a body about m is taken for that of its angle.
+    If `exact` is 0, the component of the rotation about m is used as the change of the angle.
     """
     w = unit(c)
     here = f if side == 0 else g
@@ -119,8 +118,8 @@ def torque_tangent(b, f, g, kk, ctl, m, sense, torque, by_angle, by_speed):
 def state_tangent(b, f, g, kk, ctl, m, sense, n, slopes):
     """Add the tangents of a torque that depends on a state y, the spin rate of body k with the axis n.
 
-    `slopes`: of the torque by y, of y' by y and of y' by the speed. b needs the index fields of all pairs of
-    i, j and k.
+    `slopes`: derivatives of the torque by y, of y' by y and of y' by the speed. b needs the index fields of
+    all pairs of i, j and k.
     """
     by_state, rate_by_state, rate_by_speed = slopes
     c = ctl[0]

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Torsion spring and damper in series between two bodies about their axis: a torque with a memory.
+"""Torsional Maxwell element: spring and damper in series between two bodies about their common axis.
 
-The state is the torque T on body i. Both parts carry it, and their speeds add up to the relative speed w (see
-`turning`):
+The state is the torque T on body i. It is equal in both parts, and their speeds add up to the relative speed
+w (see `torsion`):
 
     dT/dt = -k (w + T/d)
 
-As `maxwell`, which acts along a line. Body k is a hidden torsional body of polar inertia 1 kg m^2 on ground;
-its spin rate is T in newton metres.
+The counterpart along a line is `maxwell`. Body k is a hidden torsional body of polar inertia 1 kg m^2 on
+ground; its spin rate is T in newton metres.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def torsion_maxwell(rec, ctl, fr, kk):
 
 @kernel
 def entry(ctl, rec, n):
-    """Uniform entry of the kind."""
+    """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return torsion_maxwell(view(rec, n, RECORD), c, fr, kk)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frames of bodies as tuples, and wrenches and tangents added to them, inside kernels."""
+"""Access to body frames in kernels: vectors as tuples, addition of wrenches and tangents."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ def velocity(f):
 
 @kernel
 def angular_velocity(f):
-    """Angular velocity of a body, with its spin."""
+    """Angular velocity of a body, spin included."""
     return triple(f["tw"], 3)
 
 
 @kernel
 def push(f, arm, force, couple, sense):
-    """Add `sense` times a force at an arm from the origin of a body, and a couple, to its wrench."""
+    """Add `sense` times a force at `arm` from the origin of a body, and a couple, to its wrench."""
     m = add(cross(arm, force), couple)
     for r in range(3):
         f["F"][r] += sense * force[r]
@@ -42,7 +42,7 @@ def push(f, arm, force, couple, sense):
 
 @kernel
 def put(k, c, s, force, couple):
-    """Add s times a force and a couple to column c of a tangent."""
+    """Add s times a force and a couple to column c of a tangent block."""
     for r in range(3):
         k[r, c] += s * force[r]
         k[3 + r, c] += s * couple[r]

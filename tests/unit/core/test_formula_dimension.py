@@ -101,7 +101,11 @@ def test_what_may_be_right_is_accepted(dimension: str, text: str) -> None:
         ("torque", "5 N m*atan2(t, 1 kg)", "'atan2' joins s and kg"),
         ("torque", "5 N m*sin(2*pi*25 N*t)", "'sin' needs a plain number or an angle, not N"),
         ("torque", "5 N m*sin(2*pi*25 s*t)", "'sin' needs a plain number or an angle, not s"),
-        ("torque", "5 N m*sin(25 Hz*t)", r"'sin' is given cycles, not radians: Hz needs the factor 2\*pi"),
+        (
+            "torque",
+            "5 N m*sin(25 Hz*t)",
+            r"argument of 'sin' is in cycles, not radians: Hz needs the factor 2\*pi",
+        ),
         ("torque", "5 N m*exp(3 kg*t)", "'exp' needs"),
         ("torque", "5 N m*log(3 mm*t)", "'log' needs"),
         ("torque", "5 N m*asin(3 mm)*t", "'asin' needs"),

@@ -456,7 +456,7 @@ def test_tension_stiffens_and_euler_load_unloads():
 
 
 def test_flat_sections_do_not_spin():
-    with pytest.raises(CompileError, match="round section"):
+    with pytest.raises(CompileError, match="must be round"):
         shaft_row(Beam(section=FLAT, length=0.4, **STEEL), bodies=(1, 2))
 
 

@@ -54,7 +54,7 @@ def test_records_must_fit_their_kind_and_name_existing_bodies():
         assemble([body], {"coupling": couplings([(1, 2, 1.0, 0.0, 0.0)])})
     with pytest.raises(CompileError, match="do not have the dtype"):
         assemble([body], {"coupling": torques([(1, 1.0)])})
-    with pytest.raises(CompileError, match="no element kind is called 'spring'"):
+    with pytest.raises(CompileError, match="'spring' is not an element kind"):
         assemble([body], {"spring": torques([(1, 1.0)])})
 
 

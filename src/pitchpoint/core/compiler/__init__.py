@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Everything between a kernel and its machine code."""
+"""Compilation of kernels to machine code, and its cache."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kernels compiled for calls from Python, on disk: when they are out of date, one file for each signature.
+"""Disk cache of kernels compiled for calls from Python: validity check, one file per signature.
 
-Numba's own cache looks only at the file of the function itself; the locator here stamps the *import closure*
-of that file, so an edited helper is noticed and an unrelated edit is not. Numba numbers the files of a
-function through an index that processes read and write without knowing of each other: of two that compile at
-once the code of one signature may end under another, and what calls it ends the process.
+Numba's cache checks only the file of the function itself; the locator here hashes the *import closure* of
+that file, so that the cache is invalidated by an edited helper and not by an unrelated edit. Numba numbers
+the files of a function through an index that processes read and write without locking: if two processes
+compile concurrently, the code of one signature may be stored under another, and its call crashes the process.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from pitchpoint.core.compiler.intrinsics import FLAGS
 
 
 class Locator(_CacheLocator):
-    """Shows Numba where compiled kernels are and when they are out of date."""
+    """Location and validity stamp of compiled kernels, for Numba."""
 
     def __init__(self, py_func: Any, py_file: str) -> None:
         self._py_file = py_file
@@ -35,7 +35,7 @@ class Locator(_CacheLocator):
         self._path = str(machine_code.cache_folder() / mode / self.get_suitable_cache_subpath(py_file))
 
     def get_cache_path(self) -> str:
-        """Folder of the compiled files."""
+        """Folder of the cache files."""
         return self._path
 
     def get_source_stamp(self) -> str:
@@ -50,12 +50,12 @@ class Locator(_CacheLocator):
         return f"{options!r} {machine_code.source_stamp(self._py_file)}"
 
     def get_disambiguator(self) -> str:
-        """Line of the function, which distinguishes functions of one name."""
+        """Line of the function, which distinguishes functions of the same name."""
         return str(self._lineno)
 
     @classmethod
     def from_function(cls, py_func: Any, py_file: str) -> Locator | None:
-        """Locator of a function; None without a file, and where nothing can be written or trusted."""
+        """Locator of a function; None without a source file, or if the folder is not writable or trusted."""
         if not os.path.exists(py_file):
             return None
         self = cls(py_func, py_file)
@@ -68,16 +68,16 @@ class Locator(_CacheLocator):
 
 
 class KernelFiles:
-    """What is kept of one function: a file for every key, which describes its contents.
+    """Cache files of one function: one file per key, with a checksum.
 
     Parameters
     ----------
     folder
-        Where the files lie.
+        Folder of the files.
     name
-        What their names begin with.
+        Prefix of the file names.
     stamp
-        Hash of what the code depends on; files with another are not used, and overwritten.
+        Hash of all dependencies of the code; files with a different stamp are ignored and overwritten.
     """
 
     def __init__(self, folder: str | os.PathLike[str], name: str, stamp: str) -> None:
@@ -89,7 +89,7 @@ class KernelFiles:
         return self._start.with_name(f"{self._start.name}.{digest}.nbc")
 
     def load(self, key: Any) -> Any:
-        """What was kept under a key and the present stamp; None without a sound file."""
+        """Data stored under a key with the current stamp; None without a valid file."""
         try:
             digest, body = machine_code.own_bytes(self._file(key)).split(b"\n", 1)
         except (OSError, ValueError):
@@ -100,11 +100,11 @@ class KernelFiles:
         return pickle.loads(kept) if head == self._head(key) else None
 
     def save(self, key: Any, data: Any) -> None:
-        """Keep data under a key, at once also for a process that reads it now."""
+        """Store data under a key; the file is replaced atomically."""
         body = self._head(key) + b"\n" + dumps(data)
         file = self._file(key)
         draft = file.with_name(f"{file.name}.{uuid.uuid4().hex[:16]}")
-        with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
+        with contextlib.suppress(OSError):  # a cache that is not writable only costs time
             try:
                 draft.write_bytes(hashlib.sha256(body).hexdigest().encode() + b"\n" + body)
                 draft.chmod(0o600)
@@ -117,13 +117,13 @@ class KernelFiles:
 
 
 class _Located(CompileResultCacheImpl):
-    """Numba's way to write a compilation, with places by `Locator` alone."""
+    """Numba's serialisation of compilation results, located by `Locator` only."""
 
     _locator_classes = [Locator]
 
 
 class KernelCache(FunctionCache):
-    """Numba's cache of a function with a file for every signature; `RuntimeError` where it has no place."""
+    """Numba's function cache with one file per signature; raises `RuntimeError` without a usable folder."""
 
     _impl_class = _Located
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the second process runs (`second_process`): compile entries and report each on stdout."""
+"""Main program of the second process (`second_process`): compile entry points and report each on stdout."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pitchpoint.core.kernel import address
 
 
 def main(entries: Sequence[str]) -> None:
-    """Compile entries, named "module:function", and report each on stdout."""
+    """Compile entry points, named "module:function", and report each on stdout."""
     for entry in entries:
         module, _, name = entry.partition(":")
         kind: Any = getattr(importlib.import_module(module), name)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which source files a source file depends on, found by a scan of its import statements.
+"""Import closure of a source file: all source files that it imports directly or indirectly.
 
-The cache of compiled kernels is stamped with this closure (see `pitchpoint.core.compiler.machine_code`): what
-a kernel calls lies in a file that its own file imports, directly or on the way.
+The cache of compiled kernels is stamped with this closure (see `pitchpoint.core.compiler.machine_code`): all
+functions that a kernel calls are in files of its closure.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _IMPORT = re.compile(r"^[ \t]*import[ \t]+([^\n#;]+)", re.MULTILINE)
 
 
 def _root(file: Path) -> tuple[Path, str]:
-    """Folder that holds the top-level package of a file, and the dotted name of the file's package."""
+    """Folder of the top-level package of a file, and the dotted name of the package of the file."""
     folder = file.parent
     parts: list[str] = []
     while (folder / "__init__.py").exists():
@@ -30,11 +30,11 @@ def _root(file: Path) -> tuple[Path, str]:
 
 
 def _locate(name: str, roots: dict[str, Path]) -> str | None:
-    """File of a dotted module name if its top-level package is one of ours, else None."""
+    """File of a dotted module name in one of the `roots`, else None."""
     folder = roots.get(name.partition(".")[0])
     if folder is None:
         return None
-    base = os.path.join(folder, *name.split("."))  # texts: paths would take three times as long
+    base = os.path.join(folder, *name.split("."))  # strings are three times as fast as Path objects
     for candidate in (base + ".py", os.path.join(base, _INIT)):
         if os.path.isfile(candidate):
             return candidate
@@ -42,7 +42,7 @@ def _locate(name: str, roots: dict[str, Path]) -> str | None:
 
 
 def _imported(text: str, package: str) -> dict[str, set[str]]:
-    """Dotted names that a source text may import, each with the names imported from it."""
+    """Dotted module names in the import statements of a source text, with the names imported from each."""
     names: dict[str, set[str]] = {}
     for match in _IMPORT.finditer(text):
         for part in match.group(1).split(","):
@@ -60,19 +60,19 @@ def _imported(text: str, package: str) -> dict[str, set[str]]:
 
 @cache
 def _neighbours(path: Path, _age: int, roots: tuple[tuple[str, Path], ...]) -> tuple[Path, ...]:
-    """Files that a file imports directly; the closures of one package share most of theirs."""
+    """Files that a file imports directly; cached, since closures of one package overlap."""
     text = path.read_text(encoding="utf-8", errors="replace")
     known, found = dict(roots), set()
     for base, parts in _imported(text, _root(path)[1]).items():
         file = _locate(base, known)
         found.add(file)
-        if file is None or os.path.basename(file) == _INIT:  # what comes from a package may be a module
+        if file is None or os.path.basename(file) == _INIT:  # names imported from a package may be modules
             found.update(_locate(f"{base}.{part}", known) for part in parts)
     return tuple(Path(f) for f in found if f is not None)
 
 
 def import_closure(file: str | os.PathLike[str]) -> list[Path]:
-    """List every source file that a file reaches by import statements inside the registered packages.
+    """Source files that a file imports directly or indirectly, within this package and its own.
 
     Parameters
     ----------
@@ -82,8 +82,7 @@ def import_closure(file: str | os.PathLike[str]) -> list[Path]:
     Returns
     -------
     list of Path
-        The file itself and all it reaches, sorted. Packages outside (numpy, the standard library) are not
-        followed: their versions are the business of the environment.
+        The file itself and all imported files, sorted, without third-party packages and the standard library.
     """
     start = Path(file).resolve()
     folder, package = _root(start)
@@ -93,7 +92,7 @@ def import_closure(file: str | os.PathLike[str]) -> list[Path]:
         spec = importlib.util.find_spec(name)
         if spec is not None and spec.origin:
             roots[name] = Path(spec.origin).resolve().parent.parent
-    if not package:  # a loose file may import its neighbours
+    if not package:  # a script may import modules of its folder
         roots.update({p.stem: folder for p in folder.glob("*.py") if p.stem not in roots})
     key = tuple(sorted(roots.items()))
     seen: set[Path] = set()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Options of every compilation, and the calls through addresses: what both ways through Numba share."""
+"""Compiler flags and intrinsics for calls by address, common to both Numba back ends."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LAW = types.float64(types.float64, types.float64, types.CPointer(types.float64))
 
 @intrinsic
 def _pointer(typingctx, where):
-    """An address as a pointer."""
+    """Convert an address to a pointer."""
 
     def generate(context, builder, signature, args):
         """Machine code of the conversion."""
@@ -27,10 +27,10 @@ def _pointer(typingctx, where):
 
 @intrinsic
 def _call_entry(typingctx, where, a, b, c):
-    """Call an entry through its address."""
+    """Call an entry point by its address."""
 
     def generate(context, builder, signature, args):
-        """Machine code of a call to an entry."""
+        """Machine code of a call of an entry point."""
         word = ir.IntType(64)
         function = builder.inttoptr(args[0], ir.FunctionType(word, [word] * 3).as_pointer())
         return builder.call(function, args[1:])
@@ -40,10 +40,10 @@ def _call_entry(typingctx, where, a, b, c):
 
 @intrinsic
 def _call_law(typingctx, where, t, x, p):
-    """Call a user law through its address; p is the address of its parameters."""
+    """Call a user law by its address; p is the address of its parameters."""
 
     def generate(context, builder, signature, args):
-        """Machine code of a call to a law."""
+        """Machine code of a call of a law."""
         real = ir.DoubleType()
         form = ir.FunctionType(real, [real, real, real.as_pointer()])
         function = builder.inttoptr(args[0], form.as_pointer())

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Machine code of entries on disk, and its way back into memory without the compiler.
+"""Disk cache of the machine code of entry points, loaded without the compiler.
 
-Importing Numba and filling its tables takes longer than everything else that a short command does, and all
-of it only serves to compile. An entry has plain integers as arguments and allocates nothing, so its code
-needs nothing of Numba at run time: one file per entry holds it, and llvmlite alone links it into the process.
-A file that does not fit (other sources, versions, processor or settings) is never found, a damaged one is not
-used: then the entry is compiled again.
+The import of Numba takes longer than all other work of a short command and is needed only to compile. An
+entry point has integer arguments and allocates no memory, so that its code does not need Numba at run time:
+one file per entry point contains it, and llvmlite links it into the process. Files of other sources,
+versions, processors or settings have different names, and damaged files are ignored; the entry point is then
+compiled again.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ from pitchpoint.core.notices import notice
 
 _HEAD = b"pitchpoint machine code 1"
 
-#: Numba's clean-up of an array that it allocated itself. Code that allocates nothing mentions it, because it
-#: handles arrays, but never gets there.
+#: Numba's destructor of an array that it allocated. Code that handles arrays refers to it, but code without
+#: allocations never calls it.
 UNREACHED = "NRT_MemInfo_call_dtor"
 
-#: Words in the names of settings of Numba that do not change its code.
+#: Substrings of the names of Numba settings that do not affect the machine code.
 _NO_MATTER = ("CACHE", "THREAD", "DISABLE_JIT")
 
-#: What the names of drafts begin with, before the number of the process; after an hour it is abandoned.
+#: Prefix of temporary files, followed by the process number; abandoned after an hour.
 _DRAFT = "draft-"
 _DRAFT_AGE = 3600.0
 
@@ -44,12 +44,12 @@ _OTHERS = stat.S_IWOTH | stat.S_IWGRP
 
 _begun = time.time()
 
-#: What is linked lives as long as the process.
+#: Engines of linked code, retained until the process ends.
 _engines: list[Any] = []
 
 
 def cache_folder() -> Path:
-    """Folder of the compiled kernels: NUMBA_CACHE_DIR if set, else the user's cache."""
+    """Folder of the compiled kernels: NUMBA_CACHE_DIR if set, else in the user's cache folder."""
     chosen = os.environ.get("NUMBA_CACHE_DIR")
     if chosen:
         return Path(chosen)
@@ -66,8 +66,8 @@ def cache_folder() -> Path:
 def source_stamp(file: str) -> str:
     """Hash of all sources that the kernels of a file depend on: its import closure.
 
-    A source that was edited after the process began may differ from what was imported: then no other process
-    will find what is stored under the stamp.
+    A source that was edited after the start of the process may differ from the imported one: the stamp is
+    then random, so that no other process uses code stored under it.
     """
     digest, edited = hashlib.sha256(), False
     for path in import_closure(file):
@@ -80,7 +80,7 @@ def source_stamp(file: str) -> str:
 
 @cache
 def _settings() -> str:
-    """Hash of what determines the compiler's output besides the sources: versions, processor, options."""
+    """Hash of everything except the sources that affects the machine code: versions, processor, options."""
     import llvmlite
     import llvmlite.binding as llvm
 
@@ -89,7 +89,7 @@ def _settings() -> str:
         for key, value in os.environ.items()
         if key.startswith("NUMBA_") and not any(word in key for word in _NO_MATTER)
     )
-    found = importlib.util.find_spec("numba")  # finds it without importing it
+    found = importlib.util.find_spec("numba")  # without import
     version = Path(str(found.origin)).with_name("_version.py") if found else Path()
     numba = version.read_text(encoding="utf-8") if version.is_file() else _installed_version("numba")
     processor = (llvm.get_process_triple(), llvm.get_host_cpu_name(), llvm.get_host_cpu_features().flatten())
@@ -98,7 +98,7 @@ def _settings() -> str:
 
 
 def is_stock() -> bool:
-    """Whether the user wants kernels compiled through the public interface of Numba alone."""
+    """Whether PITCHPOINT_STOCK_NUMBA restricts the compilation to the public interface of Numba."""
     return os.environ.get("PITCHPOINT_STOCK_NUMBA", "0").strip() not in ("", "0")
 
 
@@ -109,24 +109,24 @@ def _installed_version(name: str) -> str:
 
 
 def symbol(function: Any) -> str:
-    """Name of an entry in its machine code."""
+    """Symbol of an entry point in its machine code."""
     return "".join(c if c.isalnum() else "_" for c in f"{function.__module__}.{function.__qualname__}")
 
 
 def code_file(function: Any) -> Path | None:
-    """File of the machine code of an entry, written yet or not; None if it cannot have one.
+    """Path of the machine code of an entry point, whether it exists or not.
 
-    It has none if its sources are not in files, or if other users can write to the cache.
+    None if the source is not a file, or if other users can write to the cache.
 
     Parameters
     ----------
     function
-        The plain Python function of the entry.
+        Python function of the entry point.
     """
     source = function.__code__.co_filename
     if function.__closure__ or not os.path.exists(source) or not is_trusted(_folder()):
         return None
-    line = function.__code__.co_firstlineno  # distinguishes functions of one name
+    line = function.__code__.co_firstlineno  # distinguishes functions of the same name
     name = f"{_family(function)}-{line}-{source_stamp(source)[:32]}.code"
     return _folder() / name
 
@@ -136,7 +136,7 @@ def _folder() -> Path:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder of the cache, with those above it; only the user may write to new ones."""
+    """Create a cache folder with its parents; only the user may write to new folders."""
     if not folder.is_dir():
         make_folder(folder.parent)
         folder.mkdir(mode=0o700, exist_ok=True)
@@ -144,10 +144,10 @@ def make_folder(folder: Path) -> None:
 
 @cache
 def is_trusted(folder: Path) -> bool:
-    """Whether only the user and the administrator can put code into a folder; reported if not.
+    """Whether only the user and the administrator can write code to a folder; reported if not.
 
-    What lies there is executed. Folders above count, too: who may write to one can replace what is in it,
-    unless its sticky bit reserves that for the owner.
+    The code in the folder is executed. Parent folders are checked too: write permission allows the
+    replacement of their contents, unless the sticky bit restricts it to the owner.
     """
     if os.name != "posix":
         return True
@@ -155,21 +155,21 @@ def is_trusted(folder: Path) -> bool:
     for place in dict.fromkeys([way, *way.parents, true, *true.parents]):
         try:
             found, link = place.stat(), place.lstat()
-        except OSError:  # it does not exist yet
+        except OSError:  # not yet created
             continue
         others = stat.S_IWOTH if _is_private(found.st_gid) and place != folder else _OTHERS
         is_open = found.st_mode & others and not (place not in (way, true) and found.st_mode & stat.S_ISVTX)
         if is_open or not {found.st_uid, link.st_uid} <= {0, os.getuid()}:
             notice(
                 f"{place}: other users can write to this folder of compiled kernels, so it is not used and "
-                "every start compiles; remove their permission (chmod go-w) or set NUMBA_CACHE_DIR"
+                "kernels compile at every start; remove this permission (chmod go-w) or set NUMBA_CACHE_DIR"
             )
             return False
     return True
 
 
 def _is_private(group: int) -> bool:
-    """Whether a group is the user's own, which many systems make with each user: it has the same name."""
+    """Whether a group is the private group of the user (same name, no other member)."""
     import grp
     import pwd
 
@@ -181,14 +181,14 @@ def _is_private(group: int) -> bool:
 
 
 def own_bytes(file: Path) -> bytes:
-    """Contents of a file of the cache that only the user can have written.
+    """Contents of a cache file that only the user can have written.
 
-    Others may have left it in the folder before their permission was removed.
+    Other users may have created a file before their permission was removed.
 
     Raises
     ------
     OSError
-        If there is no such file, or it is not the user's alone.
+        If the file does not exist, or other users own it or can write to it.
     """
     with file.open("rb") as stream:
         found = os.fstat(stream.fileno())
@@ -198,7 +198,7 @@ def own_bytes(file: Path) -> bytes:
 
 
 def can_save() -> bool:
-    """Whether machine code can be kept: whether the user, and no one else, may write to the cache."""
+    """Whether machine code can be stored: the user, and no one else, may write to the cache."""
     try:
         make_folder(_folder())
         if not is_trusted(_folder()):
@@ -210,58 +210,58 @@ def can_save() -> bool:
 
 
 def _family(function: Any) -> str:
-    """What the names of all files of an entry begin with; scripts share the module `__main__`."""
+    """Prefix of the file names of an entry point, with a hash of its path: scripts are all `__main__`."""
     place = hashlib.sha256(os.path.abspath(function.__code__.co_filename).encode()).hexdigest()
     return f"{symbol(function)}-{place[:8]}"
 
 
 def save(function: Any, code: bytes, needs: list[str]) -> None:
-    """Keep the machine code of an entry; it replaces that of older sources.
+    """Store the machine code of an entry point; code of older sources is removed.
 
     Parameters
     ----------
     function
-        The plain Python function of the entry.
+        Python function of the entry point.
     code
-        Object file with the entry under its `symbol`; empty if it cannot live without the compiler.
+        Object file with the entry point under its `symbol`; empty if it needs Numba at run time.
     needs
-        Symbols that the code expects in the process, such as `sin`.
+        External symbols of the code, such as `sin`.
     """
     file = code_file(function)
     if file is None:
         return
     body = " ".join(needs).encode() + b"\n" + code
     data = b"\n".join([_HEAD, hashlib.sha256(body).hexdigest().encode(), body])
-    with contextlib.suppress(OSError):  # a cache that cannot be written costs time only
+    with contextlib.suppress(OSError):  # a cache that is not writable only costs time
         make_folder(file.parent)
         with tempfile.TemporaryDirectory(prefix=f"{_DRAFT}{os.getpid()}-", dir=file.parent) as draft:
             whole = Path(draft, file.name)
             whole.write_bytes(data)
             whole.chmod(0o600)
-            whole.replace(file)  # at once, also for a process that reads it now
+            whole.replace(file)  # atomic, for concurrent readers
         stamp = file.name.rpartition("-")[2]
         for other in file.parent.glob(f"{_family(function)}-*.code"):
-            if other.name.rpartition("-")[2] != stamp:  # the same sources may hold two functions of one name
+            if other.name.rpartition("-")[2] != stamp:  # one source may have two functions of the same name
                 other.unlink(missing_ok=True)
         clear_drafts()
 
 
 def clear_drafts(process: int | None = None) -> None:
-    """Remove what killed processes left in the cache as they wrote machine code.
+    """Remove temporary files of killed processes from the cache.
 
     Parameters
     ----------
     process
-        Number of a process that has ended; without it, all drafts older than `_DRAFT_AGE` go.
+        Number of a process that has ended; None: all temporary files older than `_DRAFT_AGE`.
     """
     for draft in _folder().glob(f"{_DRAFT}*" if process is None else f"{_DRAFT}{process}-*"):
-        with contextlib.suppress(OSError):  # another process was quicker
+        with contextlib.suppress(OSError):  # removed by another process
             if process is not None or time.time() - draft.stat().st_mtime > _DRAFT_AGE:
                 shutil.rmtree(draft)
 
 
 def _read(function: Any) -> tuple[list[str], bytes] | None:
-    """What the code of an entry needs, and the code; None without a sound file."""
+    """External symbols and code of an entry point; None without a valid file."""
     file = code_file(function)
     try:
         head, digest, body = own_bytes(file).split(b"\n", 2) if file else (b"", b"", b"")
@@ -274,36 +274,36 @@ def _read(function: Any) -> tuple[list[str], bytes] | None:
 
 
 def is_refused(function: Any) -> bool:
-    """Whether it is known that the code of an entry cannot live without the compiler."""
+    """Whether the cache marks an entry point as dependent on Numba at run time."""
     found = _read(function)
     return found is not None and not found[1]
 
 
 def declared(module: Any) -> list[str]:
-    """Symbols that a module of LLVM expects in the process."""
+    """External symbols of an LLVM module."""
     functions = [f.name for f in module.functions if f.is_declaration and not f.name.startswith("llvm.")]
     return functions + [g.name for g in module.global_variables if g.is_declaration]
 
 
 def is_foreign(needs: list[str]) -> bool:
-    """Whether some of these symbols belong to Numba's run time or to the interpreter."""
+    """Whether some of the symbols are of Numba's run time or of the interpreter."""
     return any(n.startswith(("NRT_", "numba_", "_Py", "Py")) for n in {*needs} - {UNREACHED})
 
 
 def load(function: Any) -> int | None:
-    """Address of an entry whose machine code is on disk and fits; None otherwise.
+    """Load the machine code of an entry point from disk; returns its address, None without valid code.
 
     Parameters
     ----------
     function
-        The plain Python function of the entry.
+        Python function of the entry point.
     """
     found = _read(function)
     return link(symbol(function), found[1], found[0]) if found and found[1] else None
 
 
 def link(name: str, code: bytes, needs: list[str]) -> int | None:
-    """Bring an object file into the process; address of one of its functions, None if something is missing.
+    """Link an object file into the process; returns the address of a function, None if a symbol is missing.
 
     Parameters
     ----------
@@ -312,16 +312,16 @@ def link(name: str, code: bytes, needs: list[str]) -> int | None:
     code
         Object file.
     needs
-        Symbols that it expects. LLVM ends the process over a missing one, hence the look before.
+        External symbols. They are checked first, because LLVM aborts the process if one is missing.
     """
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     machine = llvm.Target.from_default_triple().create_target_machine(codemodel="jitdefault", jit=True)
-    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)  # makes the process's symbols known
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)  # registers the process symbols
     if UNREACHED in needs and llvm.address_of_symbol(UNREACHED) is None:
-        llvm.add_symbol(UNREACHED, llvm.address_of_symbol("abort") or 0)  # Numba replaces it when it comes
+        llvm.add_symbol(UNREACHED, llvm.address_of_symbol("abort") or 0)  # an import of Numba replaces it
     if any(llvm.address_of_symbol(other) is None for other in needs):
         return None
     engine.add_object_file(llvm.ObjectFileRef.from_data(code))

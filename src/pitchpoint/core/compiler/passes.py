@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a kernel becomes intermediate code: Numba's steps, without what only other functions need.
+"""Compiler passes of kernels: Numba's pipeline without the passes that kernels do not need.
 
-Numba writes a record of every pass, looks for closures, array expressions and objects whose references it has
-to count, and finds out anew, at every operation of two numbers, which of a dozen rules serves it. Kernels
-are short and many: all of that takes longer than their own code, which stays the same without it.
+Numba records every pass, searches for closures, array expressions and reference-counted objects, and resolves
+the overload of every binary operation again. Kernels are short and numerous: this takes longer than the
+generation of their code, which is identical without it.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from numba.core.compiler_machinery import PassManager, register_pass
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
-#: Passes for what kernels do not have: closures, `with`, literal arguments, overloads to inline, array
-#: expressions; and annotations for people.
+#: Passes for features that kernels do not use: closures, `with`, literal arguments, inlined overloads, array
+#: expressions; and annotations.
 _SKIPPED = {
     "AnnotateTypes",
     "DumpParforDiagnostics",
@@ -40,11 +40,11 @@ _SKIPPED = {
 
 
 _PLAIN = (types.Number, types.Boolean, types.Record)
-"""Types without references to count."""
+"""Types without reference counting."""
 
 
 class Passes(PassManager):
-    """Runs passes and keeps no record of them."""
+    """Pass manager without a record of the passes."""
 
     def _runPass(self, index: int, pss: Any, internal_state: Any) -> None:
         pss.analysis = self._analysis
@@ -54,14 +54,14 @@ class Passes(PassManager):
 
 
 class Typing:
-    """Numba's typing context, which remembers what built-in functions and operators return.
+    """Numba's typing context with a cache of the signatures of built-in functions and operators.
 
     Parameters
     ----------
     context
-        The context.
+        Typing context of Numba.
     flags
-        Name of the flags of a compilation.
+        Key of the compiler flags.
     """
 
     _known: dict[Any, Any] = {}
@@ -81,7 +81,7 @@ class Typing:
             return self._context.resolve_function_type(func, args, kws)
         key = self._flags, func, args
         found, chosen = self._known.get(key, (None, None))
-        # which code serves a signature is kept with the function; others than kernels may have replaced it
+        # the implementation of a signature may have been replaced by code other than kernels
         if found is None or func.get_impl_key(found) is not chosen:
             found = self._context.resolve_function_type(func, args, kws)
             if found is not None:
@@ -89,19 +89,19 @@ class Typing:
         return found
 
     def resolve_setitem(self, target: Any, index: Any, value: Any) -> Any:
-        """Signature of writing an item."""
+        """Signature of an item assignment."""
         form = self.resolve_value_type(operator.setitem)
         return self.resolve_function_type(form, (target, index, value), {})
 
 
 class Lowering(Lower):
-    """Writes the intermediate code of a kernel: numbers need no clean-up, except for debugging."""
+    """Lowering of a kernel to LLVM code, without clean-up of numeric variables (except for debugging)."""
 
     def _is_plain(self, name: str) -> bool:
         return not self.flags.debuginfo and isinstance(self.typeof(name), _PLAIN)
 
     def lower_inst(self, inst: Any) -> None:
-        """Write one statement."""
+        """Lower one statement."""
         if isinstance(inst, ir.Del) and self._is_plain(inst.value):
             return
         if isinstance(inst, ir.Assign) and not isinstance(inst.value, ir.Arg) and not self.flags.debuginfo:
@@ -111,7 +111,7 @@ class Lowering(Lower):
             super().lower_inst(inst)
 
     def storevar(self, value: Any, name: str, argidx: int | None = None) -> None:
-        """Give a variable its value."""
+        """Store the value of a variable."""
         if argidx is None and name not in self._singly_assigned_vars and self._is_plain(name):
             self._alloca_var(name, self.typeof(name))
             self.builder.store(value, self.getvar(name))
@@ -119,20 +119,20 @@ class Lowering(Lower):
             super().storevar(value, name, argidx)
 
     def alloca_lltype(self, name: str, lltype: Any, datamodel: Any = None) -> Any:
-        """Room for a variable."""
+        """Allocate a variable."""
         if self.flags.debuginfo:
             return super().alloca_lltype(name, lltype, datamodel)
         return cgutils.alloca_once(self.builder, lltype, name=name, zfill=False)
 
     def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
-        """Write an operation; how two variables are served is known since their types are."""
+        """Lower a binary operation; for two variables the types determine the implementation."""
         variables = expr.static_lhs is ir.UNDEFINED and expr.static_rhs is ir.UNDEFINED
         if op is not expr.fn or not variables:
             return super().lower_binop(resty, expr, op)
         return self._apply(op, (expr.lhs, expr.rhs), self.fndesc.calltypes[expr], resty)
 
     def lower_getitem(self, resty: Any, expr: Any, value: Any, index: Any, signature: Any) -> Any:
-        """Write the reading of an item."""
+        """Lower the reading of an item."""
         return self._apply(operator.getitem, (value, index), signature, resty)
 
     def _apply(self, op: Any, variables: tuple[Any, ...], signature: Any, returned: Any) -> Any:
@@ -147,13 +147,13 @@ class Lowering(Lower):
 
 @register_pass(mutates_CFG=True, analysis_only=False)
 class KernelLowering(NativeLowering):
-    """Lowers a kernel."""
+    """Lowering pass of a kernel."""
 
     _name = "pitchpoint_kernel_lowering"
 
     @property
     def lowering_class(self) -> Any:
-        """What writes the intermediate code."""
+        """Class that generates the LLVM code."""
         return Lowering
 
 
@@ -167,7 +167,7 @@ class KernelCompiler(CompilerBase):
         self.state.typingctx = Typing(typing, self.state.flags.get_mangle_string())
 
     def define_pipelines(self) -> list[Any]:
-        """List the passes."""
+        """Pipeline of the passes."""
         passes = Passes("kernel")
         for each, text in DefaultPassBuilder.define_nopython_pipeline(self.state).passes:
             if each.__name__ not in _SKIPPED:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The faster way through Numba, by parts of it that it does not promise to keep.
+"""Faster compilation through private interfaces of Numba.
 
-`compiler` takes it for the versions that it was tested with. What it saves is measured in decision 0025.
+Used for the tested versions of Numba only, see `public_numba`. Decision 0025 has the measured times.
 """
 
 from __future__ import annotations
@@ -33,10 +33,10 @@ _BARE = {"nopython": True, "nogil": True, "no_cpython_wrapper": True, "no_cfunc_
 
 
 class Dispatcher(CPUDispatcher):
-    """A compiled function that is cheap to compile for other kernels.
+    """Dispatcher of a kernel with a short compile time for calls from other kernels.
 
-    Calls from kernels need neither the Python nor the C wrapper, a quarter of the compile time; they share
-    one compilation whether an argument is a constant or not.
+    Calls from kernels need neither the Python nor the C wrapper, which take a quarter of the compile time;
+    calls with constant and variable arguments share one compilation.
     """
 
     @property
@@ -44,7 +44,7 @@ class Dispatcher(CPUDispatcher):
         return PartType(self)
 
     def compile(self, sig: Any) -> Any:
-        """Compile for a signature; Numba's own way starts clocks and reads caches."""
+        """Compile for a signature, without the timers and caches of Numba."""
         with global_compiler_lock:
             args, returned = sigutils.normalize_signature(sig)
             if args not in self.overloads:
@@ -52,21 +52,21 @@ class Dispatcher(CPUDispatcher):
             return self.overloads[args].entry_point
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
-        """Type a call from another kernel as if no argument were a constant."""
+        """Type a call from another kernel without literal types of constant arguments."""
         plain = {name: types.unliteral(kind) for name, kind in kws.items()}
         return super().get_call_template(tuple(types.unliteral(kind) for kind in args), plain)
 
 
 def dispatcher(kernel: Kernel) -> Dispatcher:
-    """Make what represents a kernel inside other kernels."""
+    """Dispatcher of a kernel for calls from other kernels."""
     options = {**_BARE, **FLAGS, "forceinline": kernel.inline}
     return Dispatcher(py_func=kernel.py_func, targetoptions=options, pipeline_class=PartCompiler)
 
 
 def python_callable(kernel: Kernel) -> Any:
-    """Make what a call of a kernel from Python runs: a compilation with a wrapper, kept on disk."""
+    """Dispatcher of a kernel for calls from Python: with a wrapper and the disk cache."""
     made = njit(nogil=True, **FLAGS)(kernel.py_func)
-    with contextlib.suppress(RuntimeError):  # no place to keep it
+    with contextlib.suppress(RuntimeError):  # no usable cache folder
         made._cache = KernelCache(kernel.py_func)
     return made
 
@@ -76,15 +76,15 @@ def python_callable(kernel: Kernel) -> Any:
 
 @global_compiler_lock
 def standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
-    """Object file with an entry as a C function of three integers, and the symbols that it expects.
+    """Object file of an entry point as a C function of three integers, and its external symbols.
 
-    Empty if the code refers to Numba's run time, to this process, or can raise: such an exception must be
-    reported, which needs the interpreter.
+    Empty if the code refers to Numba's run time or to this process, or can raise an exception, which requires
+    the interpreter.
 
     Parameters
     ----------
     source
-        The plain Python function of the entry.
+        Python function of the entry point.
     name
         Symbol of the C function.
     """
@@ -93,9 +93,9 @@ def standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
     customize = compiler._customize_flags
 
     def unfinished(flags: Any) -> Any:
-        """Flags of a compilation whose library stays open."""
+        """Compiler flags that leave the library open."""
         flags = customize(flags)
-        flags.no_compile = True  # the library stays open for the function below
+        flags.no_compile = True  # the C function is added below
         return flags
 
     compiler._customize_flags = unfinished
@@ -113,16 +113,16 @@ def standalone(source: Any, name: str) -> tuple[bytes, list[str]]:
 
 
 def _raises(module: Any) -> bool:
-    """Whether code holds exceptions."""
+    """Whether a module contains exceptions."""
     return any(".picklebuf" in g.name for g in module.global_variables)
 
 
 def _thorough(library: Any) -> Callable[[], None]:
-    """Optimise again if exceptions are left: those that never happen can need a second look."""
+    """Optimiser with a second pass if exceptions remain: unreachable ones may need two passes."""
     optimise = library._optimize_final_module
 
     def optimise_twice() -> None:
-        """Optimise, and once more if exceptions are left."""
+        """Optimise, and again if exceptions remain."""
         optimise()
         if _raises(library._final_module):
             optimise()
@@ -131,7 +131,7 @@ def _thorough(library: Any) -> Callable[[], None]:
 
 
 def _c_function(name: str, described: Any) -> ir.Module:
-    """Module with the C function of a compiled entry; what ends by an exception returns 0, "died"."""
+    """Module with the C function of a compiled entry point; it returns 0, "died", after an exception."""
     convention = cpu_target.target_context.call_conv
     module, word = ir.Module(name), ir.IntType(64)
     form = convention.get_function_type(described.restype, described.argtypes)
@@ -150,13 +150,13 @@ def _c_function(name: str, described: Any) -> ir.Module:
 
 @intrinsic
 def _view(typingctx, where, shape, dtype):
-    """Array of the given final shape over memory that somebody else owns; no copy, no reference count."""
+    """Array of a given shape over external memory, without copy and reference counting."""
     n = len(shape) if isinstance(shape, types.BaseTuple) else 1
     form = types.UniTuple(types.int64, n) if isinstance(shape, types.BaseTuple) else types.int64
     made = types.Array(dtype.dtype, n, "C")
 
     def generate(context, builder, signature, args):
-        """Machine code of a view: extents and address become an array."""
+        """Machine code of a view: array from address and extents."""
         extents = cgutils.unpack_tuple(builder, args[1]) if form is not types.int64 else [args[1]]
         item = context.get_abi_sizeof(context.get_data_type(made.dtype))
         strides = [context.get_constant(types.intp, item)]
@@ -174,7 +174,7 @@ _INTRINSICS = {"view": _view, "call": call_entry, "call_law": call_law}
 
 
 def intrinsic_type(name: str) -> Any:
-    """Numba's type of an intrinsic."""
+    """Numba type of an intrinsic."""
     return cpu_target.typing_context.resolve_value_type(_INTRINSICS[name])
 
 
@@ -185,13 +185,13 @@ _RECORD = np.dtype([("size", "f8"), ("table", "f8", (2, 2))], align=True)
 
 @door.kernel
 def _inner(one, k):
-    """What the probe calls: items, a power, a branch."""
+    """Kernel called by the probe: items, a power, a branch."""
     return one["table"][k, 1] + one["size"] ** 2 if k > 0 else 0.0
 
 
 @door.kernel
 def _probed(ctl, rec, n):
-    """The entry of the probe: a view, a loop, calls with and without constants."""
+    """Entry point of the probe: a view, a loop, calls with and without constants."""
     record, total = door.view(rec, n, _RECORD), 0.0
     for k in range(n):
         total += _inner(record[k], k) + _inner(record[k], 1)
@@ -199,7 +199,7 @@ def _probed(ctl, rec, n):
 
 
 def probe() -> bool:
-    """Whether an entry that is compiled and linked this way returns the right number."""
+    """Whether an entry point that is compiled and linked by this module returns the correct result."""
     record = np.zeros(2, _RECORD)
     record["size"], record["table"] = [3.0, 4.0], [[1.0, 2.0], [5.0, 7.0]]
     code, needs = standalone(_probed.py_func, "pitchpoint_probe")

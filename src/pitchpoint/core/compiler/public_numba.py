@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Compiles kernels, entries and user laws through the public interface of Numba.
+"""Compilation of kernels, entry points and user laws through the public interface of Numba.
 
-`kernel` imports it on demand. Where the version of Numba is one of those that `compiler.private_numba` knows,
-that module replaces the slow parts of this one; ``PITCHPOINT_STOCK_NUMBA=1`` switches it off. Both make the
-same numbers and keep the machine code of entries in the same way, in folders of their own.
+`kernel` imports this module on demand. For tested versions of Numba, `compiler.private_numba` replaces its
+slow parts; ``PITCHPOINT_STOCK_NUMBA=1`` disables that. Both give the same results and store the machine code
+of entry points in the same way, in separate folders.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from pitchpoint.core.compiler.intrinsics import ENTRY, FLAGS, LAW, call_entry, c
 from pitchpoint.core.notices import notice
 
 TESTED = (0, 61), (0, 69)
-"""Versions of Numba for which `compiler.private_numba` was tested: from the first up to below the second."""
+"""Versions of Numba with which `compiler.private_numba` was tested: from the first to below the second."""
 
 
 _ways: list[Any] = []
-"""The faster way, once it is known: a module or None."""
+"""Selected private module or None, as the only item; empty before the selection."""
 
 
 def private() -> Any:
-    """Module with the faster way through Numba's private parts; None where it does not fit."""
+    """Module for private interfaces of Numba; None if disabled or incompatible with the installed version."""
     if not _ways:
         _ways.append(None)
         reason = "" if machine_code.is_stock() else _misfit()
@@ -47,7 +47,7 @@ def private() -> Any:
 
 
 def _misfit() -> str:
-    """Take the faster way if version and probe fit; otherwise the reason why not."""
+    """Select the private module if version and probe permit; returns the reason if not."""
     version = tuple(int(n) for n in re.findall(r"\d+", numba.__version__)[:2])
     low, high = TESTED
     if not low <= version < high:
@@ -55,7 +55,7 @@ def _misfit() -> str:
     try:
         from pitchpoint.core.compiler import private_numba
 
-        _ways[:] = [private_numba]  # the probe compiles, too
+        _ways[:] = [private_numba]  # the probe itself compiles
         return "" if private_numba.probe() else "does not pass the probe"
     except Exception as found:
         return f"does not pass the probe ({type(found).__name__})"
@@ -63,7 +63,7 @@ def _misfit() -> str:
 
 @typeof_impl.register(door.Kernel)
 def _type_of_kernel(kernel: door.Kernel, _: Any) -> Any:
-    """The type by which Numba knows a kernel that another one calls."""
+    """Numba type of a kernel that another kernel calls."""
     return typeof(kernel.dispatcher)
 
 
@@ -76,20 +76,20 @@ def _type_of_intrinsic(found: door.Intrinsic, _: Any) -> Any:
 
 
 def dispatcher(kernel: door.Kernel) -> Any:
-    """Make what represents a kernel inside other kernels."""
+    """Dispatcher of a kernel for calls from other kernels."""
     return private().dispatcher(kernel) if private() else njit(nogil=True, **FLAGS)(kernel.py_func)
 
 
 def python_callable(kernel: door.Kernel) -> Any:
-    """Make what a call of a kernel from Python runs: a compilation with a wrapper."""
+    """Dispatcher of a kernel for calls from Python."""
     return private().python_callable(kernel) if private() else njit(nogil=True, **FLAGS)(kernel.py_func)
 
 
 def entry_address(kernel: door.Kernel) -> tuple[int, Any]:
-    """Compile an entry; its address, and what has to be kept for it.
+    """Compile an entry point; returns its address, and an object that must be retained.
 
-    The machine code is written to disk if it does not need Numba at run time. Otherwise (it may raise, or it
-    allocates) Numba's own callback is used, which every process compiles again.
+    The machine code is stored on disk if it does not need Numba at run time. Otherwise (exceptions,
+    allocations) a callback of Numba is used, which every process compiles again.
     """
     source, name = kernel.py_func, machine_code.symbol(kernel.py_func)
     made = None
@@ -101,22 +101,22 @@ def entry_address(kernel: door.Kernel) -> tuple[int, Any]:
                 made = cfunc(ENTRY, **FLAGS)(source)
                 code, needs = _standalone(made, name)
             where = machine_code.link(name, code, needs) if code else None
-        except Exception:  # a fault of the kernel itself appears again below
+        except Exception:  # an error of the kernel itself is raised again below
             where, code, needs = None, b"", []
         if where:
             machine_code.save(source, code, needs)
             return where, None
     made = made or cfunc(ENTRY, **FLAGS)(source)
     if not config.BOUNDSCHECK:
-        machine_code.save(source, b"", [])  # the next process need not try
+        machine_code.save(source, b"", [])  # the next process skips the attempt
     return int(made.address), made
 
 
 def _standalone(made: Any, name: str) -> tuple[bytes, list[str]]:
-    """Object file of a callback and the symbols that it expects; empty if it needs Numba at run time.
+    """Object file of a callback and its external symbols; empty if it needs Numba at run time.
 
-    Numba's text has a way out to the interpreter for exceptions. LLVM removes it where it sees the whole
-    program and no exception can occur: everything but the callback itself is made internal to the module.
+    Numba's code has a branch to the interpreter for exceptions. LLVM removes it if no exception can occur and
+    all code is visible: all functions except the callback itself are made internal to the module.
     """
     text = made.inspect_llvm()
     if "numba.dynamic.globals" in text:
@@ -142,14 +142,14 @@ def _standalone(made: Any, name: str) -> tuple[bytes, list[str]]:
 
 
 def law_callback(function: Any, plain: Callable[..., float]) -> Any:
-    """Compile a user law; whatever the compiler refuses is called back as plain Python.
+    """Compile a user law; if the compilation fails, it is called as a Python function.
 
     Parameters
     ----------
     function
         The law.
     plain
-        The same for the interpreter, with exceptions caught.
+        Python function of the law with exceptions caught.
     """
     try:
         return cfunc(LAW, **FLAGS)(_caught(function))
@@ -161,7 +161,7 @@ def law_callback(function: Any, plain: Callable[..., float]) -> Any:
 
 
 def _caught(function: Any) -> Any:
-    """A law to compile; an exception raised in compiled code would otherwise return an unmarked zero."""
+    """Law that returns NaN after an exception, which would otherwise return zero in compiled code."""
     inner = njit(nogil=True, **FLAGS)(getattr(function, "py_func", function))
 
     def law(t, x, p):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A second process that compiles entries while this one compiles others: half the wait on an empty cache.
+"""Parallel compilation of entry points in a second process: half the wait with an empty cache.
 
-Both write the same cache on disk. The second process reports every entry that it has finished; a caller that
-needs one waits for that report and loads it. A second process that fails only costs time: what it did not
-report is compiled here.
+Both processes write to the same disk cache. The second process reports every finished entry point; a caller
+waits for the report and loads the code. A failure of the second process only costs time: entry points without
+a report are compiled in this process.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ _pending: dict[str, subprocess.Popen[str]] = {}
 
 
 def announce() -> None:
-    """Report why the first start takes longer."""
+    """Notify the user of the compilation at the first start."""
     seconds = 45 if is_stock() else 20
     notice(f"compiling kernels for this machine: about {seconds} s, once", logging.INFO)
 
 
 def cores() -> int:
-    """Number of processors that this process may use."""
+    """Number of processor cores available to this process."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def delegate(entries: Sequence[str]) -> None:
-    """Let another process compile entries, named "module:function", in this order."""
-    import subprocess  # only on a cold cache: every command pays for the import of this module
+    """Start the compilation of entry points, named "module:function", in a second process, in this order."""
+    import subprocess  # on demand, since it is needed with an empty cache only
 
     wanted = [e for e in entries if e not in _pending]
     if not wanted or not sys.executable or cores() < 2:
@@ -57,7 +57,7 @@ def delegate(entries: Sequence[str]) -> None:
 
 
 def await_entry(entry: str) -> None:
-    """Wait until the second process has finished an entry, or has ended; at once if it was not requested."""
+    """Wait until the second process has finished an entry point or has ended; no wait if not requested."""
     while entry in _pending:
         process = _pending[entry]
         assert process.stdout is not None
@@ -67,11 +67,11 @@ def await_entry(entry: str) -> None:
             del _pending[name]
         if not line or not left:
             process.stdout.close()
-            process.kill()  # what was withdrawn is made here; every file is in place at once or not at all
+            process.kill()  # withdrawn entry points are compiled here; files are written atomically
             process.wait()
             clear_drafts(process.pid)
 
 
 def withdraw(entry: str) -> None:
-    """Stop waiting for an entry: it is compiled here, and perhaps by the second process too."""
+    """Do not wait for an entry point: it is compiled here, and possibly by the second process too."""
     _pending.pop(entry, None)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Formulas in model files: language, parser, dimensions, evaluation in compiled loops."""
+"""Formulas in model files: language, parser, dimension check, evaluation in kernels."""

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Dimensions inside formulas: what the units of a formula give, and what cannot be right.
+"""Dimension check of formulas: dimension of the result, and contradictions between units.
 
-Written units are checked, everything else is SI. The variables carry their units: t a time, angle an angle,
-speed an angular speed, elongation a length and rate a speed. A number without unit is a plain factor next
-to a written unit, takes the unit of the other side of a sum, and supplies the seconds that a variable next to
-it needs, so that ``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is not. A formula
-without any unit is never refused.
+Written units are checked, all other numbers are in SI units. The variables have units: t a time, angle an
+angle, speed an angular speed, elongation a length and rate a speed. A number without unit is a dimensionless
+factor of a written unit, has the unit of the other operand of a sum, and compensates the seconds of a
+variable that it multiplies, so that ``150 N m * (1 + 0.1*sin(157*t))`` is a torque and ``1.2 * 150 kg`` is
+not. A formula without any unit is never refused.
 
-Radians count as 1. Cycles do not: 25 Hz in a formula is the number 25, so it needs 2*pi where an angle or an
-angular speed is wanted.
+Radians are dimensionless with the factor 1. Cycles are not: 25 Hz in a formula is the number 25 and needs the
+factor 2*pi for an angle or an angular speed.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ VARIABLES = {
     "elongation": (1.0, 0.0),
     "rate": (1.0, -1.0),
 }
-"""Powers of metre and second in the unit of each known variable; radians count as 1."""
+"""Exponents of metre and second in the unit of each known variable; radians are 1."""
 
 Base = tuple[float, float, float]
 _CLOSE = 1e-6
@@ -57,29 +57,29 @@ _WORDS = {op: name for name, (op, _) in FUNCTIONS.items()} | {ADD: "+", SUB: "-"
 
 
 class CycleError(UnitError):
-    """Cycles are given where radians are expected."""
+    """Cycles in place of radians."""
 
 
 class Kind(NamedTuple):
-    """What is known of the dimension of a part of a formula.
+    """Known dimension of a part of a formula.
 
-    The power of the second is ``s`` plus what the variables bring; next to a number without unit it may be
-    anything between ``s + falling`` and ``s + rising``.
+    The exponent of the second is ``s`` plus that of the variables; with a number without unit it may have any
+    value from ``s + falling`` to ``s + rising``.
     """
 
-    base: Base = (0.0, 0.0, 0.0)  # powers of m, kg, K
-    s: float = 0.0  # power of the second by written units
-    rising: float = 0.0  # seconds from variables with a positive power
-    falling: float = 0.0  # the same with a negative power
-    written: bool = False  # holds a unit
+    base: Base = (0.0, 0.0, 0.0)  # exponents of m, kg, K
+    s: float = 0.0  # exponent of the second from written units
+    rising: float = 0.0  # positive exponents of the second from variables
+    falling: float = 0.0  # negative exponents of the second from variables
+    written: bool = False  # contains a unit
     bare: bool = False  # has a factor without unit, which may have any dimension
-    loose: bool = False  # a number without unit may have supplied the seconds of variables
-    cycles: float = 0.0  # power of the cycle (Hz)
-    turned: bool = False  # has a factor that makes radians of cycles: pi, an angle
+    loose: bool = False  # a number without unit may compensate the seconds of variables
+    cycles: float = 0.0  # exponent of the cycle (Hz)
+    turned: bool = False  # has a factor that converts cycles to radians: pi, an angle
 
     @property
     def seconds(self) -> tuple[float, float]:
-        """Minimum and maximum power of the second."""
+        """Minimum and maximum exponent of the second."""
         if self.loose:
             return self.s + self.falling, self.s + self.rising
         both = self.s + self.rising + self.falling
@@ -87,16 +87,16 @@ class Kind(NamedTuple):
 
     @property
     def open_cycles(self) -> float:
-        """Cycles that nothing turned into radians."""
+        """Exponent of cycles that are not converted to radians."""
         return 0.0 if self.turned else self.cycles
 
     @property
     def anything(self) -> bool:
-        """Whether a number without unit gives the dimension."""
+        """Whether the dimension is arbitrary because of a number without unit."""
         return self.bare and (not self.written or self.fits(PLAIN))
 
     def fits(self, other: Kind) -> bool:
-        """Whether both can be the same dimension."""
+        """Whether both can have the same dimension."""
         low, high = self.seconds
         other_low, other_high = other.seconds
         return (
@@ -111,14 +111,14 @@ ANYTHING = Kind(bare=True, loose=True)
 
 
 def of_number(value: float, unit: str) -> Kind:
-    """Kind of a number: of its unit, or anything without one.
+    """Kind of a number: dimension of its unit, arbitrary without unit.
 
     Parameters
     ----------
     value
-        The number in SI.
+        Value in SI units.
     unit
-        Its unit as written; empty for none.
+        Unit as written; empty for none.
 
     Examples
     --------
@@ -139,7 +139,7 @@ def of_number(value: float, unit: str) -> Kind:
 
 
 def of_variable(name: str) -> Kind:
-    """Kind of a variable; one that is not known may be anything."""
+    """Kind of a variable; arbitrary for an unknown name."""
     if name not in VARIABLES:
         return ANYTHING
     m, s = VARIABLES[name]
@@ -156,7 +156,7 @@ def combine(op: int, kinds: list[Kind], exponent: float | None = None) -> Kind:
     kinds
         Kinds of the operands.
     exponent
-        Value of the second operand of a power if it is a constant.
+        Value of a constant exponent, for a power.
 
     Raises
     ------
@@ -182,12 +182,12 @@ def combine(op: int, kinds: list[Kind], exponent: float | None = None) -> Kind:
         return same if op in (ADD, SUB, MIN, MAX, MOD) else PLAIN
     _needs_number(_WORDS[op], kinds[0])
     if op in (SIN, COS, TAN) and kinds[0].written and kinds[0].open_cycles:
-        raise CycleError(f"'{_WORDS[op]}' is given cycles, not radians: Hz needs the factor 2*pi")
+        raise CycleError(f"argument of '{_WORDS[op]}' is in cycles, not radians: Hz needs the factor 2*pi")
     return PLAIN
 
 
 def check_result(kind: Kind, dimension: str) -> None:
-    """Refuse a formula whose units certainly give another dimension.
+    """Raise an error if the units of a formula give a different dimension.
 
     Parameters
     ----------
@@ -199,7 +199,7 @@ def check_result(kind: Kind, dimension: str) -> None:
     Raises
     ------
     UnitError
-        If the written units fit nothing but another dimension.
+        If the written units are incompatible with the dimension.
     """
     wanted = DIMENSIONS[dimension]
     m, kg, s, kelvin = (float(p) for p in wanted.base)
@@ -215,7 +215,7 @@ def check_result(kind: Kind, dimension: str) -> None:
 
 
 def unit_text(kind: Kind) -> str:
-    """SI unit of a kind, with newtons where that is shorter.
+    """SI unit of a kind, in newtons if that is shorter.
 
     Examples
     --------
@@ -223,7 +223,7 @@ def unit_text(kind: Kind) -> str:
     ('N/m^2', 'kg m^2')
     """
     m, kg, kelvin = kind.base
-    # next to a number without unit, the written units alone are more exact
+    # with a number without unit, use the written units only
     s = kind.s if kind.loose and kind.written else kind.s + kind.rising + kind.falling
     with_kg = {"kg": kg, "m": m, "s": s, "K": kelvin}
     with_newton = {"N": kg, "m": m - kg, "s": s + 2.0 * kg, "K": kelvin}
@@ -274,14 +274,14 @@ def _power(a: Kind, exponent: Kind, value: float | None) -> Kind:
 
 
 def _needs_number(what: str, kind: Kind) -> None:
-    """Refuse a written dimension where only a number makes sense."""
+    """Raise an error if a plain number is required and a written dimension given."""
     if kind.written and not kind.anything and not kind.fits(PLAIN):
         name = what if " " in what else f"'{what}'"
         raise UnitError(f"{name} needs {_NUMBER}, not {unit_text(kind)}")
 
 
 def _same(op: int, a: Kind, b: Kind) -> Kind:
-    """Kind of two operands that must agree, as in a sum."""
+    """Common kind of two operands of the same dimension, as in a sum."""
     cycles = a.open_cycles or b.open_cycles
     kind = _firm(op, a, b)
     return kind._replace(cycles=cycles, turned=a.turned and b.turned and not cycles)
@@ -292,21 +292,21 @@ def _firm(op: int, a: Kind, b: Kind) -> Kind:
         return _hull(a, b)
     if not a.written and not b.written:
         if a.bare or b.bare:
-            # a number next to a variable takes its unit, but may just as well be meant as a plain number
+            # a number added to a variable has its unit, or may be a plain number
             return (b if a.bare else a)._replace(loose=True)
-        # without units nothing is refused
+        # no error without units
         return _hull(a, b)._replace(bare=not a.fits(b))
     if a.anything or b.anything:
         return b if a.anything else a
     if not a.fits(b):
         raise UnitError(f"'{_WORDS[op]}' joins {unit_text(a)} and {unit_text(b)}")
-    # the more definite one; then the one with variables, whose seconds a factor may still supply
+    # the more definite one; then the one with variables, whose seconds a factor may still compensate
     firm = min(a, b, key=lambda k: (k.loose, not (k.rising or k.falling)))
     return firm._replace(written=True, bare=a.bare and b.bare)
 
 
 def _hull(a: Kind, b: Kind) -> Kind:
-    """Kind that may be either of two numbers without unit."""
+    """Kind that includes either of two kinds without unit."""
     (a_low, a_high), (b_low, b_high) = a.seconds, b.seconds
     if (a_low, a_high) == (b_low, b_high) and not (a.loose or b.loose):
         return a

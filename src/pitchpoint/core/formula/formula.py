@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Formulas in model files: a small language of its own, never evaluated as Python.
+"""Formulas in model files: a small expression language, never evaluated as Python code.
 
-A text such as ``150 N m * (1 + 0.1*sin(2*pi*25 Hz*t))`` becomes a postfix programme of integers and
-constants. The same programme runs over arrays here and inside compiled loops in
-`pitchpoint.core.formula.kernel`. Only the functions of `FUNCTIONS`, the constant pi, numbers with units
-and the declared variables exist; there is nothing else to reach.
+A text such as ``150 N m * (1 + 0.1*sin(2*pi*25 Hz*t))`` is translated to a postfix programme of integers and
+constants. The same programme is evaluated for arrays here and in kernels by `pitchpoint.core.formula.kernel`.
+The language consists of the functions of `FUNCTIONS`, the constant pi, numbers with units and the declared
+variables.
 """
 
 from __future__ import annotations
@@ -34,21 +34,21 @@ __all__ = ["CONSTANTS", "FUNCTIONS", "MAX_DEPTH", "Formula", "FormulaError"]
 
 @dataclass(frozen=True, eq=False)
 class Formula:
-    """A formula of up to three variables as a postfix programme.
+    """Formula of up to three variables as a postfix programme.
 
     Parameters
     ----------
     text
-        The formula as it was written.
+        Formula as written.
     variables
         Names of the variables, in the order of the arguments.
     ops
-        Programme, int64, shape (n,): the first entry is the number of constants, every further one an
-        operation in the low byte and its argument above.
+        Programme, int64, shape (n,): the first item is the number of constants, each further item an
+        operation in the low byte and its argument in the higher bytes.
     consts
         Constants in SI units, float64.
     depth
-        Number of stack places that the programme needs.
+        Required stack depth.
     """
 
     text: str
@@ -59,22 +59,21 @@ class Formula:
 
     @classmethod
     def parse(cls, text: str, variables: tuple[str, ...] = ("t",), dimension: str = "") -> Formula:
-        """Read a formula.
+        """Parse a formula.
 
         Parameters
         ----------
         text
-            The formula; numbers may carry units, powers are written ^ or **.
+            Formula; numbers may have units, powers are written ^ or **.
         variables
-            Up to three names that it may use.
+            Up to three names of variables.
         dimension
-            Name of a row of `DIMENSIONS` that the units in the formula have to give; empty for any.
+            Required dimension of the result, a row of `DIMENSIONS`; empty for any.
 
         Raises
         ------
         FormulaError
-            For units that contradict each other and for anything outside the language; nothing of the text
-            is ever executed.
+            For contradictory units and for text outside the language; the text is never executed.
 
         Examples
         --------
@@ -95,7 +94,7 @@ class Formula:
         return cls(text, tuple(variables), ops, consts, parser.depth)
 
     def __call__(self, *values: float | NDArray[np.float64]) -> Any:
-        """Evaluate for numbers or arrays; outside its domain the result is NaN or infinite.
+        """Evaluate for numbers or arrays; outside the domain of a function the result is NaN or infinite.
 
         Parameters
         ----------
@@ -122,7 +121,7 @@ class Formula:
         return float(result) if shape == () else np.array(result)
 
     def workspace(self) -> NDArray[np.float64]:
-        """Make the array that the compiled evaluation needs: constants, then values and slopes."""
+        """Work array of the compiled evaluation: constants, then a stack of values and slopes."""
         return np.concatenate([self.consts, np.zeros(2 * self.depth)])
 
     def uses(self, name: str) -> bool:

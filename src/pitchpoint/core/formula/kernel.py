@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Formulas inside compiled loops: value and slope of a postfix programme, without allocation.
+"""Evaluation of formulas in kernels: value and slope of a postfix programme, without allocation.
 
-Slopes come from dual numbers carried along on the same stack. Every operation stays inside the numbers:
-outside its domain the result is NaN or infinite, which the solver reports as a status.
+Slopes are computed by dual numbers on the same stack. No operation raises: outside its domain the result is
+NaN or infinite, which the solver reports as a status.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def unary(op, a, da):
         return (1.0, 0.0) if a >= 0.0 else (0.0, 0.0)
     if op == SIGN:
         return (1.0, 0.0) if a > 0.0 else (-1.0, 0.0) if a < 0.0 else (a, 0.0)
-    # Python's own functions raise where compiled ones return NaN, so the domain is tested first
+    # functions of the interpreter raise where compiled ones return NaN: test the domain first
     if not math.isfinite(a):
         if op == EXP:
             return (0.0, 0.0) if a < 0.0 else (a, a)
@@ -85,7 +85,7 @@ def unary(op, a, da):
 
 @kernel
 def unary_rare(op, a, da):
-    """The rest of the operations with one operand; the operand is finite."""
+    """Value and slope of the remaining operations with one finite operand."""
     if op == TAN:
         v = math.tan(a)
         return v, (1.0 + v * v) * da
@@ -106,7 +106,7 @@ def unary_rare(op, a, da):
 
 @kernel
 def power(a, b):
-    """Real power with the results of the C library instead of exceptions."""
+    """Real power with the special values of the C library instead of exceptions."""
     if b == 0.0 or a == 1.0:
         return 1.0
     if not (math.isfinite(a) and math.isfinite(b)):
@@ -128,7 +128,7 @@ def power(a, b):
 
 @kernel
 def quotient(a, b):
-    """Division that gives infinity or NaN for a zero divisor."""
+    """Quotient; infinite or NaN for a zero divisor."""
     if b == 0.0:
         return NAN if a == 0.0 or math.isnan(a) else math.copysign(INF, a) * math.copysign(1.0, b)
     return a / b
@@ -199,7 +199,7 @@ def ternary(op, u, du, low, dlow, high, dhigh):
 
 @kernel
 def evaluate_slope(ops, n, work, x0, x1, x2, k):
-    """Run a programme and its derivative.
+    """Evaluate a programme and its derivative.
 
     Parameters
     ----------
@@ -208,11 +208,11 @@ def evaluate_slope(ops, n, work, x0, x1, x2, k):
     n
         Length of the programme.
     work
-        The formula's `workspace()`: constants, then the stack, which is overwritten. Not shared by threads.
+        `workspace()` of the formula: constants, then the stack, which is overwritten. Not thread-safe.
     x0, x1, x2
-        Values of the variables; those that do not exist are ignored.
+        Values of the variables; values without a variable are ignored.
     k
-        Number of the variable to differentiate by; -1 for none.
+        Index of the variable of the derivative; -1 for none.
 
     Returns
     -------
@@ -247,6 +247,6 @@ def evaluate_slope(ops, n, work, x0, x1, x2, k):
 
 @kernel
 def evaluate(ops, n, work, x0, x1, x2):
-    """Run a programme for its value alone; arguments as in `evaluate_slope`."""
+    """Evaluate a programme without derivative; arguments as in `evaluate_slope`."""
     value, _ = evaluate_slope(ops, n, work, x0, x1, x2, -1)
     return value

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The words of the formula language and what each of them computes, for numbers and arrays.
+"""Operations and functions of the formula language, evaluated for numbers and arrays.
 
-The compiled twin of `apply` is `pitchpoint.core.formula.kernel`; a test holds the two together.
+The compiled equivalent of `apply` is `pitchpoint.core.formula.kernel`; a test compares the two.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ SIN, COS, TAN, ASIN, ACOS, ATAN, EXP, LOG, SQRT, ABS, FLOOR, SIGN, STEP = range(
 ATAN2, MIN, MAX, MOD = range(21, 25)
 RAMP, SMOOTHSTEP, PULSE = range(25, 28)
 
-#: name: (operation, number of arguments); min and max also take more than two
+#: name: (operation, number of arguments); min and max also accept more than two
 FUNCTIONS: dict[str, tuple[int, int]] = {
     "sin": (SIN, 1),
     "cos": (COS, 1),
@@ -54,7 +54,7 @@ CYCLE_REMEDY = "write 2*pi*50 Hz, or 50 rev/s, for an angular speed"
 
 
 class FormulaError(UnitError):
-    """A formula cannot be read; the message shows the place, `remedy` what to write instead."""
+    """Invalid formula; the message gives the position, `remedy` the correction."""
 
     def __init__(self, message: str, text: str = "", position: int = 0, remedy: str = "") -> None:
         self.position = position
@@ -66,7 +66,7 @@ class FormulaError(UnitError):
 
 
 def apply(op: int, *x: Any) -> Any:
-    """Carry out one operation on numbers or arrays; the reference for the compiled one.
+    """Evaluate one operation for numbers or arrays; reference of the compiled version.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def apply(op: int, *x: Any) -> Any:
         return np.where((u >= low) & (u < high), 1.0, 0.0)
     width = high - low
     share = np.clip(np.divide(u - low, np.where(width > 0.0, width, 1.0)), 0.0, 1.0)
-    # a ramp without width is a step, as in the compiled version
+    # a ramp of zero width is a step, as in the compiled version
     share = np.where(width > 0.0, share, np.where(u >= low, 1.0, 0.0))
     return share if op == RAMP else share * share * (3.0 - 2.0 * share)
 

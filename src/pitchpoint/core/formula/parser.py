@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From the text of a formula to its postfix programme, by a parser of its own.
+"""Parser of formulas: translates the text to a postfix programme.
 
-Precedence climbing over a list of tokens: no Python grammar is involved, so nothing but the language of
-`pitchpoint.core.formula.language` can be reached. Size and depth are limited.
+Precedence climbing over a list of tokens, independent of the Python grammar, so that only the language of
+`pitchpoint.core.formula.language` is accepted. Size and depth are limited.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from pitchpoint.core.units import natural_si
 
 
 class Token(NamedTuple):
-    """A number (already in SI; the word is its unit), a name, an operator, or the end."""
+    """Token: a number (in SI; `word` is its unit), a name, an operator, or the end."""
 
     kind: str
     word: str
@@ -70,14 +70,14 @@ _OPERATORS = {
 
 
 def tokenize(text: str, variables: tuple[str, ...]) -> list[Token]:
-    """Split a formula; numbers swallow the unit behind them.
+    """Split a formula into tokens; a number includes its unit.
 
     Parameters
     ----------
     text
-        The formula.
+        Text of the formula.
     variables
-        Declared variables; they win over units of the same name.
+        Declared variables; they have precedence over units of the same name.
     """
     text = text.replace("⋅", "·").replace("−", "-").replace("μ", "µ")
     tokens: list[Token] = []
@@ -112,7 +112,7 @@ def _remedy(error: UnitError) -> str:
 
 
 def _literal(text: str, number: re.Match[str], unit: str) -> float:
-    """Value of a number with its unit, in SI."""
+    """SI value of a number with its unit."""
     try:
         value = float(number.group()) * (natural_si(unit) if unit else 1.0)
     except UnitError as error:
@@ -123,10 +123,10 @@ def _literal(text: str, number: re.Match[str], unit: str) -> float:
 
 
 def _unit_end(text: str, at: int, variables: tuple[str, ...]) -> int:
-    """Find where the unit behind a number ends (at the number if there is none)."""
+    """End of the unit after a number that ends at `at`; `at` if there is no unit."""
 
     def unit_at(place: int) -> int:
-        """End of the unit that begins at a place of the text, with its power; -1 if none does."""
+        """End of the unit that begins at a position of the text, power included; -1 if there is no unit."""
         match = _WORD.match(text, place)
         if match is None or match.group() in variables or match.group() not in UNITS:
             return -1
@@ -155,7 +155,7 @@ def _unit_end(text: str, at: int, variables: tuple[str, ...]) -> int:
 
 @dataclass
 class Parser:
-    """Precedence climbing that emits postfix code, folds constants and checks units on the way."""
+    """Precedence-climbing parser that emits postfix code, folds constants and checks units."""
 
     text: str
     variables: tuple[str, ...]
@@ -168,7 +168,7 @@ class Parser:
     _kinds: list[Kind] = field(default_factory=list)
 
     def run(self) -> None:
-        """Parse the whole text into `code` and `consts`."""
+        """Parse the text to `code` and `consts`."""
         for name in self.variables:
             if name in FUNCTIONS or name in CONSTANTS or not name.isidentifier():
                 raise FormulaError(f"'{name}' cannot be a variable")
@@ -322,7 +322,7 @@ class Parser:
             raise FormulaError(str(error), self.text, first.at, _remedy(error)) from None
 
     def _compact(self) -> None:
-        """Drop constants that folding left unused."""
+        """Remove constants that are unused after folding."""
         kept: list[float] = []
         for i, (op, arg) in enumerate(self.code):
             if op == CONST:

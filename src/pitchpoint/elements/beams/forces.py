@@ -1,22 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of beams between turning bodies: small strains, rotations of any size.
+"""Forces of beams between rotating bodies: small strains, rotations of any size.
 
-With e the chord, the line from node i to node j, and t_i, t_j the normals of the end sections, bending is
-what the angle a between both normals and the sum of their slopes against the chord, s = t_i + t_j less its
-part along e, make it. With N the tension the energy is
+With e the direction of the chord from node i to node j and t_i, t_j the normals of the end sections, bending
+is described by the angle a between both normals and the sum of their slopes against the chord, s = t_i + t_j
+less its component along e. With the axial force N, the energy is
 
     1/2 k_u u^2 + 1/2 k_t twist^2 + 1/2 k_d a^2 + 1/2 k_s s^2,   k_d = E I/L,   k_s = 3 E I / (1 + phi) L,
     u = chord - length + length/24 a^2 + length/40 s^2,
 
-u being the stretch of the bowed axis, so that tension stiffens bending also inside one element; a circle is
-exact. Nothing in it asks how far a round section has spun; the twist is the difference of the counted spins
-and of the frames that do not spin, along the shortest turn from t_i to t_j. Sections that are stiffer in one
-direction add the energy of the slopes p . e of their first axes p. Damping acts on the rates seen from axes
-that go with the chord and spin with the shaft, so a shaft that spins faster than it whirls is driven by it.
+where u is the elongation of the bent axis, so that tension stiffens bending within one element too; a
+circular arc is exact. The spin angle of a round section does not enter; the twist is the difference of the
+spin angles (counted over whole turns) and of the non-spinning frames, along the shortest rotation from t_i to
+t_j. Sections of unequal stiffness add the energy of the slopes p . e of their first axes p. Damping acts on
+the rates seen from axes that follow the chord and spin with the shaft (internal damping), so it destabilises
+a shaft that spins faster than it whirls.
 
-Inertia is that of points x = sum N_k w_k, which are sums with constant factors of the five vectors w: both
-nodes, e, t_i and t_j. A variation of the energy is sum f_k . dw_k, and e goes with the nodes: the wrenches on
-both bodies are gathered from these forces once, and so are their changes.
+Inertia is that of the points x = sum N_k w_k, linear combinations with constant factors of five vectors w:
+both nodes, e, t_i and t_j. A variation of the energy is sum f_k . dw_k, and e depends on the nodes: the
+wrenches on both bodies are assembled from the forces f_k, and likewise their derivatives.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ def _row(x, k):
 
 @kernel
 def _fix(b, k, w, o, e):
-    """Write a vector that is fixed to a body, its rate and its second rate."""
+    """Write a body-fixed vector with its first and second time derivative."""
     first = cross(o, w)
     _set(b["w"], k, w)
     _set(b["w1"], k, first)
@@ -53,7 +54,7 @@ def _fix(b, k, w, o, e):
 
 @kernel
 def node(b, side, f, axes, p, B):
-    """Vectors of one end, from its body; returns its second transverse axis."""
+    """Set the vectors of one end from the frame of its body; returns its second transverse axis."""
     arm = into_world(axes, triple(p, 0))
     o = triple(f["tw"], 3)
     e = triple(f["ac"], 3)
@@ -71,7 +72,7 @@ def node(b, side, f, axes, p, B):
 
 @kernel
 def turned(b, second_i, second_j):
-    """Angle of the second end against the first along the shortest turn between their axes."""
+    """Twist angle of the second end relative to the first, along the shortest rotation between their axes."""
     one_i = _row(b["w"], PI)
     one_j = _row(b["w"], PJ)
     return math.atan2(
@@ -81,7 +82,7 @@ def turned(b, second_i, second_j):
 
 @kernel
 def _chord(b):
-    """Direction of the chord with its rates."""
+    """Set length and direction of the chord with their time derivatives."""
     d = less(_row(b["w"], XJ), _row(b["w"], XI))
     d1 = less(_row(b["w1"], XJ), _row(b["w1"], XI))
     d2 = less(_row(b["w2"], XJ), _row(b["w2"], XI))
@@ -99,7 +100,7 @@ def _chord(b):
 
 @kernel
 def _arc(w):
-    """Angle over its sine and the derivative of that by the cosine w."""
+    """Ratio of an angle to its sine, and its derivative with respect to the cosine w."""
     y = 1.0 - w
     if y > 0.05:
         s = 1.0 - w * w
@@ -109,7 +110,7 @@ def _arc(w):
     g1 = 0.0
     a = 1.0
     power = 1.0
-    for n in range(1, 11):  # a_n = a_(n-1) n/(2 n + 1); the rest is below 1e-16
+    for n in range(1, 11):  # a_n = a_(n-1) n/(2 n + 1); truncation error below 1e-16
         a *= n / (2.0 * n + 1.0)
         g1 -= n * a * power
         power *= y
@@ -119,8 +120,8 @@ def _arc(w):
 
 @kernel
 def _bend(b):
-    """Difference of the normals and sum of the slopes, their rates, and rates in axes that turn with the
-    chord."""
+    """Set difference of the normals and sum of the slopes, with their rates in world axes and in axes that
+    rotate with the chord."""
     e = _row(b["w"], E)
     e1 = _row(b["w1"], E)
     ti = _row(b["w"], TI)
@@ -148,13 +149,13 @@ def _bend(b):
 
 @kernel
 def _strain(b):
-    """Tension and the forces of bending."""
+    """Set the axial force and the generalised bending forces."""
     _bend(b)
     D = _row(b["D"], 0)
     S = _row(b["S"], 0)
     length = b["length"]
     eta = b["eta"]
-    # a^2 to the accuracy of its sine's square; `arc` is a over sine a
+    # a^2 from sin^2 a, accurate for small angles; `arc` is a / sin a
     w = dot(_row(b["w"], TI), _row(b["w"], TJ))
     square = b["arc"] * b["arc"] * (1.0 - w * w)
     u = b["ell"] - length + length * (square / 24.0 + dot(S, S) / 40.0)
@@ -182,7 +183,7 @@ def _strain(b):
 
 @kernel
 def _elastic(b):
-    """Force of the chord and moments of both ends; the force V at the nodes is left to `_cut`."""
+    """Set generalised force of the chord direction and moments at both ends; `_cut` sets the node force V."""
     e = _row(b["w"], E)
     c = triple(b["c"], 0)
     fd = triple(b["f_d"], 0)
@@ -203,8 +204,8 @@ def _elastic(b):
 
 @kernel
 def _twisted(b, angle):
-    """Torque of the twist, and the vector m whose product with a turn of an end is the change of the
-    twist."""
+    """Set torque and gradient m of the twist: its scalar product with a rotation of the second end is the
+    change of the twist."""
     ti = _row(b["w"], TI)
     tj = _row(b["w"], TJ)
     m = times(1.0 / (1.0 + dot(ti, tj)), add(ti, tj))
@@ -216,7 +217,7 @@ def _twisted(b, angle):
 
 @kernel
 def _inertia(b):
-    """Inertia forces of the five vectors, added to the force of the chord and to the moments."""
+    """Add the inertia forces of the five vectors to the force of the chord direction and to the moments."""
     M = b["M"]
     e = _row(b["w"], E)
     for k in range(5):
@@ -245,7 +246,7 @@ def _inertia(b):
 
 @kernel
 def _cut(b):
-    """Force in the chord: the tension and what turns the chord."""
+    """Set the node force V: axial force and the transverse force that rotates the chord."""
     e = _row(b["w"], E)
     G = triple(b["G"], 0)
     V = add(times(b["axial"], e), times(1.0 / b["ell"], less(G, times(dot(G, e), e))))
@@ -255,7 +256,7 @@ def _cut(b):
 
 @kernel
 def _gather(b, f, g):
-    """Wrenches on both bodies."""
+    """Add the wrenches on both bodies."""
     V = triple(b["V"], 0)
     for k in range(2):
         F = V if k == 0 else times(-1.0, V)
@@ -271,7 +272,7 @@ def _gather(b, f, g):
 
 @kernel
 def loads(b, f, g, angle):
-    """All forces of one beam whose ends are in place; V and mu of the elastic part remain for observation."""
+    """Forces of one beam after `node` has set both ends; V and mu remain in the scratch."""
     _chord(b)
     _twisted(b, angle)
     _strain(b)
@@ -284,8 +285,7 @@ def loads(b, f, g, angle):
 
 @kernel
 def internal(b, out, first, axes_i, axes_j):
-    """Forces in the sections at both ends, without the inertia of the beam itself, in the axes of the
-    ends."""
+    """Write the section forces at both ends in the axes of the ends, without inertia forces of the beam."""
     _elastic(b)
     _cut(b)
     V = triple(b["V"], 0)

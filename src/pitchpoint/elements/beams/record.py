@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What one beam is to the compiled core: its numbers, its scratch, and how they follow from a section."""
+"""Record of one beam for the kernels: parameters from section and material, and scratch fields."""
 
 from __future__ import annotations
 
@@ -8,38 +8,38 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.multibody.beam_section import Beam
 
-#: The vectors that a beam is made of: places of both nodes, its direction, the axes of both end sections, and
-#: the first transverse axes of both.
+#: The vectors that describe a beam: positions of both nodes, direction of the chord, normals of both end
+#: sections, and the first transverse axes of both.
 XI, XJ, E, TI, TJ, PI, PJ = range(7)
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + [
-        ("length", "f8"),  # length without force [m]
+        ("length", "f8"),  # unloaded length [m]
         ("k_u", "f8"),  # axial stiffness [N/m]
         ("k_t", "f8"),  # torsional stiffness [N m/rad]
         ("k_d", "f8"),  # bending moment per angle between the ends [N m/rad]
         ("k_s", "f8"),  # moment of either end per sum of both slopes against the chord [N m/rad]
-        ("c_a", "f8"),  # moment by the own slope towards axis 1, as far as that is stiffer [N m/rad]
-        ("c_b", "f8"),  # and by the slope of the other end
-        ("eta", "f8"),  # damping per stiffness [s]
-        ("twist", "f8"),  # angle of end j against end i without torque [rad]
+        ("c_a", "f8"),  # excess bending stiffness towards axis 1: moment per slope of the same end [N m/rad]
+        ("c_b", "f8"),  # and per slope of the other end
+        ("eta", "f8"),  # damping over stiffness [s]
+        ("twist", "f8"),  # angle of end j relative to end i without torque [rad]
         ("mass", "f8"),  # [kg]; 0: the beam has no inertia
-        ("M", "f8", (5, 5)),  # mass of XI..TJ, energy 1/2 sum M_kl w_k' . w_l' [kg, kg m, kg m^2]
-        ("gyro", "f8", (3, 3)),  # polar inertia shared by E, TI, TJ [kg m^2]
-        ("polar", "f8", (2, 2)),  # polar inertia shared by both spins [kg m^2]
+        ("M", "f8", (5, 5)),  # mass matrix of XI..TJ, energy 1/2 sum M_kl w_k' . w_l' [kg, kg m, kg m^2]
+        ("gyro", "f8", (3, 3)),  # polar inertia of the vectors E, TI, TJ [kg m^2]
+        ("polar", "f8", (2, 2)),  # polar inertia of both spins [kg m^2]
         ("gravity", "f8", 3),  # [m/s^2], world axes
         ("p_i", "f8", 3),  # node i in the frame of body i [m]
         ("p_j", "f8", 3),
         ("B_i", "f8", (3, 3)),  # section axes 1, 2 and beam axis in the frame of body i, columns
         ("B_j", "f8", (3, 3)),
     ]
-    # scratch: filled and read within one call
+    # scratch: written and read within one call
     + [
-        ("w", "f8", (7, 3)),  # the vectors, their rates and second rates
+        ("w", "f8", (7, 3)),  # the vectors, their first and second time derivatives
         ("w1", "f8", (7, 3)),
         ("w2", "f8", (7, 3)),
-        ("dw", "f8", (7, 3)),  # their changes with one motion
+        ("dw", "f8", (7, 3)),  # their directional derivatives for one motion
         ("dw1", "f8", (7, 3)),
         ("dw2", "f8", (7, 3)),
         ("inert", "f8", (5, 3)),  # inertia force of each vector
@@ -51,20 +51,20 @@ RECORD = np.dtype(
         ("d_theta", "f8", (2, 3)),
         ("d_omega", "f8", (2, 3)),
         ("d_alpha", "f8", (2, 3)),
-        ("D", "f8", (3, 3)),  # difference of the normals; its rate; the rate in axes that turn along
-        ("S", "f8", (3, 3)),  # sum of the ends' slopes against the chord, likewise
+        ("D", "f8", (3, 3)),  # difference of the normals; its rate in world axes and in axes of the chord
+        ("S", "f8", (3, 3)),  # sum of the slopes against the chord, likewise
         ("f_d", "f8", 3),  # their forces [N m]
         ("f_s", "f8", 3),
-        ("arc", "f8"),  # angle between the ends over its sine, and the derivative by its cosine
+        ("arc", "f8"),  # angle between the ends over its sine, and its derivative by the cosine
         ("arc1", "f8"),
         ("cos", "f8"),  # sum of the cosines of both slopes and its rate
         ("cos1", "f8"),
-        ("h", "f8", 2),  # forces of the slopes towards axis 1, as far as that is stiffer [N m]
-        ("m", "f8", 3),  # twist per turn of the second end
-        ("c", "f8", 3),  # moment of dampers about the chord
-        ("G", "f8", 3),  # force of the direction of the chord [N m]
-        ("V", "f8", 3),  # force that the beam puts on node i [N]
-        ("mu", "f8", (2, 3)),  # moments that the ends put on the beam [N m]
+        ("h", "f8", 2),  # end moments of the excess stiffness for bending towards axis 1 [N m]
+        ("m", "f8", 3),  # gradient of the twist with respect to a rotation of the second end
+        ("c", "f8", 3),  # moment of the dampers; its component along the chord acts on the ends
+        ("G", "f8", 3),  # generalised force of the chord direction [N m]
+        ("V", "f8", 3),  # force of the beam on node i [N]
+        ("mu", "f8", (2, 3)),  # moments of the ends on the beam [N m]
         ("F", "f8", (2, 3)),  # forces on both nodes, inertia included [N]
         ("axial", "f8"),  # tension [N]
         ("torque", "f8"),
@@ -85,9 +85,8 @@ _PLACES = (
     ("mz", "N m", "torque"),
 )
 
-# : Forces in the section at both ends: what the part beyond the section puts on the part before it. In the
-# axes of
-#: the end, which do not spin with a shaft.
+#: Section forces at both ends: load of the part beyond the section on the part before it, in the axes of the
+#: end, which do not spin with a shaft.
 OUTPUTS = tuple(
     (f"beam_force[{{}}.{end}.{word}]", unit, f"{text}, {which} end")
     for end, which in (("i", "first"), ("j", "second"))
@@ -114,16 +113,16 @@ def beam_row(
     bodies
         Numbers of the bodies at both ends; 0 = ground.
     nodes
-        Ends of the beam in the frames of their bodies [m].
+        Ends of the beam in the body frames [m].
     axes
         Section axes 1, 2 and beam axis as columns (3, 3) in the frames of the bodies, at either end; the beam
-        axis points from the first body to the second. Without them the beam lies along the third axes.
+        axis points from the first body to the second. Default: the beam is along the third axes.
     eta
-        Damping per stiffness, in the axes that spin with the beam [s].
+        Damping over stiffness, in axes that spin with the beam [s].
     twist
-        Angle of the second end against the first without torque [rad].
+        Angle of the second end relative to the first without torque [rad].
     gravity
-        Gravity on the mass of the beam, world axes [m/s^2].
+        Gravitational acceleration of the mass of the beam, world axes [m/s^2].
     """
     row = np.zeros(1, RECORD)
     r, s, h = row[0], beam.section, beam.length
@@ -152,7 +151,7 @@ def _bending(beam: Beam, plane: int) -> tuple[float, float]:
 
 
 def _inertia(beam: Beam) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Consistent mass of the vectors of a beam, exact by Gauss's rule of four stations.
+    """Consistent mass matrices of the vectors of a beam; Gauss quadrature with four points is exact.
 
     A point of the axis is x = sum N_k w_k and the normal of its section n = sum nu_k w_k, with the static
     shape functions of a shear-flexible beam; rotary inertia is that of the mean of both planes.

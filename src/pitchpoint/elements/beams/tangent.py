@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the wrenches of a beam change: one motion of one body at a time, through every step of `beams.forces`.
+"""Exact tangents of a beam: derivative of each step of `beams.forces` for one motion of one body at a time.
 
-A motion is a displacement by ck, a twist by cd and an acceleration by cm along one of six directions; all
-changes are linear, so one pass gives the column of ck K + cd D + cm M.
+A motion is a displacement ck, a velocity cd and an acceleration cm in one of six directions; the derivative
+is linear in them, so one pass gives one column of ck K + cd D + cm M.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pitchpoint.multibody.vectors import add, cross, dot, less, times, triple, u
 
 @kernel
 def _fixed(b, k, o, e, cm, cd, ck, turn):
-    """Changes of a vector that is fixed to a body."""
+    """Changes of a body-fixed vector and of its time derivatives."""
     w = _row(b["w"], k)
     about = cross(turn, w)
     d = times(ck, about)
@@ -36,7 +36,7 @@ def _no_motion(b, k):
 
 @kernel
 def _move(b, side, c, cm, cd, ck):
-    """Changes of the vectors of both ends with motion c of one body."""
+    """Changes of the vectors of both ends for motion c of one body."""
     shift = unit(c)
     turn = unit(c - 3)
     nothing = (0.0, 0.0, 0.0)
@@ -69,7 +69,7 @@ def _move(b, side, c, cm, cd, ck):
 
 @kernel
 def _chord(b):
-    """Changes of the direction of the chord; returns those of its length and of the rate of its length."""
+    """Changes of the chord direction; returns the changes of the chord length and of its rate."""
     e = _row(b["w"], E)
     e1 = _row(b["w1"], E)
     ell = b["ell"]
@@ -169,8 +169,8 @@ def _twist(b):
 
 @kernel
 def _bend(b, ds):
-    """Changes of the difference of the normals and of the sum of the slopes, of their rates, and of the
-    rates in axes that turn with the chord; last that of the sum of cosines."""
+    """Changes of difference of the normals and sum of the slopes, of their rates in world axes and in axes
+    that rotate with the chord, and of the sum of the cosines."""
     e = _row(b["w"], E)
     e1 = _row(b["w1"], E)
     de = _row(b["dw"], E)
@@ -195,8 +195,7 @@ def _bend(b, ds):
 
 @kernel
 def _bend_forces(b, d_ell, d_ell1, ds):
-    """Changes of the tension, of the forces of bending, of the moment c of the dampers, and of the
-    cosines."""
+    """Changes of axial force, bending forces, damper moment c and sum of the cosines."""
     D, D1, D2, S, S1, S2, dcos = _bend(b, ds)
     x = _row(b["D"], 0)
     y = _row(b["S"], 0)
@@ -222,7 +221,7 @@ def _bend_forces(b, d_ell, d_ell1, ds):
 
 @kernel
 def _end(b, k, df, dh, along, along_c, torque, dm):
-    """Change of the moment of end k."""
+    """Change of the moment at end k."""
     e = _row(b["w"], E)
     de = _row(b["dw"], E)
     t = _row(b["w"], TI + k)
@@ -246,7 +245,7 @@ def _end(b, k, df, dh, along, along_c, torque, dm):
 
 @kernel
 def _column(b, k, c, F, mu, to):
-    """Subtract the change of the wrench on the body of end k from a column of a pair block."""
+    """Subtract the change of the wrench on the body of end k from column c of a pair block."""
     moment = add(cross(_row(b["d_arm"], k), _row(b["F"], k)), cross(_row(b["arm"], k), F))
     moment = less(moment, mu)
     for r in range(3):
@@ -298,7 +297,7 @@ def _motion(b, side, c, cm, cd, ck, to_i, to_j):
 
 @kernel
 def tangent(b, kk, cm, cd, ck):
-    """Add ck K + cd D + cm M of one beam to its pair blocks; `loads` was called before."""
+    """Add ck K + cd D + cm M of one beam to its pair blocks; call `loads` first."""
     for c in range(6):
         if b["i"] != 0:
             _motion(b, 0, c, cm, cd, ck, kk[b["ii"]], kk[b["ji"]])

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parts of the contacts of curves and surfaces: record, places of contact, wrenches."""
+"""Common parts of the contacts of curves and surfaces: record, contact points, wrenches."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Places of contact of a circle on a plane and of two crossed cylinders, with all their changes."""
+"""Contact points of a circle on a plane and of two crossed cylinders, with their derivatives."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from pitchpoint.elements.contacts.wrench import moved, put, put_3, turned
 from pitchpoint.multibody.vectors import column, dot, plus, triple
 
 FLAT = 1e-9
-"""Sine of the tilt below which a circle lies flat on a plane: its centre is taken as the lowest place."""
+"""Sine of the tilt below which a circle is flat on a plane: its centre is taken as the lowest point."""
 
 
 @kernel
 def rim_place(b, f, g, R, tube, along, weight):
-    """Lowest place of the circle of radius R at `along` [m] on the axis of marker i, over the plane of j.
+    """Lowest point of the circle of radius R at `along` [m] on the axis of marker i, above the plane of j.
 
-    With m = n - (n . a) a the place is C - R m/|m|; m changes with both bodies.
+    With m = n - (n . a) a the point is C - R m/|m|; m depends on both bodies.
     """
     a = column(b["Ei"], 2)
     n = column(b["Ej"], 2)
@@ -56,7 +56,7 @@ def rim_place(b, f, g, R, tube, along, weight):
 
 @kernel
 def _nearest_on_axes(w, a, c, half_a, half_c):
-    """Places s and t on two axes nearest to each other, and whether each is free (1) or at an end (0).
+    """Closest points s and t of two axes, each with a flag: interior (1) or at an end (0).
 
     w = middle of the first - middle of the second; a and c unit directions.
     """
@@ -83,7 +83,8 @@ def _nearest_on_axes(w, a, c, half_a, half_c):
 
 @kernel
 def rods_place(b, f, g):
-    """Common normal of the axes of two cylinders; ends are round. Differentiated with both places running."""
+    """Common normal of the axes of two cylinders with round ends; derivatives include the motion of both
+    contact points along the axes."""
     a = column(b["Ei"], 2)
     c = column(b["Ej"], 2)
     w = plus(triple(b["oi"], 0), -1.0, triple(b["oj"], 0))

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact along a line: a cylinder on a plane, against another cylinder or in a bore, straight or tilted.
+"""Line contact of a cylinder on a plane, on another cylinder or in a bore, with parallel or tilted axes.
 
-The cylinder of body i is cut into slices, round about points x of its axis, and each of them presses like
-the law times dx over the length that the law counts for (the lamina model of roller bearings: T. A. Harris,
-*Rolling Bearing Analysis*; ISO 16281; the exponent 10/9 and its stiffness are G. Lundberg and A. Palmgren's).
-A slice reaches its radius from the axis, so its gap is the distance of x from the surface of body j less
-the radius: exact for parallel axes and for the smallest gap of crossed ones, right to the square of the angle
-between.
+The cylinder of body i is divided into slices at the points x of its axis; the force of a slice is the contact
+law times dx over the reference length of the law (slice model of roller bearings: T. A. Harris, *Rolling
+Bearing Analysis*; ISO 16281; exponent 10/9 with its stiffness: G. Lundberg and A. Palmgren). The gap of a
+slice is the distance of x from the surface of body j less the radius: exact for parallel axes and for the
+smallest gap of crossed axes, of second order in the angle in between.
 
-Only the parts where slices overlap are integrated, with Gauss points between their ends; where such a part
-ends because the gap opens, a change of variable takes the root of the law away there: x = lo + (hi - lo) s^2
-at one end, s^2 (3 - 2 s) at both. So forces, stored energy and tangents are integrals to the accuracy of the
-quadrature, and go over smoothly from a whole line to a part of it, and from parallel axes to crossed ones,
-whose contact then grows with the power e + 1/2 of the overlap.
+Only the overlapping parts are integrated, with Gauss points between their ends; where such a part ends
+because the gap opens, a change of variable removes the root singularity of the law: x = lo + (hi - lo) s^2 at
+one end, s^2 (3 - 2 s) at both. Forces, stored energy and tangents have the accuracy of the quadrature, and
+change smoothly from full to partial line contact, and from parallel axes to crossed ones, whose force grows
+with the power e + 1/2 of the overlap.
 """
 
 from __future__ import annotations
@@ -28,12 +27,12 @@ from pitchpoint.multibody.vectors import column, into_world, plus, triple
 
 GOLDEN = 0.3819660112501051
 STRAIGHT = 1e-24
-"""Square of the sine between two axes below which they are parallel."""
+"""Squared sine of the angle between two axes below which they are parallel."""
 
 
 @kernel
 def _on_axis(b, x):
-    """The point x [m] of the axis of body i in axes of marker j, into b["y"]."""
+    """Write the point x [m] of the axis of body i to b["y"], in axes of marker j."""
     for k in range(3):
         b["y"][k] = b["d"][k] + x * b["M"][k, 2]
 
@@ -50,7 +49,7 @@ def _gap(b, x):
 
 @kernel
 def _place(b, f, g, x, weight):
-    """Place of the slice at x into the record."""
+    """Write the contact point of the slice at x to the record."""
     if b["form_j"] == PLANE:
         rim_place(b, f, g, b["size_i"][0], 0.0, x, weight)
         return
@@ -64,7 +63,7 @@ def _place(b, f, g, x, weight):
 
 @kernel
 def _turning(b, lo, hi):
-    """Place between lo and hi on both sides of which the gap goes one way."""
+    """Position of the smallest gap between lo and hi; the gap is monotonic on either side of it."""
     half = 0.5 * b["size_j"][1]
     if b["form_j"] == PLANE:
         return 0.5 * (lo + hi)
@@ -75,7 +74,7 @@ def _turning(b, lo, hi):
         if square < STRAIGHT:
             return 0.5 * (lo + hi)
         return min(max(-(b["d"][0] * m0 + b["d"][1] * m1) / square, lo), hi)
-    p = lo + GOLDEN * (hi - lo)  # beyond an end: the place nearest to its edge
+    p = lo + GOLDEN * (hi - lo)  # beyond an end of body j: golden-section search
     q = hi - GOLDEN * (hi - lo)
     gap_p = _gap(b, p)
     gap_q = _gap(b, q)
@@ -97,7 +96,7 @@ def _turning(b, lo, hi):
 
 @kernel
 def _opening(b, inside, outside):
-    """Where the gap opens between a place in touch and one that is not: bisection with secants."""
+    """Zero of the gap between a point in contact and a point out of contact: bisection with secant steps."""
     gap_i = _gap(b, inside)
     gap_o = _gap(b, outside)
     for k in range(100):
@@ -118,7 +117,7 @@ def _opening(b, inside, outside):
 
 @kernel
 def _press(b, c, f, g, kk, lo, hi, opens_lo, opens_hi):
-    """Wrenches of the slices from lo to hi, all in touch; whether the gap opens at either end."""
+    """Add the wrenches of the slices from lo to hi; `opens_lo`, `opens_hi`: the gap opens at that end."""
     wide = hi - lo
     length = b["length"]
     for k in range(b["stations"]):
@@ -141,18 +140,18 @@ def _press(b, c, f, g, kk, lo, hi, opens_lo, opens_hi):
 
 @kernel
 def _deepest(b, x, best):
-    """The one of two places on the axis with the smaller gap."""
+    """Whichever of two positions on the axis has the smaller gap."""
     return x if _gap(b, x) < _gap(b, best) else best
 
 
 @kernel
 def line_of_contact(b, c, f, g, kk):
-    """Contact of the cylinder of body i along its axis."""
+    """Add the line contact of the cylinder of body i."""
     half = 0.5 * b["size_i"][1]
     cut_lo = half
     cut_hi = half
     up = b["M"][2, 2]
-    if b["form_j"] != PLANE and abs(up) > 1e-12:  # where the ends of body j are
+    if b["form_j"] != PLANE and abs(up) > 1e-12:  # end planes of body j
         one = (-0.5 * b["size_j"][1] - b["d"][2]) / up
         two = (0.5 * b["size_j"][1] - b["d"][2]) / up
         cut_lo = min(max(min(one, two), -half), half)
@@ -182,4 +181,4 @@ def line_of_contact(b, c, f, g, kk):
                 _press(b, c, f, g, kk, _opening(b, hi, turn), hi, True, False)
         lo = hi
     _place(b, f, g, best, 0.0)
-    act(b, c, f, g, kk)  # without force: the smallest gap and its place
+    act(b, c, f, g, kk)  # weight 0, without force: records the smallest gap and its position

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Constraint row of two bodies that never part, from their place of contact and its changes.
+"""Constraint row of two bodies in permanent contact, from their contact point and its derivatives.
 
-The row is the gap, g = h. The places of contact on both bodies are not unknowns: they are eliminated with
-their derivatives, as the geometry gives how the normal n and the place Q move with both bodies (dn, dQ). With
-u the velocity of body i against body j at Q,
+The row is the gap, g = h. The contact points on both bodies are not unknowns: they are eliminated, since the
+geometry gives the derivatives of normal n and contact point Q by the motion of both bodies (dn, dQ). With u
+the velocity of body i relative to body j at Q,
 
     g' = n . u,    g'' = n . u' + n' . u,    u' = sum of +-(a + alpha x r + omega x (Q' - v)),
 
-where n' and Q' are dn and dQ times the rates of both bodies: Q' runs along the curves and surfaces. The load
-lambda of the row turns with n, and its place runs with Q.
+where n' and Q' are dn and dQ times the velocities of both bodies: Q moves along the curves and surfaces. The
+constraint force lambda acts at Q in the direction n and follows both.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from pitchpoint.elements.contacts.wrench import change, moved
 from pitchpoint.multibody.channels import F8
 from pitchpoint.multibody.vectors import cross, dot, plus, triple
 
-FORCE = ("contact_force", "N", "force that presses the bodies apart; negative where they would part")
+FORCE = ("contact_force", "N", "normal force between the bodies; negative in tension")
 
 
 @kernel
 def _rate(A, f, g):
-    """Rate of a vector from its changes (3, 12) and the rates of both bodies."""
+    """Time derivative of a vector from its derivatives (3, 12) and the velocities of both bodies."""
     x = (0.0, 0.0, 0.0)
     for k in range(12):
         speed = f["tw"][k] if k < 6 else g["tw"][k - 6]
@@ -33,7 +33,7 @@ def _rate(A, f, g):
 
 @kernel
 def _acceleration(o, Q, run):
-    """Rate of the velocity of body o at a place Q that moves with `run`."""
+    """Time derivative of the velocity of body o at a point Q that moves with the velocity `run`."""
     w = triple(o["tw"], 3)
     away = plus(run, -1.0, triple(o["tw"], 0))
     a = plus(triple(o["ac"], 0), 1.0, cross(triple(o["ac"], 3), plus(Q, -1.0, triple(o["r"], 0))))
@@ -48,7 +48,7 @@ def _velocity(o, Q):
 
 @kernel
 def second_rate(b, f, g):
-    """Second time derivative of the gap at the rates and accelerations in the frames."""
+    """Second time derivative of the gap at the velocities and accelerations of the frames."""
     n = triple(b["n"], 0)
     Q = triple(b["Q"], 0)
     run = _rate(b["dQ"], f, g)
@@ -59,7 +59,7 @@ def second_rate(b, f, g):
 
 @kernel
 def _tangent(b, ctl, f, g, lam):
-    """Add the change of the wrenches of the load with the places of both bodies."""
+    """Add the derivative of the constraint wrenches by the poses of both bodies."""
     kk = view(ctl["kk"], (ctl["np"], 6, 6), F8)
     s = ctl["ck"] * lam
     n = triple(b["n"], 0)
@@ -91,7 +91,7 @@ def _tangent(b, ctl, f, g, lam):
 
 @kernel
 def hold(b, ctl, f, o, g, gtt, Gf):
-    """Fill in the row of the place of contact in the record; returns its load."""
+    """Write the constraint row of the contact point in the record; returns its multiplier."""
     r = b["row"]
     n = triple(b["n"], 0)
     Q = triple(b["Q"], 0)

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact of two planar curves: common normals in the plane of the marker of body j, all tangents exact.
+"""Contact of two planar curves: common normals in the plane of the marker of body j, with exact tangents.
 
-The curve of body j is a cylinder along the third axis of its marker; that of body i is a line in space, or a
-roller whose circle stays in that plane. With tau along the curve of j, turn and speed (a, b) of the curve of
-i and (c, d) of that of j per parameter, phi the signed distance, dalpha the turn of i against j and dtau the
-motion of i against j along tau at Q, the place runs along the curves by
+The curve of body j is a cylinder along the third axis of its marker; that of body i is a curve in space, or a
+roller whose circle is in that plane. With tau the tangent of the curve of j, rotation and speed (a, b) of the
+curve of i and (c, d) of that of j per parameter, phi the signed distance, dalpha the rotation of i relative
+to j and dtau the motion of i relative to j along tau at Q, the contact points move along the curves by
 
     s_j = d (b dalpha + a dtau)/D,  s_i = (d + phi c)(b dalpha + a dtau)/D - dtau,  D = a d + b c + phi a c,
 
-and the normal turns with body j and by c/d s_j. Curvatures appear as quotients, so that corners (a > 0,
-b = 0) and straight lines (a = 0) need no special case. D = 0 where the curves osculate.
+and the normal rotates with body j and by c/d s_j. Curvatures are quotients, so that corners (a > 0, b = 0)
+and straight lines (a = 0) need no special case. D = 0 where the curves osculate.
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ from pitchpoint.multibody.channels import F8, frame_args
 from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
 LEAST_COSINE = 0.1
-"""Planes of two curves must not be tilted more than that: the curve of i would be seen from its edge."""
+"""Minimum cosine between the planes of two curves; at larger tilt the curve of i is seen edge-on."""
 
 
 @kernel
 def _in_world(E, x, y):
-    """Vector of the plane of a marker in world axes."""
+    """World components of a vector in the plane of a marker."""
     return E[0, 0] * x + E[0, 1] * y, E[1, 0] * x + E[1, 1] * y, E[2, 0] * x + E[2, 1] * y
 
 
 @kernel
 def _running(b, f, g, along, T, size, rows):
-    """Change of place and normal with all motions, from the differential geometry of both curves.
+    """Derivatives of contact point and normal for all motions, from the differential geometry of both curves.
 
     `along` is tau, T the unit direction of curve i in space and `size` its length in the plane of j; rows =
     (a, b, c, d, phi).
@@ -65,7 +65,7 @@ def _running(b, f, g, along, T, size, rows):
             dQ = motion
         else:
             dn = plus(dn, 1.0, turned(c, n))
-        if rows[1] != 0.0:  # the place on i moves against tau, along -T
+        if rows[1] != 0.0:  # the contact point on i moves against tau, along -T
             dQ = plus(dQ, -((rows[3] + phi * rows[2]) * x - slide) / size, T)
         put(b["dn"], k, dn)
         put(b["dQ"], k, dQ)
@@ -73,7 +73,7 @@ def _running(b, f, g, along, T, size, rows):
 
 @kernel
 def place_contact(b, f, g, A, B, hit):
-    """Gap, normal and place of one contact found, with their changes, into the record."""
+    """Write gap, normal and position of one contact point to the record, with their derivatives."""
     ka = int(b["hits"][hit, 2])
     kb = int(b["hits"][hit, 4])
     s = b["hits"][hit, 1]
@@ -96,7 +96,7 @@ def place_contact(b, f, g, A, B, hit):
 
 @kernel
 def _without_axes(b):
-    """A roller is round: the axes of its marker count as those of the curve."""
+    """Align marker i with marker j: the orientation of a roller has no effect."""
     for r in range(3):
         for k in range(3):
             b["Ei"][r, k] = b["Ej"][r, k]
@@ -138,6 +138,6 @@ def planar_contact(rec, ctl, fr, kk):
 
 @kernel
 def planar_entry(ctl, rec, n):
-    """What the entries of both kinds do."""
+    """Common entry point of the kinds with planar curves."""
     c, fr, kk = frame_args(ctl)
     return planar_contact(view(rec, n, RECORD), c, fr, kk)

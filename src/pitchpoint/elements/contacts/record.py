@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The record that all kinds of contact share, and what fills it.
+"""Record of all contact kinds, and the functions that fill it.
 
-Body i touches body j. Each carries a marker, a frame fixed to the body (`S`), in which its shape is given.
-The unit normal n points out of body j. A contact has a place Q on body i, or in the middle of its rounding,
-at the signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. (A point of
-body j against triangles of body i has Q on j.) Forces act halfway between the two surfaces, at P = Q - (r +
-h/2) n, so bodies may change places and nothing else changes.
+Body i touches body j. Each has a marker, a frame fixed to the body (`S`), in which its shape is defined. The
+unit normal n points out of body j. A contact has a point Q on body i, or at the centre of its rounding, at
+the signed distance phi from body j; with the radius r of the rounding the gap is h = phi - r. (For a point of
+body j on triangles of body i, Q is on j.) Forces act halfway between the two surfaces, at P = Q - (r + h/2)
+n, so that exchanging the bodies does not change the result.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.elements.signal import Pool
 
 MOST_STATIONS = 8
-"""Most places along a line of contact."""
+"""Maximum number of points along a contact line."""
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj")]
     + CONTACT_LAW
     + [
-        ("row", "i8"),  # constraint row of a contact that never parts; written by the layout
+        ("row", "i8"),  # constraint row of a permanent contact; written by the layout
         ("pi", "f8", 3),  # marker on body i, axes S [m]
         ("Bi", "f8", (3, 3)),  # its axes, columns in axes S
         ("pj", "f8", 3),  # marker on body j
@@ -37,71 +37,71 @@ RECORD = np.dtype(
         ("form_j", "i8"),
         ("size_i", "f8", 2),  # its sizes [m]
         ("size_j", "f8", 2),
-        ("sense", "f8"),  # 1 material inside the surface of j, -1 outside
+        ("sense", "f8"),  # 1: material inside the surface of j, -1: outside
         ("radius", "f8"),  # radius of the roller or sphere on body i [m]
-        ("depth", "f8"),  # deepest overlap that counts [m]; what overlaps more is another side
-        ("deepest", "f8"),  # planar curves: overlap up to which at least the nearest place counts [m]
-        ("margin", "f8"),  # largest gap that is looked for and shown [m]
-        ("length", "f8"),  # of the line of contact that the law counts for [m]
-        ("stations", "i8"),  # Gauss points along a line of contact, 0: there is none
-        ("along", "f8", (MOST_STATIONS, 2)),  # where they are from 0 to 1, and their weights
+        ("depth", "f8"),  # maximum overlap in contact [m]; a larger overlap is with the opposite side
+        ("deepest", "f8"),  # planar curves: overlap up to which at least the nearest point is in contact [m]
+        ("margin", "f8"),  # maximum gap that is searched and reported [m]
+        ("length", "f8"),  # reference length of the contact line for the law [m]
+        ("stations", "i8"),  # Gauss points along the contact line; 0: no line contact
+        ("along", "f8", (MOST_STATIONS, 2)),  # their positions from 0 to 1, and weights
         ("ev", "i8"),
         ("pool", "i8"),
         ("start_i", "i8"),  # curve or triangles of body i in the pool
         ("rows_i", "i8"),
         ("start_j", "i8"),
         ("rows_j", "i8"),
-        ("oi", "f8", 3),  # scratch from here on: markers in world axes
+        ("oi", "f8", 3),  # scratch from here: markers in world axes
         ("Ei", "f8", (3, 3)),
         ("oj", "f8", 3),
         ("Ej", "f8", (3, 3)),
         ("M", "f8", (3, 3)),  # axes of marker i in those of marker j
-        ("d", "f8", 3),  # marker i from marker j in axes of j
+        ("d", "f8", 3),  # position of marker i relative to marker j, axes of j
         ("reach", "f8", 7),
         ("hits", "f8", (MOST, HIT)),
         ("Q", "f8", 3),
         ("n", "f8", 3),
         ("y", "f8", 3),  # a point in axes of the marker of a surface
-        ("V", "f8", (3, 3)),  # curvature of the distance there, in axes of the marker
-        ("W", "f8", (3, 3)),  # and of the world
-        ("hit", "f8", PLACE),  # place on triangles
+        ("V", "f8", (3, 3)),  # Hessian of the distance there, in axes of the marker
+        ("W", "f8", (3, 3)),  # the same in world axes
+        ("hit", "f8", PLACE),  # contact point on triangles
         ("touching", "f8", (MOST_PLACES, PLACE)),
-        ("dQ", "f8", (3, 12)),  # change of Q and n with the displacement twists of bodies i and j
+        ("dQ", "f8", (3, 12)),  # derivatives of Q and n for the motions of bodies i and j
         ("dn", "f8", (3, 12)),
         ("h", "f8"),  # gap [m]
         ("r", "f8"),  # from Q to the surface of body i [m]
         ("side", "f8"),  # 1: Q belongs to body i, -1: to body j
-        ("weight", "f8"),  # share of the law: part of a line, or an area
+        ("weight", "f8"),  # factor of the law: fraction of a line, or an area
         ("gap", "f8"),  # results: smallest gap
         ("normal", "f8"),  # sum of the normal forces
         ("sliding", "f8"),  # sum of the friction forces
-        ("loss", "f8"),  # power lost
+        ("loss", "f8"),  # power loss
         ("energy", "f8"),  # stored energy
-        ("place", "f8", 5),  # where the gap is smallest: P in axes of marker j, arc lengths on i and j
+        ("place", "f8", 5),  # position of the smallest gap: P in axes of marker j, arc lengths on i and j
         ("out", "i8"),
     ],
     align=True,
 )
 
 RESULTS = (
-    ("contact_force", "N", "normal force of the contact, sum over its places"),
-    ("friction_force", "N", "friction force of the contact, sum over its places"),
+    ("contact_force", "N", "normal force of the contact, sum over all contact points"),
+    ("friction_force", "N", "friction force of the contact, sum over all contact points"),
     ("gap", "m", "smallest gap; negative in contact"),
-    ("contact_power_loss", "W", "power lost in the contact"),
+    ("contact_power_loss", "W", "power loss in the contact"),
     ("elastic_energy", "J", "energy stored in the contact"),
-    ("contact_location[{}.x]", "m", "deepest place of the contact along x of the marker of the second body"),
-    ("contact_location[{}.y]", "m", "deepest place of the contact along y of the marker of the second body"),
-    ("contact_location[{}.z]", "m", "deepest place of the contact along z of the marker of the second body"),
+    ("contact_location[{}.x]", "m", "deepest point of the contact along x of the marker of the second body"),
+    ("contact_location[{}.y]", "m", "deepest point of the contact along y of the marker of the second body"),
+    ("contact_location[{}.z]", "m", "deepest point of the contact along z of the marker of the second body"),
 )
-EVENTS = (("contact", "place of contact opens or closes"),)
+EVENTS = (("contact", "contact opens or closes"),)
 PATHS = (
-    ("contact_path[{}.i]", "m", "place of the contact along the curve of the first body"),
-    ("contact_path[{}.j]", "m", "place of the contact along the curve of the second body"),
+    ("contact_path[{}.i]", "m", "position of the contact along the curve of the first body"),
+    ("contact_path[{}.j]", "m", "position of the contact along the curve of the second body"),
 )
 
 
 def new_records(n: int) -> np.ndarray:
-    """Records with markers at the origins of the bodies and along their axes.
+    """Records with markers at the body origins, along the body axes.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def new_records(n: int) -> np.ndarray:
 
 
 def set_marker(record: np.void, body: str, point: ArrayLike, axes: ArrayLike | None = None) -> None:
-    """Place a marker of a contact.
+    """Set the marker of a contact on one body.
 
     Parameters
     ----------
@@ -124,9 +124,9 @@ def set_marker(record: np.void, body: str, point: ArrayLike, axes: ArrayLike | N
     body
         "i" or "j".
     point
-        Its origin in the axes S of the body [m], shape (3,).
+        Origin of the marker in the axes S of the body [m], shape (3,).
     axes
-        Its axes as columns in axes S, right-handed, shape (3, 3); None = those of the body.
+        Axes of the marker as columns in axes S, right-handed, shape (3, 3); None: those of the body.
     """
     record["p" + body] = point
     B = np.eye(3) if axes is None else np.asarray(axes, float)
@@ -136,7 +136,7 @@ def set_marker(record: np.void, body: str, point: ArrayLike, axes: ArrayLike | N
 
 
 def set_curve(record: np.void, body: str, pool: Pool, curve: Curve) -> None:
-    """Give a contact the curve of one of its bodies.
+    """Set the curve of one body of a contact.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ def set_curve(record: np.void, body: str, pool: Pool, curve: Curve) -> None:
     pool
         Pool of the kind.
     curve
-        The curve, in the plane of the marker, walked counter-clockwise about its third axis around material.
+        Curve in the plane of the marker; it encloses the material counter-clockwise about the third axis.
     """
     record["start_" + body], record["rows_" + body] = pool.add(curve.rows), len(curve.rows)
     if body == "j":
@@ -155,7 +155,7 @@ def set_curve(record: np.void, body: str, pool: Pool, curve: Curve) -> None:
 
 
 def set_triangles(record: np.void, body: str, pool: Pool, surface: TriangleSurface) -> None:
-    """Give a contact the triangles of one of its bodies.
+    """Set the triangle surface of one body of a contact.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def set_triangles(record: np.void, body: str, pool: Pool, surface: TriangleSurfa
     pool
         Pool of the kind.
     surface
-        The surface, in axes of the marker.
+        Surface in axes of the marker.
     """
     record["start_" + body], record["rows_" + body] = pool.add(surface.packed()), len(surface.faces)
     record["form_" + body] = TRIANGLES

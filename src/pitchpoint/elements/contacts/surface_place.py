@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Place of contact of a point against a surface: how place and normal move with both bodies.
+"""Contact of a point with a surface: derivatives of contact point and normal by the motion of both bodies.
 
-The surface has the signed distance phi with gradient n and Hessian W. A point that moves by dy against the
-surface changes phi by n . dy and n by W dy; nothing else of the shape is needed, and the contact location is
-eliminated in W.
+The surface has the signed distance phi with gradient n and Hessian W. If the point moves by dy relative to
+the surface, phi changes by n . dy and n by W dy; no other property of the shape is needed, and the contact
+point on the surface is eliminated through W.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def curvature_in_world(E, V, W):
 
 @kernel
 def local(b, E, o, x):
-    """World point x from marker (o, E) into b["y"]."""
+    """Write the coordinates of the world point x in marker (o, E) to b["y"]."""
     gap = plus(x, -1.0, triple(o, 0))
     for k in range(3):
         b["y"][k] = dot(gap, column(E, k))
@@ -35,9 +35,9 @@ def local(b, E, o, x):
 
 @kernel
 def point_place(b, f, g, Q, m, h, r, weight):
-    """Write the place of a point Q against a surface with outward normal m, gap h and curvature b["W"].
+    """Write the contact of a point Q with a surface of outward normal m, gap h and distance Hessian b["W"].
 
-    With b["side"] 1 the point belongs to body i and the surface to j, with -1 the other way round.
+    b["side"] = 1: the point is on body i and the surface on j; -1: the reverse.
     """
     side = b["side"]
     b["h"] = h
@@ -47,7 +47,7 @@ def point_place(b, f, g, Q, m, h, r, weight):
     put_3(b["n"], (side * m[0], side * m[1], side * m[2]))
     W = b["W"]
     for k in range(12):
-        mine = (k < 6) == (side > 0.0)  # the body of the point moves, not that of the surface
+        mine = (k < 6) == (side > 0.0)  # motion of the body of the point, not of the surface
         o = f["r"] if k < 6 else g["r"]
         motion = moved(k % 6, plus(Q, -1.0, triple(o, 0)))
         s = side if mine else -side

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Triangles against triangles and against simple shapes: middle points of faces below the other surface.
+"""Contact of triangle surfaces with triangles and simple shapes, at face centroids inside the other body.
 
-Against another surface of triangles both surfaces count with half of their areas, against a simple shape the
-triangles with all of it. Of a box of points nothing is nearer to a surface than its middle less half of its
-diagonal, since distances grow at most as fast as one goes.
+Between two triangle surfaces each face has half of its area as weight, against a simple shape all of it. The
+distance of any point of a box from a surface is at least that of the centre of the box less half the diagonal
+(the distance function has the Lipschitz constant 1).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pitchpoint.multibody.vectors import into_world, plus, triple
 
 @kernel
 def _one_way(b, c, f, g, kk, side):
-    """Points of body i against triangles of body j (side 1), or those of j against i (-1)."""
+    """Contact of points of body i with triangles of body j (side 1), or of points of j with i (-1)."""
     of_i = side > 0.0
     other = b["pool"] + 8 * (b["start_i"] if of_i else b["start_j"])
     where = b["pool"] + 8 * (b["start_j"] if of_i else b["start_i"])
@@ -70,14 +70,14 @@ def _one_way(b, c, f, g, kk, side):
 
 @kernel
 def points_on_triangles(b, c, f, g, kk):
-    """Contact of two triangle surfaces, both ways."""
+    """Contact of two triangle surfaces: points of each on the triangles of the other."""
     _one_way(b, c, f, g, kk, 1.0)
     _one_way(b, c, f, g, kk, -1.0)
 
 
 @kernel
 def _distance(b, W):
-    """Distance of b["y"] from the simple surface of body j, a cylinder with flat ends if it has a length."""
+    """Distance of b["y"] from the simple surface of body j; a cylinder of given length has flat ends."""
     if b["form_j"] == CYLINDER and b["size_j"][1] > 0.0:
         return of_length(b["size_j"], b["sense"], b["y"], W)
     return distance(b["form_j"], b["size_j"], b["sense"], b["y"], W)

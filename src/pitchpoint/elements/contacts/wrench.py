@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From one place of contact to wrenches on two bodies and their exact tangents.
+"""Wrenches of one contact point on two bodies, with exact tangents.
 
-The geometry has left gap, normal and place in the record, with their changes over the displacement twists of
-both bodies: how the place runs along the surfaces is eliminated there. Here law and friction follow. The gap
-changes by n . (motion of i - motion of j) at P whatever the curvatures are, so the penetration rate is the
-conjugate of the normal force.
+The geometry has written gap, normal and contact point to the record, with their derivatives by the motion of
+both bodies; the motion of the contact point along the surfaces is eliminated there. This file applies contact
+law and friction. The gap changes by n . (motion of i - motion of j) at P for any curvatures, so the
+penetration rate is conjugate to the normal force.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
 @kernel
 def change(A, k):
-    """Change of a vector with motion k, from an array (3, 12)."""
+    """Change of a vector for motion k, from an array (3, 12)."""
     return A[0, k], A[1, k], A[2, k]
 
 
@@ -34,7 +34,7 @@ def put_3(a, x):
 
 @kernel
 def put(A, c, x):
-    """Write the change of a vector with motion c into an array (3, 12)."""
+    """Write the change of a vector for motion c to an array (3, 12)."""
     A[0, c] = x[0]
     A[1, c] = x[1]
     A[2, c] = x[2]
@@ -42,7 +42,7 @@ def put(A, c, x):
 
 @kernel
 def moved(c, arm):
-    """Motion of a point at `arm` with unit motion c of its body: a translation (c < 3) or a turn."""
+    """Motion of a point at `arm` for unit motion c of its body: a translation (c < 3) or a rotation."""
     e = (1.0 if c % 3 == 0 else 0.0, 1.0 if c % 3 == 1 else 0.0, 1.0 if c % 3 == 2 else 0.0)
     if c < 3:
         return e
@@ -51,7 +51,7 @@ def moved(c, arm):
 
 @kernel
 def turned(c, x):
-    """Change of a vector that goes with its body under unit motion c."""
+    """Change of a body-fixed vector for unit motion c of its body."""
     if c < 3:
         return 0.0, 0.0, 0.0
     return moved(c, x)
@@ -59,7 +59,7 @@ def turned(c, x):
 
 @kernel
 def place_markers(b, f, g):
-    """Markers in world axes, and the marker of i as seen from that of j."""
+    """Write both markers in world axes, and marker i relative to marker j."""
     for side in range(2):
         o = f if side == 0 else g
         p = b["pi"] if side == 0 else b["pj"]
@@ -81,7 +81,7 @@ def place_markers(b, f, g):
 
 @kernel
 def begin(b, f, g):
-    """Markers, and results at zero."""
+    """Set the markers and reset the results."""
     place_markers(b, f, g)
     b["gap"] = b["margin"]
     b["normal"] = 0.0
@@ -94,14 +94,14 @@ def begin(b, f, g):
 
 @kernel
 def _arms(b, f, g):
-    """Point of attack, and its arms about the origins of both bodies."""
+    """Point of application, and its arms about the origins of both bodies."""
     P = plus(triple(b["Q"], 0), -(b["r"] + 0.5 * b["side"] * b["h"]), triple(b["n"], 0))
     return P, plus(P, -1.0, triple(f["r"], 0)), plus(P, -1.0, triple(g["r"], 0))
 
 
 @kernel
 def _forces(b, f, g, ai, aj):
-    """Velocity of i against j, its part along the normal, and the numbers of normal force and friction."""
+    """Velocity of i relative to j, its normal component, and normal force and friction with their slopes."""
     u = plus(triple(f["tw"], 0), 1.0, cross(triple(f["tw"], 3), ai))
     u = plus(u, -1.0, plus(triple(g["tw"], 0), 1.0, cross(triple(g["tw"], 3), aj)))
     n = triple(b["n"], 0)
@@ -119,7 +119,7 @@ def _forces(b, f, g, ai, aj):
 
 @kernel
 def _change(n, s, law, slip, dh, drate, dn, ds):
-    """Change of the force on i with changes of gap, rate, normal and sliding velocity."""
+    """Change of the force on i for given changes of gap, rate, normal and sliding velocity."""
     N = law[0]
     dN = law[1] * dh + law[2] * drate
     c = slip[0]
@@ -130,7 +130,7 @@ def _change(n, s, law, slip, dh, drate, dn, ds):
 
 @kernel
 def _tangent(b, ctl, f, g, kk, F, u, rate, law, slip):
-    """Add the exact tangents of both wrenches by places (ck) and rates (cd) of both bodies."""
+    """Add the exact tangents of both wrenches by poses (ck) and velocities (cd) of both bodies."""
     P, ai, aj = _arms(b, f, g)
     n = triple(b["n"], 0)
     s = plus(u, -rate, n)
@@ -183,7 +183,7 @@ def _add(ki, kj, c, s, dF, mi, mj, j):
 
 @kernel
 def act(b, ctl, f, g, kk):
-    """Wrenches and tangents of the place of contact in the record; results into its sums."""
+    """Add wrenches and tangents of the contact point in the record; add its results to the sums."""
     P, ai, aj = _arms(b, f, g)
     if b["h"] < b["gap"]:
         b["gap"] = b["h"]
@@ -194,7 +194,7 @@ def act(b, ctl, f, g, kk):
         return
     u, rate, law, slip = _forces(b, f, g, ai, aj)
     b["energy"] += b["weight"] * elastic_energy(b, -b["h"])
-    if law[0] == 0.0:  # nothing is in touch, or damping has parted it
+    if law[0] == 0.0:  # no force: weight 0, or damping exceeds the elastic force
         b["loss"] += law[3]
         return
     n = triple(b["n"], 0)
@@ -217,7 +217,7 @@ def act(b, ctl, f, g, kk):
 
 @kernel
 def finish(b, ctl, paths):
-    """Observations of a contact, with both arc lengths if `paths` is 1, and its event function."""
+    """Write the observations of a contact (`paths` 1: with both arc lengths) and its event function."""
     c = ctl[0]
     if c["out"] != 0:
         out = observations(ctl)

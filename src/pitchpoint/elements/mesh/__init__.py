@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parts of the gear meshes: record, line of action, nodes of the flanks, sums, wrenches and tangents."""
+"""Common parts of the gear meshes: record, line of action, contact nodes, sums, wrenches and tangents."""

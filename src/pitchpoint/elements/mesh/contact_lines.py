@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact lines of one flank of a mesh: where they lie and what they carry, for pictures.
+"""Contact lines of one flank of a mesh, positions and loads, for graphics.
 
-Solvers do not use them. The mesh was observed before, so its record holds the line of action; loads come from
-the nodes that `mesh.tooth_pairs` sums, one by one. With the bodies at rest they are the elastic part.
+Not used by solvers. The mesh has been evaluated before, so its record contains the line of action; the loads
+are those of the nodes of `mesh.tooth_pairs`. With the bodies at rest they are the elastic part.
 
-A pair of teeth keeps its number N while in mesh: its contact line is p(z) = phase - N + lam z from
-the start A of the path, in base pitches. Slot N mod n_pair is that of its channel `pair_force`.
+A tooth pair has a constant number N while in mesh: its contact line is p(z) = phase - N + lam z from the
+start A of the path of contact, in base pitches. Slot N mod n_pair is that of its channel `pair_force`.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ from pitchpoint.elements.mesh.sums import begin_sums
 from pitchpoint.elements.mesh.tooth_pairs import pair_line, pair_node, pair_teeth
 from pitchpoint.multibody.channels import F8
 
-#: One question about one flank, and its answer.
+#: Request for one flank, with its result.
 LINES = np.dtype(
     [
         ("record", "i8"),  # address of the record of the mesh
         ("flank", "i8"),  # 1 front, -1 back
-        ("deflection", "f8"),  # travel of the gears along the base tangent less its excitation [m]
-        ("stations", "i8"),  # places along each line, at least 2
-        ("pairs", "i8"),  # answer: whole pairs that went by, and
-        ("psi", "f8"),  # the rest: pairs + psi is the phase of the flank
+        ("deflection", "f8"),  # travel of the gears along the base tangent less the excitation [m]
+        ("stations", "i8"),  # stations along each line, at least 2
+        ("pairs", "i8"),  # result: whole base pitches, and
+        ("psi", "f8"),  # fraction: pairs + psi is the phase of the flank
         ("forces", "i8"),  # address of the forces of the slots [n_pair], base tangent, front positive [N]
         ("loads", "i8"),  # address of their loads [n_pair, stations], per width [N/m]
     ],
@@ -40,12 +40,12 @@ LINES = np.dtype(
 )
 
 INSIDE = 1e-9
-"""Part of a line that its first and last station are away from its ends, where loads may jump."""
+"""Distance of the first and last station from the ends of a line, where loads may jump, over its length."""
 
 
 @kernel
 def _begin(b, flank, deflection):
-    """What the nodes of a flank read, into the scratch, for bodies at rest; gives its penetration."""
+    """Set the scratch for the nodes of a flank with bodies at rest; returns the penetration of the flank."""
     now = b["now"]
     begin_flank(b, flank, 1.0)
     now["kappa"] = 0.0
@@ -64,7 +64,7 @@ def _begin(b, flank, deflection):
 
 @kernel
 def _loads(b, p_0, x_q, deviating, loads):
-    """Loads per width at even places on the part of a contact line that lies on the flanks."""
+    """Loads per face width at equidistant stations on the part of a contact line within the flanks."""
     now = b["now"]
     a = now["z_lo"]
     end = now["z_hi"]
@@ -82,7 +82,7 @@ def _loads(b, p_0, x_q, deviating, loads):
 
 @kernel
 def contact_lines(b, question):
-    """Forces and loads of all pairs of one flank."""
+    """Forces and loads of all tooth pairs of one flank."""
     now = b["now"]
     n = b["n_pair"]
     stations = question["stations"]
@@ -120,7 +120,7 @@ def contact_lines(b, question):
 
 @kernel
 def answer(_, where, n):
-    """Answer n questions about flanks; `where` is the address of the first."""
+    """Evaluate n flank requests; `where` is the address of the first."""
     questions = view(where, n, LINES)
     for k in range(n):
         contact_lines(view(questions[k]["record"], 1, RECORD)[0], questions[k])

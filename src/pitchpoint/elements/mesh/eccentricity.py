@@ -1,21 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Eccentric and wobbling gears: the frames that a mesh sees in place of those of their bodies.
+"""Eccentric and wobbling gears: gear frames that replace the body frames in the mesh.
 
-The centre of such a gear is displaced in its mid-face and its axis is tilted, both fixed to the turning body.
-Its own frame has the same spin phi: with B the small tilt of the axis in the axes of the body, the body
-turned by phi and then tilted is R R_z(phi) B = R' R_z(phi), R' the frame of the body swung so that its third
-axis is that of the gear. Line of action, centre distance, travel and phase of the mesh follow from the moved
-frames as from any others, and nothing in it knows of the fault.
+The centre of the gear is displaced at mid-face and its axis is tilted, both fixed to the rotating body. The
+gear frame has the same spin phi: with B the small tilt of the axis in body axes, the body rotated by phi and
+then tilted is R R_z(phi) B = R' R_z(phi), where R' is the body frame R rotated so that its third axis is the
+gear axis. Line of action, centre distance, travel and phase of the mesh follow from the gear frames as from
+any others; the mesh itself is unchanged.
 
-With rho from the origin of the body to that of the gear, twists go there by T and wrenches and tangents come
-back by its transpose,
+With rho from the origin of the body to that of the gear, T transforms velocities to the gear, and its
+transpose transforms wrenches and tangents back,
 
     v' = v + w x rho,   F = T^T F',   dF/dx = T^T (dF'/dx') T + (theta x rho) x f'
 
-where rho turns with the body: the last term, and v' that changes by w x (theta x rho) at a constant twist,
-make exact tangents whole. The latter needs the damping part of the tangent alone, which the mesh sums again.
+where rho rotates with the body: exact tangents include the last term and the change w x (theta x rho) of v'
+at constant body velocity. The latter needs the damping part of the tangent alone, for which the mesh is
+summed again.
 
-The transmission error is reported as for centred gears: it is that of the bodies.
+The transmission error is reported as for centred gears, from the frames of the bodies.
 """
 
 from __future__ import annotations
@@ -32,19 +33,18 @@ from pitchpoint.multibody.channels import F8, FRAME
 from pitchpoint.multibody.vectors import add, column, cross, dot, times, triple, unit
 
 PLACE = 8
-"""Numbers of both gears that come first: displacement x, y [m] and the tilt of the axis as its x and y, all
-in the axes of the bodies at spin 0."""
+"""Number of leading values: displacement x, y [m] and axis tilt x, y of each gear, in body axes at spin 0."""
 _FRAMES = PLACE
 _TANGENTS = _FRAMES + 2 * FRAME.itemsize // 8
 _DAMPING = _TANGENTS + 4 * 36
 _ARMS = _DAMPING + 4 * 36
 _TRAVEL = _ARMS + 6
 WORDS = _TRAVEL + 1
-"""Numbers in the pool of a mesh with displaced gears: the places, then scratch."""
+"""Size of the pool entry of a mesh with displaced gears: leading values, then scratch."""
 
 
 def displaced(place: np.ndarray) -> np.ndarray:
-    """Room in the pool for a mesh whose gears sit at `place`, shape (2, 4)."""
+    """Pool entry of a mesh whose gears have the displacement and tilt `place`, shape (2, 4)."""
     room = np.zeros(WORDS)
     room[:PLACE] = np.ravel(place)
     return room
@@ -52,12 +52,12 @@ def displaced(place: np.ndarray) -> np.ndarray:
 
 @kernel
 def _displace(f, own, zc, place, arms, side):
-    """Fill the frame of one gear from that of its body; `zc` mid-face from the origin of the body [m]."""
+    """Set the frame of one gear from that of its body; `zc`: mid-face from the origin of the body [m]."""
     R = f["R"]
     c = math.cos(f["phi"])
     s = math.sin(f["phi"])
     n = column(R, 2)
-    x = add(times(c, column(R, 0)), times(s, column(R, 1)))  # axes of the turning body
+    x = add(times(c, column(R, 0)), times(s, column(R, 1)))  # axes of the rotating body
     y = add(times(-s, column(R, 0)), times(c, column(R, 1)))
     nx = place[4 * side + 2]
     ny = place[4 * side + 3]
@@ -90,7 +90,7 @@ def _displace(f, own, zc, place, arms, side):
 
 @kernel
 def begin_displaced(b, fr):
-    """Turn the evaluation of mesh `b` towards frames of its own, which it gives."""
+    """Redirect the evaluation of mesh `b` to its gear frames; returns these frames."""
     request = b["request"]
     where = pooled(b, b["seats"])
     own = view(where + 8 * _FRAMES, 2, FRAME)
@@ -115,7 +115,7 @@ def begin_displaced(b, fr):
 
 @kernel
 def _own_tangents(b, first):
-    """Tangents of the displaced frames, set to zero, where the mesh finds them."""
+    """Cleared tangent blocks of the gear frames, as target of the mesh evaluation."""
     request = b["request"]
     request["kk"] = pooled(b, b["seats"]) + 8 * first
     kk = view(request["kk"], (4, 6, 6), F8)
@@ -129,14 +129,14 @@ def _own_tangents(b, first):
 
 @kernel
 def damping_alone(b):
-    """Where the next sum puts its tangents, which are those of the damping alone."""
+    """Target blocks for the tangents of the damping alone; requests them from the next evaluation."""
     b["request"]["jac"] = 1
     return _own_tangents(b, _DAMPING)
 
 
 @kernel
 def whole(b, own):
-    """Where the requested sum puts its tangents; forces of an earlier one are dropped."""
+    """Target blocks for the full tangents; resets the forces of an earlier evaluation."""
     for side in range(2):
         for r in range(6):
             own[side]["F"][r] = 0.0
@@ -145,7 +145,7 @@ def whole(b, own):
 
 @kernel
 def _swing_rates(kk, dk, own, arms, ck):
-    """Add the change of the velocities of both gears with the turns of the bodies, at constant twists."""
+    """Add the change of the gear velocities with rotations of the bodies, at constant body velocities."""
     for side in range(2):
         arm = triple(arms[side], 0)
         w = angular_velocity(own[side])
@@ -177,7 +177,7 @@ def _carry(source, target, left, right):
 
 @kernel
 def end_displaced(b, ctl, fr, kk, own):
-    """Bring wrenches and tangents of the displaced gears `own` back to their bodies."""
+    """Transform wrenches and tangents of the displaced gears `own` back to their bodies."""
     where = pooled(b, b["seats"])
     own_kk = view(where + 8 * _TANGENTS, (4, 6, 6), F8)
     arms = view(where + 8 * _ARMS, (2, 3), F8)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the forces of a mesh turn with the line of action: what an exact linearisation adds to the tangent.
+"""Exact tangents of a mesh: derivative of the force directions by the line of action.
 
-The tangent of `mesh.sums` holds at frozen line of action. Bodies that move also turn the directions of the
-forces (terms of the size force over centre distance) and, at speed, the directions along which dampers
-measure (damping times speed): without them a damper would seem to drive a gear out of its place. Mesh phase
-and contact lines stay frozen (docs/decisions/0006-frozen-phase-tangents.md).
+The tangent of `mesh.sums` holds the line of action constant. Motion of the bodies also rotates the force
+directions (terms of the order force over centre distance) and, at speed, the directions of the damper rates
+(damping times speed): without them dampers would appear to destabilise a gear. Mesh phase and contact lines
+are constant (docs/decisions/0006-frozen-phase-tangents.md).
 
-The directions are closed forms of the frames; their change is a difference of fourth order, good to 1e-11 of
-itself.
+The directions are closed-form functions of the frames; a fourth-order difference quotient gives their
+derivative with a relative error of 1e-11.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from pitchpoint.elements.mesh.record import RECORD
 from pitchpoint.elements.mesh.sums import requested_arrays
 
 STEP = 2e-4
-"""Distance of the points of a difference: turn [rad], or translation over centre distance."""
+"""Step of the difference quotient: rotation [rad], or translation over centre distance."""
 
 
 @kernel
 def _directions(b, f, g, flank):
-    """Rows 0 and 1 of the wrench basis of a flank, or row 0 of that of the damper (`flank` 0)."""
+    """Set rows 0 and 1 of the wrench basis of a flank, or row 0 for the damper (`flank` 0)."""
     line_of_action(b, f, g)
     if flank == 0:
         travel_direction(b, f, g)
@@ -35,7 +35,7 @@ def _directions(b, f, g, flank):
 
 @kernel
 def _nudged(b, f, g, body, c, h, flank):
-    """The directions with one body moved by h along axis c, or turned by h about axis c - 3."""
+    """Set the directions for one body displaced by h along axis c, or rotated by h about axis c - 3."""
     r = body["r"]
     R = body["R"]
     if c < 3:
@@ -57,7 +57,7 @@ def _nudged(b, f, g, body, c, h, flank):
 
 @kernel
 def _change(b, f, g, body, c, flank):
-    """Derivative of the directions by the motion c of one body, into the scratch `moved`."""
+    """Write the derivative of the directions by the motion c of one body to the scratch `moved`."""
     now = b["now"]
     h = STEP * abs(now["a"]) if c < 3 else STEP
     moved = now["moved"]
@@ -75,7 +75,7 @@ def _change(b, f, g, body, c, flank):
 
 @kernel
 def _turn(b, f, g, body, side, ki, kj, ck, flank):
-    """Add the turn of the forces with the motions of one body; keep what they do to the rates in `slope`."""
+    """Add the rotation of the forces with the motions of one body; write the rate changes to `slope`."""
     now = b["now"]
     force = b["sums"]["force"]
     rows = 1 if flank == 0 else 2
@@ -94,7 +94,7 @@ def _turn(b, f, g, body, side, ki, kj, ck, flank):
 
 @kernel
 def _brake(b, B, side, ki, kj, ck, flank):
-    """Add damping forces along the changed rates, and the lever of the force that moves with the width."""
+    """Add damping forces for the rate changes, and the moment of the force shift along the face width."""
     now = b["now"]
     force = b["sums"]["force"]
     damping = b["sums"]["tangent"]
@@ -116,10 +116,10 @@ def _brake(b, B, side, ki, kj, ck, flank):
 
 @kernel
 def turning(record, flank, _):
-    """Add ck times the change of the wrenches of one mesh with their directions.
+    """Add ck times the derivative of the wrenches of one mesh by their directions.
 
-    Sums of forces are those of the flank, tangents its damping coefficients alone [N s/m]. `flank` 0 is the
-    mesh damper. Compiled only where exact tangents are requested.
+    The sums hold the forces of the flank and, as tangents, its damping coefficients only [N s/m]. `flank` 0:
+    mesh damper. Compiled only if exact tangents are requested.
     """
     b = view(record, 1, RECORD)[0]
     fr, kk = requested_arrays(b)

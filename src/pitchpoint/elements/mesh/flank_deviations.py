@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Deviations of flanks from the involute: grids of both gears, read at the point of contact.
+"""Flank deviations from the involute: grids of both gears, interpolated at the contact point.
 
-Of every gear there are two stacks of grids over its width and its length of roll. The first holds gaps along
-the base tangent and added compliances, both from station to station; the second, finer where it has to be,
-levels: what is broken or worn out of the flank is the positive part of a level, whose zero line is the edge.
-A table per gear lists for every flank and tooth which rows of the stacks are its own, and between which
-stations they change over the width; a tooth without rows is nominal.
+Each gear has two stacks of grids over face width and length of roll. The first holds gaps along the base
+tangent and additional compliances; the second, with a finer grid where necessary, level functions: material
+broken out of or worn off the flank is the positive part of a level, and its zero line is the edge of the
+damage. A table per gear gives the grids (rows of the stacks) of every flank and tooth, and the stations
+between which they vary over the width; a tooth without grids is nominal.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ from pitchpoint.elements.mesh.record import N_ROW
 from pitchpoint.multibody.channels import F8
 
 _NEAR = 1e-9
-"""Part of a cell that a station may lie before the end of a piece without making one of its own."""
+"""Distance of a station from the end of a piece, in cells, below which it does not split the piece."""
 
 
 @kernel
 def begin_separation(b):
-    """What all nodes of a flank need to read the grids, into the scratch."""
+    """Set the scratch that the nodes of a flank need to read the grids."""
     now = b["now"]
     now["tan_a"] = now["sin_a"] / now["cos_a"]
     now["tan_rate"] = now["xi_A_rate"] / b["r_b2"]
@@ -35,7 +35,7 @@ def begin_separation(b):
 
 @kernel
 def runs_damped(b):
-    """Whether contact damping feels how fast contacts run over separated flanks."""
+    """Whether contact damping depends on the rate at which the contact moves over deviating flanks."""
     return b["n_sep"] > 0 and (
         b["contact"]["d_in"] > 0.0 or b["contact"]["d_out"] > 0.0 or b["contact"]["chi"] > 0.0
     )
@@ -43,7 +43,7 @@ def runs_damped(b):
 
 @kernel
 def find_rows(b, teeth):
-    """Whether one of two teeth has rows of its own; they go into the scratch."""
+    """Write the grid rows of two teeth to the scratch; returns whether there are any."""
     now = b["now"]
     flank = 0 if now["flank"] > 0 else 1
     found = False
@@ -60,9 +60,9 @@ def find_rows(b, teeth):
 
 @kernel
 def _place_on(b, gear, z, xi):
-    """Place on the flank of a gear: width from its mid-face and length of roll [m].
+    """Position on the flank of a gear: width from its mid-face and length of roll [m].
 
-    z counts from the plane of the pitch point; each grid has its own mid-face.
+    z is relative to the plane of the pitch point, each grid to the mid-face of its gear.
     """
     now = b["now"]
     z1 = z + b["w1"] * now["dz"]
@@ -73,10 +73,10 @@ def _place_on(b, gear, z, xi):
 
 @kernel
 def pair_separation(b, z, xi, z_rate, xi_rate):
-    """What the two teeth of `find_rows` have of their own at width z and path position xi [m].
+    """Deviations of the two teeth of `find_rows` at width z and path position xi [m].
 
-    Gap along the base tangent [m], its rate where the place moves at z_rate and xi_rate [m/s], its slope over
-    xi; what is broken out [m] and its rate; added compliance per face width [m^2/N] and its rate.
+    Gap along the base tangent [m], its rate if the point moves at z_rate and xi_rate [m/s], its slope over
+    xi; depth of missing material [m] and its rate; additional compliance per face width [m^2/N] and its rate.
     """
     now = b["now"]
     gap = gap_rate = slope = level = level_rate = soft = soft_rate = 0.0
@@ -108,20 +108,20 @@ def pair_separation(b, z, xi, z_rate, xi_rate):
 
 @kernel
 def has_level(b, gear):
-    """Whether something may be broken out of the tooth of gear 1 or 2 (0 or 1)."""
+    """Whether the tooth of gear 1 or 2 (0 or 1) has a level function (missing material)."""
     return b["now"]["rows"][gear, 2] >= 0
 
 
 @kernel
 def level_at(b, gear, z, xi):
-    """Level of the tooth of gear 1 or 2 (0 or 1) at a place of a contact line [m]; below 0: whole."""
+    """Level of the tooth of gear 1 or 2 (0 or 1) at a point of a contact line [m]; below 0: undamaged."""
     at, roll = _place_on(b, gear, z, xi)
     return _read(b, 2 + gear, b["now"]["rows"][gear, 2], at, roll)[0]
 
 
 @kernel
 def gap_at(b, z, xi):
-    """All that both teeth lack at a place of a contact line [m]."""
+    """Total gap of both teeth at a point of a contact line, missing material included [m]."""
     now = b["now"]
     gap = 0.0
     for gear in range(2):
@@ -137,7 +137,7 @@ def gap_at(b, z, xi):
 
 @kernel
 def softening_at(b, z, xi):
-    """Compliance that both teeth add at a place of a contact line [m^2/N]."""
+    """Additional compliance of both teeth at a point of a contact line [m^2/N]."""
     soft = 0.0
     for gear in range(2):
         row = b["now"]["rows"][gear, 1]
@@ -149,9 +149,9 @@ def softening_at(b, z, xi):
 
 @kernel
 def next_station(b, a, end):
-    """Where behind `a` a contact line crosses the next station over the width at which rows change.
+    """Width after `a` at which a contact line crosses the next station of a varying grid.
 
-    Of gaps and compliances, which are smooth, pieces span several stations (`stride`).
+    For gaps and compliances, which are smooth, a piece spans several stations (`stride`).
     """
     now = b["now"]
     for s in range(4):
@@ -176,7 +176,7 @@ def next_station(b, a, end):
 
 @kernel
 def spin_direction(b):
-    """Row 0 of the wrench basis where the gears only spin: the torques of a base-tangent force of one."""
+    """Set row 0 of the wrench basis for pure rotation: torques of a unit base-tangent force."""
     now = b["now"]
     m = now["m"]
     for k in range(3):
@@ -187,10 +187,10 @@ def spin_direction(b):
 
 @kernel
 def add_roll_tangent(b, kk, rows):
-    """Tangent of the contact damping over the rate at which the contact runs over separated flanks.
+    """Add the tangent of contact damping by the rate at which the contact moves over deviating flanks.
 
-    That of the mean travel, half of r_b1 omega1 - r_b2 omega2; `rows` of the wrench basis are in use. How the
-    place of the contact moves with the other rates is neglected, like the rotation of the line of action.
+    That rate is the mean travel rate, half of r_b1 omega1 - r_b2 omega2; `rows` of the wrench basis are in
+    use. The motion of the contact with the other rates and the rotation of the line of action are neglected.
     """
     now = b["now"]
     m = now["m"]
@@ -210,10 +210,10 @@ def add_roll_tangent(b, kk, rows):
 
 @kernel
 def _read(b, stack, row, z, roll):
-    """Value of a row at width z from mid-face and length of roll |roll| [m], its slopes over z and roll.
+    """Value of a grid at width z from mid-face and length of roll |roll| [m], and its slopes over both.
 
-    `stack` 0 and 1: gaps and compliances of gear 1 and 2; 2 and 3: levels. Bilinear between the stations,
-    constant beyond the edges.
+    `stack` 0, 1: gaps and compliances of gear 1, 2; 2, 3: levels. Bilinear between the stations, constant
+    beyond the edges.
     """
     now = b["now"]
     nz = b["n_sz"][stack]

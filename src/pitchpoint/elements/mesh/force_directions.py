@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Directions of the normal force: exact gradients of the penetration over the motion of both bodies.
+"""Directions of the normal force: exact gradients of the penetration by the motion of both bodies.
 
-The penetration x_0 - kappa y of a flank depends on the two frames through invariants alone: centre distance
-a, axial offset dz, the directions e and m of the line of centres and of the mean axis, the difference dn of
-the axes, and the angles of the gears seen from e. A force along the gradient can neither create nor lose
-energy, whatever the tilt, and since invariants do not change when both gears move as one, action is
-reaction. A misalignment of the housing (`skew`) adds to the tilt along e and t and goes with them.
+The penetration x_0 - kappa y of a flank depends on the two frames only through invariants: centre distance a,
+axial offset dz, the directions e and m of the line of centres and of the mean axis, the difference dn of the
+axes, and the angles of the gears relative to e. A force along the gradient is conservative for any tilt, and
+since a common rigid motion of both gears does not change the invariants, action equals reaction. A
+misalignment of the housing (`skew`) adds to the tilt along e and t and follows both directions.
 
-Frozen are the mesh phase, the place of the contact lines in the plane of action, and places over the width
-(on the narrower gear, or half-way between two of equal width). Energy that their motion feeds in is reported
-as parametric power.
+Held constant are the mesh phase, the position of the contact lines in the plane of action, and positions over
+the width (on the narrower gear, or half-way between two of equal width). The energy supplied by their motion
+is reported as parametric power.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pitchpoint.core.kernel import kernel
 
 @kernel
 def gradient(b, f, g, p, q_u, q_a, q_z):
-    """Row `p` of both bases: q_u du + q_a da + q_z d(dz) + q_e . de + q_m . dm + q_n . d(dn), as wrenches.
+    """Set row `p` of both bases: wrenches of q_u du + q_a da + q_z d(dz) + q_e . de + q_m . dm + q_n . d(dn).
 
     u is the travel of the gears without its axial part, r_b1 (phi1 - gamma1) + r_b2 (phi2 - gamma2). With the
     line between the mid-faces l = a e + dz m,
@@ -29,7 +29,7 @@ def gradient(b, f, g, p, q_u, q_a, q_z):
         a de = dl - m d(dz) - dz dm - e da
         d(phi - gamma) = (w . (n - c e) - (n x e) . de) / (1 - c c),  c = n . e
 
-    where an axis n turns at w: dn = w x n; m is the unit vector of the weighted sum of both.
+    where an axis n rotates at w: dn = w x n; m is the unit vector of the weighted sum of both axes.
     """
     now = b["now"]
     Rf = f["R"]
@@ -49,7 +49,7 @@ def gradient(b, f, g, p, q_u, q_a, q_z):
     h2 = q_u * b["r_b2"] / (1.0 - c2 * c2)
     Bi = b["basis_i"]
     Bj = b["basis_j"]
-    # over the line between the mid-faces and over the mean axis, first without what is known of e and m
+    # gradient by the line between the mid-faces and by the mean axis
     along = q_e[0] * e[0] + q_e[1] * e[1] + q_e[2] * e[2]
     shift = q_z
     turn = 0.0
@@ -76,7 +76,7 @@ def gradient(b, f, g, p, q_u, q_a, q_z):
 
 @kernel
 def _moments(B, p, R, e, h, c):
-    """Turn what acts on the tip of the axis into a moment, and add the turning of the gear itself."""
+    """Convert the gradient by the axis direction to a moment, and add the torque by the spin of the gear."""
     x = B[p, 3]
     y = B[p, 4]
     z = B[p, 5]
@@ -96,7 +96,7 @@ def _no_axes(b):
 
 @kernel
 def _parallel(b):
-    """Whether the axes are parallel to the last digit, which gears that only turn and shift keep for ever."""
+    """Whether the axes are exactly parallel, as for gears that only rotate and translate."""
     dn = b["now"]["dn"]
     skew = b["skew"]
     return dn[0] == 0.0 and dn[1] == 0.0 and dn[2] == 0.0 and skew[0] == 0.0 and skew[1] == 0.0
@@ -104,7 +104,7 @@ def _parallel(b):
 
 @kernel
 def _lean(B, q, R, side):
-    """Row 1 of the basis of one body between parallel axes: what `gradient` leaves of +-q . dn alone."""
+    """Set row 1 of the basis of one body for parallel axes: `gradient` reduced to the term +-q . dn."""
     for k in range(3):
         k1 = (k + 1) % 3
         k2 = (k + 2) % 3
@@ -114,7 +114,7 @@ def _lean(B, q, R, side):
 
 @kernel
 def flank_tilt(b, flank):
-    """Tilt of the axes against each other along t and e; how a flank opens over its lever goes to kappa."""
+    """Relative tilt of the axes along t and e; sets kappa, the loss of penetration per lever of a flank."""
     now = b["now"]
     dn = now["dn"]
     e = now["e"]
@@ -127,7 +127,7 @@ def flank_tilt(b, flank):
 
 @kernel
 def normal_directions(b, f, g, flank):
-    """Rows 0 and 1 of the wrench basis, -dx_0 and d(kappa), and kappa itself."""
+    """Set rows 0 and 1 of the wrench basis, -dx_0 and d(kappa), and kappa."""
     now = b["now"]
     m = now["m"]
     e = now["e"]
@@ -156,21 +156,21 @@ def normal_directions(b, f, g, flank):
 
 @kernel
 def travel_direction(b, f, g):
-    """Row 0 of the wrench basis: -du, the axial part included."""
+    """Set row 0 of the wrench basis: -du, axial part included."""
     _no_axes(b)
     gradient(b, f, g, 0, -1.0, 0.0, -b["tan_b"])
 
 
 @kernel
 def offset_direction(b, f, g):
-    """Row 2 of the wrench basis: d(dz), the axial offset of the gears."""
+    """Set row 2 of the wrench basis: d(dz), the axial offset of the gears."""
     _no_axes(b)
     gradient(b, f, g, 2, 0.0, 0.0, 1.0)
 
 
 @kernel
 def friction_directions(b, f, g, flank):
-    """Rows 2 to 4 of the wrench basis: friction along tau = m x n_f at the pitch point, per z and per xi."""
+    """Set rows 2 to 4 of the wrench basis: friction along tau = m x n_f at the pitch point, per z and xi."""
     now = b["now"]
     m = now["m"]
     e = now["e"]

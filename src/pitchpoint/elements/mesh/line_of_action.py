@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where two gears touch: line of action, travel and phase from two frames.
+"""Line of action of a cylindrical pair: contact geometry, travel and phase from two frames.
 
-Everything follows from invariants of the two gears - the distance of their axes, the direction of the line of
-centres seen from each gear, the axial offset - so moving the whole gearbox changes nothing. Both flanks share
-one description: flank f = +1 pushes with gear 1 turning counter-clockwise, f = -1 with gear 1 turning
-clockwise, and the unit vector of its line of action in the transverse plane is n_f = f cos(alpha) t +
-sin(alpha) e, with e from gear 1 to the pitch point and t = m x e along the tangent of the pitch circles.
+All quantities follow from invariants of the two gears (distance of the axes, direction of the line of centres
+relative to each gear, axial offset) and are independent of a rigid motion of the gearbox. Both flanks use the
+same formulas: flank f = +1 drives with gear 1 rotating counter-clockwise, f = -1 with gear 1 rotating
+clockwise; the unit vector of its line of action in the transverse plane is n_f = f cos(alpha) t + sin(alpha)
+e, with e from gear 1 to the pitch point and t = m x e along the tangent of the pitch circles.
 
-The flanks' positions along the line of action, from the pitch point, are xi1 = r_b1 (Phi1 + psi_b1 -
+The positions of the flanks along the line of action, from the pitch point, are xi1 = r_b1 (Phi1 + psi_b1 -
 inv alpha) and xi2 = p_bt/2 - r_b2 (Phi2 + psi_b2 - inv alpha) (involute geometry, signed r_b2; Phi = angle of
 a tooth of gear 1 or a space of gear 2 from the line of centres). Their difference is the penetration and
-contains the backlash of the actual centre distance, their mean is the mesh phase.
+contains the backlash at the actual centre distance, their mean is the mesh phase.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from pitchpoint.core.status import BAD_CENTRE, OK, UNBOUNDED
 from pitchpoint.multibody.channels import F8
 
 FARTHEST = 2.0**40
-"""Travel in base pitches from which pairs of teeth are not counted: no machine turns as far within a step."""
+"""Travel in base pitches above which tooth pairs are not counted: the solution has diverged."""
 MOST_PAIRS = 1e4
-"""Length of the path of contact in base pitches that no pair of gears has."""
+"""Length of the path of contact in base pitches above which the solution is invalid."""
 
 
 @kernel
 def pooled(b, offset):
-    """Address of a table of a mesh, `offset` numbers into the pool of the kind."""
+    """Address of a table of a mesh at `offset` in the pool of the kind."""
     return b["pool"] + 8 * offset
 
 
 @kernel
 def line_of_action(b, f, g):
-    """Fill the scratch of mesh `b` from the frames `f` (body of gear 1) and `g` (body of gear 2).
+    """Set the scratch of mesh `b` from the frames `f` (body of gear 1) and `g` (body of gear 2).
 
-    Gears that only spin keep their line of action: compile fills it once with `fixed` = 0.
+    For purely rotating gears the line of action is fixed: compilation sets it once with `fixed` = 0.
     """
     now = b["now"]
     if b["fixed"] == 1:
@@ -90,7 +90,7 @@ def line_of_action(b, f, g):
     now["cos_a"] = c
     now["sin_a"] = math.sqrt(1.0 - c * c)
     now["inv_a"] = now["sin_a"] / c - math.acos(c)
-    # how far the line of centres has turned, seen from each gear
+    # rotation of the line of centres relative to each gear frame
     x = e[0] * Rf[0, 0] + e[1] * Rf[1, 0] + e[2] * Rf[2, 0]
     y = e[0] * Rf[0, 1] + e[1] * Rf[1, 1] + e[2] * Rf[2, 1]
     turn1 = math.atan2(b["cos1"] * y - b["sin1"] * x, b["cos1"] * x + b["sin1"] * y)
@@ -107,7 +107,7 @@ def line_of_action(b, f, g):
     elif b["carried"] == 2:
         whole1 += carried_turns(f, g, turn1, turn2)
     else:
-        # both frames are on one base and see the line of centres turn alike: past half a turn together
+        # both frames are on one base: the line of centres rotates equally relative to both
         turn2 -= 2.0 * math.pi * math.floor((turn2 - turn1) / (2.0 * math.pi) + 0.5)
         turned = turns_of_line(b, f["phi"] - turn1, whole1, g["phi"] - turn2, whole2)
         whole1 -= turned
@@ -118,9 +118,9 @@ def line_of_action(b, f, g):
 
 @kernel
 def countable(u, travel, pitch, eps):
-    """Whether the tooth pairs of a mesh can be counted: UNBOUNDED where the solution has left all bounds.
+    """Status UNBOUNDED if the solution has diverged so far that tooth pairs cannot be counted, else OK.
 
-    Beyond 2^53 pitches a number plus one is the number itself, and a count of pairs would never end.
+    Beyond 2^53 pitches adding 1 does not change a number, and the loop over pairs would not terminate.
 
     Parameters
     ----------
@@ -138,10 +138,10 @@ def countable(u, travel, pitch, eps):
 
 @kernel
 def turns_of_line(b, phi1, turns1, phi2, turns2):
-    """Whole turns of the line of centres that neither frame can see, from the spins of both gears.
+    """Whole turns of the line of centres, which neither frame determines, from the spins of both gears.
 
-    A turn of the line moves p_bt (z1 + z2) of travel past the flanks. Teeth that mesh are always the nearest
-    ones, so that the travel is never more than half of that.
+    One turn of the line adds p_bt (z1 + z2) to the travel. The teeth in mesh are always the nearest ones, so
+    that the travel is at most half of that.
     """
     teeth = b["z1"] + b["z2"]
     over = (b["r_b1"] * phi1 + b["r_b2"] * phi2) / b["p_bt"] + (b["z1"] * turns1 + b["z2"] * turns2)
@@ -150,10 +150,10 @@ def turns_of_line(b, phi1, turns1, phi2, turns2):
 
 @kernel
 def carried_turns(f, g, turn_f, turn_g):
-    """Whole turns that the line of centres, carried by the base of gear g, lags behind gear f.
+    """Whole turns by which the line of centres, fixed to the base of gear g, lags behind gear f.
 
-    Seen from gear f it has turned as far as the base of g and a little more (`turn_g`); the remainder of
-    that, `turn_f`, is known. The bases turn by the spins of the bodies that the gears hang on.
+    Relative to gear f it has rotated with the base of g plus a small angle (`turn_g`); the remainder `turn_f`
+    is known. The bases rotate with the spins of the bodies that support the gears.
     """
     rest = (g["base"] - f["base"] + turn_g - turn_f) / (2.0 * math.pi)
     return -(int(math.floor(rest + 0.5)) + g["base_turns"] - f["base_turns"])
@@ -161,7 +161,7 @@ def carried_turns(f, g, turn_f, turn_g):
 
 @kernel
 def _travel(b, phi1, turns1, phi2, turns2):
-    """Base-tangent travel and mean travel; whole turns enter as integers, so nothing grows with them."""
+    """Set base-tangent travel and mean travel; integer whole turns avoid a loss of precision."""
     now = b["now"]
     s1 = b["r_b1"] * phi1
     s2 = b["r_b2"] * phi2
@@ -176,9 +176,10 @@ def _travel(b, phi1, turns1, phi2, turns2):
 
 @kernel
 def _place(b):
-    """Fill what follows from the places of the gears: path of contact, face width, a share of the phases.
+    """Set path of contact, common face width and the offsets of the phases from the positions of the gears.
 
-    A and E are where the tip circles cut the line of action; widths count from the plane of the pitch point.
+    A and E are the intersections of the tip circles with the line of action; widths are relative to the plane
+    of the pitch point.
     """
     now = b["now"]
     tan_a = now["sin_a"] / now["cos_a"]
@@ -212,9 +213,9 @@ def flank_phase(b, flank):
 
 @kernel
 def begin_flank(b, flank, width):
-    """Phase of a flank and slope of its contact lines over `width` [m], into the scratch.
+    """Set phase of a flank and slope of its contact lines over `width` [m].
 
-    `width`: 1 m for lines straight over the face width, the mean cone distance for lines over its logarithm.
+    `width`: 1 m for lines straight over the face width; mean cone distance for lines over its logarithm.
     """
     now = b["now"]
     now["flank"] = flank
@@ -227,7 +228,7 @@ def begin_flank(b, flank, width):
 
 @kernel
 def excitation(b, f, g, psi):
-    """Static transmission error e(psi, phi1, phi2) and its rate, into the scratch."""
+    """Set the static transmission error e(psi, phi1, phi2) and its rate."""
     now = b["now"]
     now["e_t"] = 0.0
     now["e_rate"] = 0.0
@@ -257,7 +258,7 @@ def _shaft_orders(b, rows, phi, turns, omega):
 
 @kernel
 def spin_motion(b, o1, o2):
-    """Rates of gears that keep their places and turn at o1 and o2 [rad/s]."""
+    """Set travel and phase rates of gears at fixed positions that rotate at o1 and o2 [rad/s]."""
     now = b["now"]
     now["travel_rate"] = 0.5 * (b["r_b1"] * o1 - b["r_b2"] * o2)
     now["phase_rate"][0] = now["travel_rate"] / b["p_bt"]
@@ -266,7 +267,7 @@ def spin_motion(b, o1, o2):
 
 @kernel
 def motion(b, f, g):
-    """Rates of the scratch of mesh `b` from the twists of both bodies; see above for the quantities."""
+    """Set the rates in the scratch of mesh `b` from the velocities of both bodies."""
     now = b["now"]
     v = f["tw"]
     w = g["tw"]
@@ -298,7 +299,7 @@ def motion(b, f, g):
         dm_e += dm[k] * e[k]
     dz_rate = axial + a * dm_e
     a_rate = along - now["dz"] * dm_e
-    # angles of the gears from the line of centres
+    # angular velocities of the gears relative to the line of centres
     o1 = 0.0
     o2 = 0.0
     c1 = now["c1"]
@@ -318,7 +319,7 @@ def motion(b, f, g):
 
 @kernel
 def _place_rates(b, a_rate, dz_rate):
-    """Rates of the path of contact, the shared width and the phases where the gears move bodily."""
+    """Set the rates of path of contact, common width and phases from the translation of the gears."""
     now = b["now"]
     cos_a = now["cos_a"]
     sin_a = now["sin_a"]

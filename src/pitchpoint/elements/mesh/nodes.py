@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Nodes of one flank of a cylindrical mesh: levers and rates of a place, and a prescribed total stiffness.
+"""Contact nodes of one flank of a cylindrical mesh: levers and rates; flank with prescribed total stiffness.
 
-`mesh.tooth_pairs` places the nodes of single tooth pairs; `mesh.sums.add_node` applies the flank law to a
+`mesh.tooth_pairs` defines the nodes of single tooth pairs; `mesh.sums.add_node` applies the flank law to a
 node. The normal force at (z, xi) has the moment y tau about the pitch point, y = z + f tan(beta_b) xi: axial
-force times path and transverse force times width turn the gears about the same axis tau = m x n_f.
-Penetration and its rate therefore change with y too.
+force times path and transverse force times width act about the same axis tau = m x n_f. Penetration and its
+rate therefore depend on y as well.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.mesh.sums import add_node
 
 GAUSS = math.sqrt(0.6)
-"""Place of the outer ones of three Gauss points, from the middle to the ends of a piece."""
+"""Abscissa of the outer points of the three-point Gauss rule on [-1, 1]."""
 
 
 @kernel
 def set_levers(b, z, xi):
-    """Levers of a node at the width z and the path position xi, from the pitch point [m]."""
+    """Set the levers of a node at the width z and the path position xi, from the pitch point [m]."""
     lever = b["lever"]
     lever[0] = 1.0
     lever[1] = z + b["now"]["flank"] * b["tan_b"] * xi
@@ -31,7 +31,7 @@ def set_levers(b, z, xi):
 
 @kernel
 def width_rate(b, z):
-    """Rate of a place on the shared width, seen from the pitch point: places keep their share of it."""
+    """Rate of a point at a constant fraction of the common width, relative to the pitch point."""
     now = b["now"]
     return now["lo_rate"] + (z - now["z_lo"]) * (now["hi_rate"] - now["lo_rate"]) / (
         now["z_hi"] - now["z_lo"]
@@ -40,20 +40,20 @@ def width_rate(b, z):
 
 @kernel
 def drift(b, z):
-    """Rate of that place over the one the normal force is conjugate to."""
+    """Rate of that point relative to the motion to which the normal force is conjugate."""
     return width_rate(b, z) - b["w_z"] * b["now"]["dz_rate"]
 
 
 @kernel
 def line_rate(b, z):
-    """Rate of the path position of the contact lines [base pitches/s] at a place on the shared width."""
+    """Rate of the path position of the contact lines [base pitches/s] at a point of the common width."""
     now = b["now"]
     return now["phase_rate"][0 if now["flank"] > 0 else 1] + now["lam"] * width_rate(b, z)
 
 
 @kernel
 def nearer(start, end, stop):
-    """`stop` if it lies between, else `end`."""
+    """`stop` if it is between `start` and `end`, else `end`."""
     if stop > start and stop < end:
         return stop
     return end
@@ -61,9 +61,9 @@ def nearer(start, end, stop):
 
 @kernel
 def phase_flank(b, watch, x_0, ratio, rate):
-    """A prescribed total stiffness, spread evenly over the shared face width, acting at the pitch point.
+    """Sum a prescribed total stiffness, uniform over the common face width, acting at the pitch point.
 
-    `ratio` of the stiffness to its mean and the rate of that ratio [1/s].
+    `ratio`: stiffness over its mean; `rate`: time derivative of that ratio [1/s].
     """
     now = b["now"]
     k = b["c_prime"] * ratio
@@ -74,7 +74,7 @@ def phase_flank(b, watch, x_0, ratio, rate):
         _middle_node(b, watch, x_0, k, k_rate)
         return
     if b["slices"] == 0 and now["tilt"] == 0.0 and b["rate"][1] == 0.0 and b["contact"]["mu"] == 0.0:
-        # parallel axes: the same force all over the width, whose second moment is that of its length
+        # parallel axes: uniform force over the width, with the second moment of its length
         _middle_node(b, watch, x_0, k, k_rate)
         tangent = b["sums"]["tangent"]
         tangent[1, 1] += tangent[0, 0] * (hi - lo) * (hi - lo) / 12.0
@@ -103,7 +103,7 @@ def phase_flank(b, watch, x_0, ratio, rate):
 
 @kernel
 def _middle_node(b, watch, x, k, k_rate):
-    """One node of a prescribed stiffness for the whole width."""
+    """Add one node of a prescribed stiffness for the whole width."""
     now = b["now"]
     set_levers(b, 0.5 * (now["z_lo"] + now["z_hi"]), 0.0)
     add_node(b, watch, x, k, 0.0, (k_rate, 0.0, now["growth"]), None, 1.0)
@@ -111,7 +111,7 @@ def _middle_node(b, watch, x, k, k_rate):
 
 @kernel
 def _phase_node(b, watch, x_0, z, k, k_rate):
-    """One node of a prescribed stiffness, at the width z and at the pitch point."""
+    """Add one node of a prescribed stiffness, at the width z and at the pitch point."""
     now = b["now"]
     x_rate = -now["kappa"] * drift(b, z) if watch is not None else 0.0
     set_levers(b, z, 0.0)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Observations and event functions of a mesh, cylindrical or bevel, written from the sums of its flanks.
+"""Observations and event functions of a mesh, cylindrical or bevel, from the sums of its flanks.
 
-A normal force F along the base tangent turns both gears by -r_b F. Friction has no such radius: it acts along
-the tooth, at the distance of the contact from where the line of action touches each base circle, and reverses
-at the pitch point. What it takes from one gear and gives to the other is reported as two torques about the
-axes of the gears.
+A normal force F along the base tangent has the torque -r_b F on both gears. The lever of friction is not
+constant: friction acts along the tooth profile, its lever is the distance of the contact from the tangent
+point of the line of action on each base circle, and it reverses at the pitch point. It is reported as two
+torques about the axes of the gears.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pitchpoint.elements.mesh.record import EVENTS, OUTPUTS
 from pitchpoint.elements.mesh.sums import FRICTION_ROWS
 from pitchpoint.multibody.channels import F8, bounded
 
-#: Observations that every mesh has, first in its row.
+#: Observations of every mesh, first in its row.
 OBSERVED = np.dtype([(name, "f8") for name, _, _ in OUTPUTS])
 EVENT_ROW = np.dtype([(name, "f8") for name, _ in EVENTS])
 FLANK_EVENTS = np.dtype([(name, "f8") for name in ("pair_entry", "pair_exit", "sliding_reversal")])
@@ -29,20 +29,20 @@ _FRONT = 8 * _NAMES.index("pair_entry")
 _BACK = 8 * _NAMES.index("back_pair_entry")
 
 _LEAST = 1e-15
-"""Minimum distance [m] of an event function from contact: its sign shows the side."""
+"""Minimum magnitude [m] of a contact event function, so that its sign is defined."""
 _AWAY = 10.0
-"""Added to the event functions of the flank that is farther from contact: no sign changes there."""
+"""Offset of the event functions of the flank farther from contact: suppresses their sign changes."""
 
 
 @kernel
 def observed(b):
-    """Observations that every mesh has, as a record."""
+    """Observations of every mesh, as a record."""
     return view(b["request"]["out"], 1, OBSERVED)[0]
 
 
 @kernel
 def clear(b, n_out):
-    """Set all observations of a mesh to zero; `n_out` of its kind come before those of its pairs."""
+    """Set all observations of a mesh to zero; `n_out` of its kind precede those of its pairs."""
     n = n_out + b["n_pair"] + 2 * b["rubs"]
     out = view(b["request"]["out"], n, F8)
     for k in range(n):
@@ -51,10 +51,10 @@ def clear(b, n_out):
 
 @kernel
 def add_flank(b, flank, force, parts, fed):
-    """Add the sums of one flank to the observations; forces of pairs are there already.
+    """Add the sums of one flank to the observations; pair forces are written separately.
 
-    `force` along the base tangent [N]; `parts` of it on gear 2: circumferential, radial, axial [N]; `fed`:
-    parametric power in addition to that of the nodes [W].
+    `force`: along the base tangent [N]; `parts`: its circumferential, radial and axial component on gear 2
+    [N]; `fed`: parametric power in addition to that of the nodes [W].
     """
     out = observed(b)
     sums = b["sums"]
@@ -74,7 +74,7 @@ def add_flank(b, flank, force, parts, fed):
 
 @kernel
 def write_mesh(b, e_rate, psi, damper, rate):
-    """Observations that do not depend on the flank, and those of the damper with its force and rate."""
+    """Write the observations that do not depend on the flank; add damper force and power."""
     now = b["now"]
     out = observed(b)
     x = now["u"] - now["e_t"]
@@ -89,13 +89,13 @@ def write_mesh(b, e_rate, psi, damper, rate):
 
 @kernel
 def add_pair_force(b, n_out, slot, force):
-    """Add a force of a tooth pair, front flank positive [N]."""
+    """Add the force of a tooth pair, front flank positive [N]."""
     view(b["request"]["out"] + 8 * n_out, b["n_pair"], F8)[slot] += force
 
 
 @kernel
 def add_friction_torques(b, n_out, f, g):
-    """Add the torques of friction, the last rows of the basis, where the mesh shows them."""
+    """Add the friction torques (last rows of the basis) if the mesh observes them."""
     if b["rubs"] == 0 or b["contact"]["mu"] == 0.0:
         return
     out = view(b["request"]["out"] + 8 * (n_out + b["n_pair"]), 2, F8)
@@ -109,7 +109,7 @@ def add_friction_torques(b, n_out, f, g):
 
 @kernel
 def contact_event(distance, force):
-    """Distance from contact [m] as an event function: positive where the flank pushes, else negative."""
+    """Contact event function from a distance [m]: positive if the flank has a force, else negative."""
     return max(distance, _LEAST) if force > 0.0 else min(distance, -_LEAST)
 
 
@@ -121,9 +121,9 @@ def _nearest_pitch(psi):
 
 @kernel
 def write_events(b, x, front, back, leaves):
-    """Event functions at the deflection x [m]; those of contact are known. See `mesh.record`.
+    """Write the event functions at the deflection x [m]; see `mesh.record`. `front`, `back`: contact events.
 
-    `leaves`: path position at which a pair leaves [base pitches].
+    `leaves`: path position at which a pair leaves contact [base pitches].
     """
     now = b["now"]
     where = b["request"]["ev"]

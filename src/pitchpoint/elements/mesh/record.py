@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What one gear mesh is to the compiled core: its numbers, its outputs, its scratch.
+"""Record of one gear mesh for the kernels: parameters, outputs and scratch fields.
 
 All lengths in m, angles in rad; gear 1 is body `i`, gear 2 is body `j`; base radii and numbers of teeth are
-signed (internal: negative), so that one set of formulas serves external and internal pairs.
+signed (internal: negative), so that the same formulas apply to external and internal pairs.
 """
 
 from __future__ import annotations
@@ -20,28 +20,29 @@ PHASE = 1  # prescribed total stiffness over the mesh phase
 USER = 3
 
 ROWS = 5
-"""Rows of the wrench basis: normal force times 1 and y, friction times 1, z and xi. With the lever
-y = z + f tan(beta_b) xi of the normal force: axial force times path and transverse force times width turn the
-gears about the same axis."""
+"""Rows of the wrench basis: normal force times 1 and y, friction times 1, z and xi. The lever of the normal
+force
+is y = z + f tan(beta_b) xi: axial force times path and transverse force times width act about the same
+axis."""
 
-#: What the table of a gear holds for a tooth: row of its gap, of its added compliance and of its level, -1
-#: where it has none; first and last station between which gap and compliance, and the level, change over z.
+#: Values per tooth in the table of a gear: grid of its gap, of its additional compliance and of its level, -1
+#: if none; first and last station between which gap and compliance, and the level, vary over z.
 N_ROW = 7
 
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
-    ("fixed", "i8"),  # 1: both bodies only spin, the line of action never moves
-    ("carried", "i8"),  # gear whose base carries the line of centres round, 0: both are on one base
+    ("fixed", "i8"),  # 1: pure rotation of both bodies, fixed line of action
+    ("carried", "i8"),  # gear whose base rotates the line of centres (carrier); 0: both on one base
     ("displaced", "i8"),  # 1: a gear is eccentric or wobbles on the axis of its body
-    ("seats", "i8"),  # where the gears sit on their bodies, offset in the pool; see `mesh.eccentricity`
+    ("seats", "i8"),  # displacement of the gears on their bodies, offset in the pool; see `mesh.eccentricity`
     ("z1", "i8"),
     ("z2", "i8"),  # signed numbers of teeth
     ("r_b1", "f8"),
     ("r_b2", "f8"),  # signed base radii
     ("p_bt", "f8"),  # transverse base pitch
-    ("w1", "f8"),  # z1 / (z1 + z2): where the pitch point divides the line from gear 1 to gear 2
-    ("w_z", "f8"),  # how far the shared width moves from the pitch point per axial offset of the gears
+    ("w1", "f8"),  # z1 / (z1 + z2): position of the pitch point on the line from gear 1 to gear 2
+    ("w_z", "f8"),  # shift of the common width relative to the pitch point per axial offset of the gears
     ("tan_b", "f8"),  # tan beta_b of gear 1, right hand positive
     ("zc1", "f8"),
     ("zc2", "f8"),  # mid-face positions along the spin axes of the bodies
@@ -51,13 +52,10 @@ _GEOMETRY = [
     ("sin1", "f8"),  # nominal direction from gear 1 to the pitch point, in the frame of body i
     ("cos2", "f8"),
     ("sin2", "f8"),  # the same direction in the frame of body j
-    ("skew", "f8", 2),  # tilt of axis 2 against axis 1 by the housing: along t, along e [rad]
-    ("u0", "f8"),  # base-tangent travel that remains from the assembly, 0 = teeth centred in the backlash
-    ("inv_w0", "f8"),  # involute of the working angle without backlash (allowances included)
-    (
-        "xi_0",
-        "f8",
-    ),  # mean path position of the front flank at zero angles, from the pitch point, less inv part
+    ("skew", "f8", 2),  # tilt of axis 2 relative to axis 1 by the housing: along t, along e [rad]
+    ("u0", "f8"),  # initial base-tangent travel, 0 = teeth centred in the backlash
+    ("inv_w0", "f8"),  # involute of the zero-backlash working pressure angle (allowances included)
+    ("xi_0", "f8"),  # mean path position of the front flank at zero angles, less its involute part
     ("xi_b", "f8"),  # the same for the back flank
     ("rho_a1", "f8"),
     ("rho_a2", "f8"),  # lengths of roll up to the tips: sqrt(r_a^2 - r_b^2)
@@ -75,17 +73,17 @@ _STIFFNESS = [
     ("n_k", "i8"),
     ("cosine", "i8"),
     ("sine", "i8"),  # PHASE: coefficients, offsets in the pool
-    ("deviating", "i8"),  # `tooth_pairs.deviating_line`, where some teeth have grids of their own
-    ("turning", "i8"),  # address of `mesh.exact_tangent.turning`, where exact tangents are required
+    ("deviating", "i8"),  # address of `tooth_pairs.deviating_line`, if some teeth have grids
+    ("turning", "i8"),  # address of `mesh.exact_tangent.turning`, if exact tangents are required
     ("law", "i8"),  # PHASE, USER: address of the law
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
-    ("k_step", "f8"),  # usual slope of the force, from which time steps are guessed [N/m]
+    ("k_step", "f8"),  # typical stiffness, for the estimate of the time step [N/m]
 ]
 
 _LOSSES = [
     ("contact", FLANK_LAW),
-    ("d_gap", "f8"),  # mesh damper, acts inside the gap too [N s/m]
+    ("d_gap", "f8"),  # mesh damper, also acts within the backlash [N s/m]
 ]
 
 _EXCITATION = [
@@ -97,24 +95,24 @@ _EXCITATION = [
     ("n_e2", "i8"),
     ("e2", "i8"),
     ("t1_0", "i8"),
-    ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 that the assembly counts from
-    ("n_sep", "i8"),  # 1: some teeth have grids of their own, see `mesh.flank_deviations`
-    ("n_t", "i8", 2),  # teeth that the tables of both gears distinguish
+    ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 in mesh at assembly
+    ("n_sep", "i8"),  # 1: some teeth have deviation grids, see `mesh.flank_deviations`
+    ("n_t", "i8", 2),  # numbers of teeth in the tables of both gears
     ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
     ("n_sz", "i8", 4),
     ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
     ("sep", "i8", 4),  # offsets of the stacks of grids [row, width, roll], likewise
-    ("roll", "f8", (2, 2)),  # lengths of roll that the grids of both gears span [m]
-    ("stride", "i8"),  # stations of gaps and compliances that one piece of a contact line spans
-    ("sep_min", "f8"),  # smallest sum of both separations
+    ("roll", "f8", (2, 2)),  # range of the length of roll of the grids of both gears [m]
+    ("stride", "i8"),  # stations of gaps and compliances per piece of a contact line
+    ("sep_min", "f8"),  # minimum of the sum of both gaps
 ]
 
-#: Scratch: filled and read within one call, carries nothing from call to call.
+#: Scratch: written and read within one call.
 _SCRATCH = [
     ("m", "f8", 3),  # mean axis
     ("e", "f8", 3),  # from gear 1 towards the pitch point
     ("t", "f8", 3),  # m x e
-    ("P", "f8", 3),  # pitch point in the plane of zero tilt gap
+    ("P", "f8", 3),  # pitch point in the plane z = 0, where tilt has no effect on the penetration
     ("dn", "f8", 3),  # axis of gear 2 less axis of gear 1
     ("a", "f8"),  # centre distance, signed
     ("c1", "f8"),
@@ -122,7 +120,7 @@ _SCRATCH = [
     ("inv_m", "f8"),  # 1 / length of the weighted sum of both axes
     ("q_e", "f8", 3),
     ("q_m", "f8", 3),
-    ("q_n", "f8", 3),  # coefficients of a gradient over e, m and dn
+    ("q_n", "f8", 3),  # gradients with respect to e, m and dn
     ("cos_a", "f8"),
     ("sin_a", "f8"),
     ("inv_a", "f8"),
@@ -146,26 +144,26 @@ _SCRATCH = [
     ("xi_A", "f8"),
     ("eps", "f8"),  # path of contact: start from the pitch point [m], length [base pitches]
     ("L", "f8"),  # ramp at both ends of the path [base pitches]
-    ("start", "f8", 2),  # share of the place of the gears in the mesh phase of either flank [base pitches]
-    ("flank", "i8"),  # the flank being summed: +1 front, -1 back
+    ("start", "f8", 2),  # offset of the mesh phase of either flank by the gear positions [base pitches]
+    ("flank", "i8"),  # current flank: +1 front, -1 back
     ("psi", "f8"),
-    ("tooth", "i8"),  # mesh phase in [0, 1) and the whole base pitches that belong to it
+    ("tooth", "i8"),  # mesh phase in [0, 1) and its whole base pitches
     ("lam", "f8"),  # base pitches per metre of face width along a contact line
     ("kappa", "f8"),  # n_f . dn, loss of penetration per lever y
     ("tilt", "f8"),  # loss of penetration per width along a contact line
     ("tan_a", "f8"),
-    ("tan_rate", "f8"),  # tan alpha and its rate, where flanks have separations
+    ("tan_rate", "f8"),  # tan alpha and its rate, for deviating flanks
     ("per_z", "f8", 4),
-    ("per_roll", "f8", 4),  # steps of the grids per metre
-    ("rows", "i8", (2, N_ROW)),  # rows of the two teeth that make a pair
+    ("per_roll", "f8", 4),  # grid steps per metre
+    ("rows", "i8", (2, N_ROW)),  # grid rows of the two teeth of a pair
     ("line", "f8", 3),  # of a contact line for `deviating_line`: path position, penetration at z = 0, force
-    ("growth", "f8"),  # rate of the shared width over itself, where the stiffness grows with it
+    ("growth", "f8"),  # relative rate of the common width, if the stiffness grows with it
     ("z_lo", "f8"),
-    ("z_hi", "f8"),  # shared face width
+    ("z_hi", "f8"),  # ends of the common face width
     ("lo_slope", "f8"),
-    ("hi_slope", "f8"),  # their change per axial offset of the gears
-    ("moved", "f8", (2, 12)),  # exact tangents: change of its first rows with one motion of one body
-    ("slope", "f8", (2, 12)),  # and of the normal rates with each motion of both bodies
+    ("hi_slope", "f8"),  # their derivatives by the axial offset of the gears
+    ("moved", "f8", (2, 12)),  # exact tangents: derivative of the first basis rows by one motion of one body
+    ("slope", "f8", (2, 12)),  # and of the normal rates by each motion of both bodies
 ]
 
 RECORD = np.dtype(
@@ -179,7 +177,7 @@ RECORD = np.dtype(
         *scratch_of_sums(ROWS),
         ("here", "i8"),  # address of this record, for calls through an address
         ("n_pair", "i8"),
-        ("rubs", "i8"),  # 1: torques of friction are observed
+        ("rubs", "i8"),  # 1: friction torques are observed
         ("pool", "i8"),  # address of the float array that holds all tables
         ("ev", "i8"),
         ("out", "i8"),
@@ -193,34 +191,34 @@ OUTPUTS = (
     ("deflection", "m", "transmission error less its static excitation"),
     ("mesh_force", "N", "force along the base tangent, front flank positive"),
     ("mesh_stiffness", "N/m", "stiffness of the flanks in contact along the base tangent"),
-    ("mesh_phase", "1", "position in the mesh cycle, 0 where a pair enters at mid-face"),
+    ("mesh_phase", "1", "position in the mesh cycle, 0 when a pair enters at mid-face"),
     ("contact_state", "1", "1 front flank, 0 separated, -1 back flank, 2 both"),
     ("normal_force", "N", "force normal to the flanks"),
-    ("circumferential_force", "N", "circumferential part on gear 2 at the working circle"),
-    ("radial_force", "N", "separating part"),
-    ("axial_force", "N", "axial part on gear 2"),
-    ("friction_power", "W", "power lost to sliding friction"),
-    ("damping_power", "W", "power lost to contact damping and mesh damper"),
-    ("parametric_power", "W", "power fed in by what moves with the mesh phase: stiffness and excitation"),
+    ("circumferential_force", "N", "circumferential force on gear 2 at the working pitch circle"),
+    ("radial_force", "N", "radial (separating) force"),
+    ("axial_force", "N", "axial force on gear 2"),
+    ("friction_power", "W", "power loss by sliding friction"),
+    ("damping_power", "W", "power loss by contact damping and mesh damper"),
+    ("parametric_power", "W", "power supplied by stiffness and excitation varying with the mesh phase"),
     ("elastic_energy", "J", "energy stored in the flanks"),
-    ("penetration", "m", "overlap of the flanks normal to them at the pitch point, below 0 their distance"),
+    ("penetration", "m", "overlap normal to the flanks at the pitch point; negative: distance"),
 )
 N_OUT = len(OUTPUTS)
 
-#: Observations of a mesh with friction. Both torques are those of the forces along the teeth alone.
+#: Observations of a mesh with friction: torques of the friction forces alone.
 FRICTION = (
     ("friction_torque_1", "N m", "friction of the flanks on gear 1 about its axis"),
     ("friction_torque_2", "N m", "friction of the flanks on gear 2 about its axis"),
 )
 
-#: Event functions of one mesh: they change sign at the instants that users request. Those of contact are
-#: positive exactly where the forces of a flank add up to more than zero, as in `contact_state`; without
-#: contact damping perfect flanks give their penetration [m]. Those of pairs rise with the mesh phase and fall
-#: where it decreases: a pair that passes A backwards leaves contact there. Each wraps from 1/2 to -1/2 half a
-#: base pitch away, which does not count as an event, and is valid on the nearer flank only.
+#: Event functions of one mesh; an event is a change of sign. Those of contact are positive exactly if the sum
+#: of the forces of a flank is positive, as in `contact_state`; without contact damping and deviations they
+#: are the penetration [m]. Those of pairs rise and fall with the mesh phase: a pair that passes A backwards
+#: leaves contact there. Each wraps from 1/2 to -1/2 half a base pitch away, which is not an event, and is
+#: valid on the nearer flank only.
 EVENTS = (
-    ("front_gap", "front flank touches or parts"),
-    ("back_gap", "back flank touches or parts"),
+    ("front_gap", "front flank makes or loses contact"),
+    ("back_gap", "back flank makes or loses contact"),
     ("turning_reversal", "the mean travel of the gears reverses"),
     ("pair_entry", "a tooth pair passes the start A of the path of the front flanks at mid-face"),
     ("pair_exit", "a tooth pair passes the end E of the path of the front flanks at mid-face"),
@@ -239,9 +237,9 @@ def mesh_outputs(
     Parameters
     ----------
     record
-        A mesh of cylindrical or bevel gears.
+        Record of a mesh of cylindrical or bevel gears.
     of_all
-        Those that every mesh of its kind has.
+        Observations of every mesh of its kind.
     """
     pairs = range(int(record["n_pair"]))
     forces = ((f"pair_force[{{}}.{k}]", "N", f"force of tooth pair {k}") for k in pairs)

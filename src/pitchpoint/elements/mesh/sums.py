@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the places (nodes) of a flank add up to and how it acts on both gears, cylindrical and bevel alike.
+"""Sums over the contact nodes of a flank, and their wrenches on both gears, for cylindrical and bevel meshes.
 
-A node acts on the gears along rows of a wrench basis, with one lever per row: first the rows of the normal
-force, then three of friction. Its force, its tangent and what is observed of it come from the flank law and
-go to the record `sums` of the mesh. Where nothing is observed, `watch` is None and energy, powers and what
-events require are not compiled.
+A node acts on the gears along the rows of a wrench basis with one lever per row: first the rows of the normal
+force, then three of friction. Its force, tangent and observations follow from the flank law and are added to
+the record `sums` of the mesh. Without observations `watch` is None, and energy, powers and event functions
+are not compiled.
 
 Every row of the wrench basis is the wrench of a unit force on both bodies. Sums over the rows give forces,
-sums over pairs of rows tangents; the power that a row takes from the bodies is its rate. Gears that only
-spin, without friction, need one number: the torque of a base-tangent force F is -r_b F about both axes.
+sums over pairs of rows tangents; the rate of a row is the power of its unit force, taken from the bodies.
+Pure rotation without friction needs one value: the torque of a base-tangent force F is -r_b F about both
+axes.
 """
 
 from __future__ import annotations
@@ -20,9 +21,9 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.multibody.channels import F8, FRAME
 
 FRICTION_ROWS = 3
-"""Rows of friction in a wrench basis, the last ones."""
+"""Number of friction rows, the last rows of a wrench basis."""
 
-#: What an evaluation of a mesh is for: a copy of what it needs of the control record.
+#: Evaluation request of a mesh: a copy of the fields that it needs of the control record.
 REQUEST = np.dtype(
     [
         ("t", "f8"),
@@ -47,18 +48,18 @@ REQUEST = np.dtype(
 
 
 def scratch_of_sums(rows: int) -> list[tuple]:
-    """Fields of a mesh whose wrench basis has a number of rows, for its nodes and their sums."""
+    """Record fields for the nodes and sums of a mesh whose wrench basis has `rows` rows."""
     sums = [
         ("force", "f8", rows),  # over the rows of the basis
-        ("tangent", "f8", (rows, rows)),  # likewise, of positions and velocities
-        ("roll", "f8", rows),  # tangent over the rate of the path position
-        ("pushed", "f8"),  # base-tangent forces of all nodes, where something is observed; so are the next
+        ("tangent", "f8", (rows, rows)),  # likewise, by positions and velocities
+        ("roll", "f8", rows),  # tangent by the rate of the path position
+        ("pushed", "f8"),  # base-tangent force of all nodes; this and the next fields only with observations
         ("stiffness", "f8"),
         ("friction_power", "f8"),
         ("damping_power", "f8"),
         ("parametric_power", "f8"),
         ("energy", "f8"),
-        ("nearest", "f8"),  # largest force over stiffness of a node [m], below zero where it is open
+        ("nearest", "f8"),  # maximum over the nodes of force over stiffness [m], negative if separated
     ]
     return [
         ("request", REQUEST),
@@ -71,12 +72,12 @@ def scratch_of_sums(rows: int) -> list[tuple]:
 
 
 NOWHERE = -0.1
-"""Distance from contact [m] of a flank without stiffness: no pair of teeth is there."""
+"""Distance from contact [m] of a flank without stiffness (no tooth pair in the path of contact)."""
 
 
 @kernel
 def begin_request(b, c):
-    """Take over what the control record `c` asks of a mesh."""
+    """Copy the evaluation request from the control record `c` to the mesh record."""
     request = b["request"]
     request["t"] = c["t"]
     request["ck"] = c["ck"]
@@ -105,7 +106,7 @@ def requested_arrays(b):
 
 @kernel
 def begin_damping(b):
-    """Make the next sums those of the damping coefficients alone, without observations; see `end_damping`."""
+    """Request sums of the damping coefficients alone, without observations; returns the replaced request."""
     request = b["request"]
     kept = (request["ck"], request["cd"], request["out"], request["ev"])
     request["ck"] = 0.0
@@ -117,14 +118,14 @@ def begin_damping(b):
 
 @kernel
 def end_damping(b, kept):
-    """Restore what `begin_damping` gave."""
+    """Restore the request that `begin_damping` returned."""
     request = b["request"]
     request["ck"], request["cd"], request["out"], request["ev"] = kept
 
 
 @kernel
 def begin_sums(b):
-    """Empty sums."""
+    """Reset the sums."""
     sums = b["sums"]
     rows = b["lever"].size
     for p in range(rows):
@@ -143,7 +144,7 @@ def begin_sums(b):
 
 @kernel
 def across(b, values):
-    """A quantity given by its values along the rows of the normal force, at the node whose levers are set."""
+    """Value at the current node of a quantity given along the rows of the normal force."""
     lever = b["lever"]
     s = 0.0
     for p in range(lever.size - FRICTION_ROWS):
@@ -153,13 +154,14 @@ def across(b, values):
 
 @kernel(inline=True)
 def add_node(b, watch, x, k, limit, feed, own, size):
-    """Add the node whose levers are set and return its force along the base tangent [N].
+    """Add the node with the current levers and return its force along the base tangent [N].
 
-    `x` penetration [m], `k` stiffness [N/m^power], `limit` force below which it softens [N]; `feed`: rates of
-    stiffness and penetration where no force pushes, with the mesh phase, and relative rate of its
-    width; `size`: its displacement over that of the gears along the base tangent, squared. `own`: None on
-    nominal flanks; else the rate of the penetration where the contact runs over separated flanks [m/s], which
-    damps like that of the bodies, its slope over the path, a compliance in series [m/N] and its rate.
+    `x`: penetration [m]; `k`: stiffness [N/m^power]; `limit`: force below which the node softens [N]. `feed`:
+    rates of stiffness and penetration with the mesh phase, which supply parametric power, and relative rate
+    of the width. `size`: squared ratio of the displacement of the node to that of the gears along the base
+    tangent. `own`: None for nominal flanks; for deviating flanks the penetration rate by the motion of the
+    contact over the flanks [m/s], which is damped like that of the bodies, its slope over the path rate, a
+    compliance in series [m/N] and its rate.
     """
     sums = b["sums"]
     if x <= 0.0 or k <= 0.0:
@@ -212,7 +214,7 @@ def _add_normal(b, f, c):
 
 @kernel
 def _add_friction(b, watch, f, c):
-    """Add the friction of a node against its local sliding; gives its change with the normal force."""
+    """Add the friction of a node against its local sliding; returns its derivative by the normal force."""
     sums = b["sums"]
     lever = b["lever"]
     rows = lever.size
@@ -237,7 +239,7 @@ def _add_friction(b, watch, f, c):
 
 @kernel
 def _add_roll(b, by_f, c):
-    """Add the tangent over the rate of the path position: `c` of the normal force, `by_f` c of friction."""
+    """Add the tangent by the rate of the path position: `c` of the normal force, `by_f` c of friction."""
     roll = b["sums"]["roll"]
     lever = b["lever"]
     normal = lever.size - FRICTION_ROWS
@@ -249,7 +251,7 @@ def _add_roll(b, by_f, c):
 
 @kernel
 def rate_of_row(b, f, g, p):
-    """Rate of both bodies against row `p` of the wrench basis: the power it takes from them."""
+    """Rate of both bodies against row `p` of the wrench basis: power of its unit force."""
     s = 0.0
     for k in range(6):
         s -= b["basis_i"][p, k] * f["tw"][k] + b["basis_j"][p, k] * g["tw"][k]
@@ -284,9 +286,10 @@ def push(b, f, g, kk, rows):
 
 @kernel
 def mesh_damper(b, f, g, kk, e_rate):
-    """Damper along the travel, row 0 of the basis, in the gap too; returns its force and its rate.
+    """Add the mesh damper along the travel, row 0 of the basis; returns its force and rate.
 
-    `e_rate` is the rate of the transmission error, which the damper does not feel [m/s].
+    It also acts within the backlash. `e_rate`: rate of the static transmission error, excluded from the rate
+    of the damper [m/s].
     """
     rate = rate_of_row(b, f, g, 0) - e_rate
     force = b["d_gap"] * rate
@@ -300,7 +303,7 @@ def mesh_damper(b, f, g, kk, e_rate):
 
 @kernel
 def add_spin_torque(b, f, g, force):
-    """Torques of the base-tangent force `force` [N], front flank positive."""
+    """Add the torques of the base-tangent force `force` [N], front flank positive."""
     s1 = force * b["r_b1"]
     s2 = force * b["r_b2"]
     m = b["now"]["m"]
@@ -311,7 +314,7 @@ def add_spin_torque(b, f, g, force):
 
 @kernel
 def add_spin_tangent(b, kk, c):
-    """Tangent `c` of the base-tangent force along the travel."""
+    """Add the tangent `c` of the base-tangent force by the travel."""
     m = b["now"]["m"]
     r1 = b["r_b1"]
     r2 = b["r_b2"]

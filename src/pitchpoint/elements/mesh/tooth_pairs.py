@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the nodes of single tooth pairs lie: on the contact lines of all pairs of one flank.
+"""Contact nodes of single tooth pairs: integration along the contact lines of all pairs of one flank.
 
 A contact line is straight in path and width: p(z) = p_0 + lam z. Along it the stiffness of a pair is a
 piecewise cubic, the penetration of tilted gears is linear, and the lever arms are linear, so three Gauss
 points on every piece between kinks (start and end of contact, ends of the relief ramp, lift-off line, pitch
-point where sliding turns, points of a table) integrate force, moments and tangent exactly. Pairs with a tooth
-that has grids of its own (`mesh.flank_deviations`) get more pieces: between the stations of the grids, at the
-edge of what is broken out, and where the flanks lift off. Slices are the same sum with one node in the middle
-of each slice; gears with modified flanks are computed so.
+point with sliding reversal, points of a table) integrate force, moments and tangent exactly. Pairs with a
+tooth with deviation grids (`mesh.flank_deviations`) have more pieces: between the stations of the grids, at
+the edge of missing material, and at the lift-off of the flanks. With slices the sum has one node at the
+centre of each slice; this is used for gears with modified flanks.
 
 `deviating` is 1 for a pair with such a tooth, None for a nominal pair, whose kernels are compiled without it;
-the former are summed through an address (`deviating_line`), compiled only where a mesh has such teeth.
+the former are called by address (`deviating_line`), compiled only for a mesh with such teeth.
 """
 
 from __future__ import annotations
@@ -41,13 +41,13 @@ from pitchpoint.elements.mesh.sums import add_node
 from pitchpoint.multibody.channels import F8
 
 MOST_SPLIT = 64
-"""Most points of a table that make pieces of their own: three nodes for every point on a contact line. The
-table of `energy` has 129 smooth ones; without pieces its stiffness is off by 3.4e-5 of the mean at most."""
+"""Maximum number of table points at which contact lines are split (three nodes per point on a line). The
+table of `energy` has 129 smooth points; without splitting its stiffness error is below 3.4e-5 of the mean."""
 
 
 @kernel
 def pair_node(b, watch, p_0, x_q, z, weight, deviating):
-    """One node of the pair whose contact line is p_0 + lam z; `x_q` is its penetration at z = 0 [m]."""
+    """Add one node of the pair with the contact line p_0 + lam z; `x_q`: its penetration at z = 0 [m]."""
     now = b["now"]
     p = p_0 + now["lam"] * z
     if b["n_table"] > 0:
@@ -72,18 +72,18 @@ def pair_node(b, watch, p_0, x_q, z, weight, deviating):
     set_levers(b, z, xi)
     if deviating is None:
         return add_node(b, watch, x, c * scale, limit, (k_rate, x_rate, now["growth"]), None, 1.0)
-    if weight <= 0.0:  # a piece between two edges that fall together
+    if weight <= 0.0:  # a piece between two coincident edges
         return 0.0
     gap, gap_rate, slope, level, level_rate, q, q_rate = pair_separation(b, z, xi, z_rate, xi_rate)
-    # an edge that travels under the contact takes its energy along, but does not damp
+    # an edge that moves under the contact removes elastic energy, but has no damping
     x_rate -= level_rate
-    own = (-gap_rate, -slope, q / weight, q_rate / weight)  # a crack lies in series, per face width
+    own = (-gap_rate, -slope, q / weight, q_rate / weight)  # compliance of a crack in series, per face width
     return add_node(b, watch, x - gap - level, c * scale, limit, (k_rate, x_rate, now["growth"]), own, 1.0)
 
 
 @kernel
 def _shape_rate(b, p, p_rate):
-    """Rate of the ratio c/c' of a pair."""
+    """Time derivative of the ratio c/c' of a pair."""
     now = b["now"]
     L_rate = b["T_R"] * now["eps_rate"]
     if b["n_table"] > 0:
@@ -94,7 +94,7 @@ def _shape_rate(b, p, p_rate):
 
 @kernel
 def _gauss(b, watch, p_0, x_q, z_a, z_c, deviating):
-    """Three Gauss points on the piece from z_a to z_c of a contact line."""
+    """Integrate the piece from z_a to z_c of a contact line with three Gauss points."""
     z = 0.5 * (z_a + z_c)
     half = 0.5 * (z_c - z_a)
     r = GAUSS * half
@@ -105,9 +105,9 @@ def _gauss(b, watch, p_0, x_q, z_a, z_c, deviating):
 
 @kernel
 def _over(b, what, p_0, x_q, z):
-    """Level of the teeth of gear 1 or 2 (`what` 0 or 1) at a place of a contact line, or the penetration (2).
+    """Level of the tooth of gear 1 or 2 (`what` 0 or 1) at a point of a contact line, or penetration (2) [m].
 
-    Pieces end where these change their signs [m].
+    Pieces are split at the sign changes of these functions.
     """
     now = b["now"]
     xi = now["xi_A"] + (p_0 + now["lam"] * z) * b["p_bt"]
@@ -118,7 +118,7 @@ def _over(b, what, p_0, x_q, z):
 
 @kernel
 def _edge(b, what, p_0, x_q, a, c, f_a, f_c):
-    """Where between a and c, at which it has different signs, `_over` is zero."""
+    """Zero of `_over` between a and c, where its signs differ."""
     bracket = (a, c, f_a, f_c, 0)
     small = 1e-14 * (abs(f_a) + abs(f_c))
     z = c
@@ -133,7 +133,7 @@ def _edge(b, what, p_0, x_q, a, c, f_a, f_c):
 
 @kernel
 def _split(b, gear, p_0, a, c):
-    """Where the edge of what is broken out of a tooth crosses the piece from a to c; c if it does not."""
+    """Crossing of the edge of missing material with the piece from a to c; c if there is none."""
     if not has_level(b, gear):
         return c
     f_a = _over(b, gear, p_0, 0.0, a)
@@ -145,7 +145,7 @@ def _split(b, gear, p_0, a, c):
 
 @kernel
 def _touching_piece(b, watch, p_0, x_q, a, c, x_a, x_c):
-    """The part of a smooth piece on which the flanks touch; one open at both ends and in the middle is open.
+    """Integrate the part of a smooth piece in contact; if separated at both ends and in the middle, none is.
 
     `x_a` and `x_c` are the penetrations at its ends.
     """
@@ -167,7 +167,7 @@ def _touching_piece(b, watch, p_0, x_q, a, c, x_a, x_c):
 
 @kernel
 def _deviating_piece(b, watch, p_0, x_q, a, c, x_a):
-    """The piece from a to c of a pair with a tooth of its own, split at its edges; and x at c."""
+    """Integrate the piece from a to c of a deviating pair, split at the edges; returns force and x at c."""
     x_c = _over(b, 2, p_0, x_q, c)
     f = 0.0
     if has_level(b, 0) or has_level(b, 1):
@@ -184,21 +184,21 @@ def _deviating_piece(b, watch, p_0, x_q, a, c, x_a):
 
 @kernel
 def _next_point(b, p_0, a, end):
-    """Where behind `a` a contact line crosses the next point of the table, at most `end`."""
+    """Width after `a` at which a contact line crosses the next point of the table, at most `end`."""
     now = b["now"]
     lam = now["lam"]
     step = now["eps"] / (b["n_table"] - 1)
     way = 1.0 if lam > 0.0 else -1.0
     i = way * (math.floor(way * (p_0 + lam * a) / step) + 1.0)
     stop = (i * step - p_0) / lam
-    if stop <= a:  # the point where the last piece ended, a rounding before it
+    if stop <= a:  # the end of the last piece, within round-off
         stop = ((i + way) * step - p_0) / lam
     return min(stop, end)
 
 
 @kernel
 def exact_line(b, watch, p_0, x_q, deviating):
-    """Sum over one contact line, split at its kinks."""
+    """Integrate over one contact line, split at its kinks."""
     now = b["now"]
     lam = now["lam"]
     eps = now["eps"]
@@ -241,9 +241,9 @@ def exact_line(b, watch, p_0, x_q, deviating):
 
 @kernel
 def _moving_ends(b, x_q, u, v, deviating):
-    """Energy fed in where a contact line without relief ramp grows at A and shrinks at E.
+    """Add the parametric power of a contact line without relief ramp that grows at A and shrinks at E.
 
-    The stiffness per length jumps at both ends, u and v, which travel at 1/lam per base pitch.
+    The stiffness per length jumps at both ends, u and v, which move by 1/lam per base pitch.
     """
     now = b["now"]
     first = b["S_R"]
@@ -280,7 +280,7 @@ def _line_energy(b, x_q, z, xi, c, deviating):
 
 @kernel
 def pair_teeth(b, q):
-    """Tooth of gear 1 and space of gear 2 that make the pair q; internal gears count the other way round."""
+    """Tooth of gear 1 and space of gear 2 of the pair q; internal gears count in the opposite direction."""
     now = b["now"]
     flank = now["flank"]
     side = 1 if b["z2"] > 0 else -1
@@ -290,7 +290,7 @@ def pair_teeth(b, q):
 
 @kernel
 def sliced_line(b, watch, p_0, x_q, deviating):
-    """Sum over one contact line with one node in the middle of each slice."""
+    """Sum over one contact line with one node at the centre of each slice."""
     now = b["now"]
     n = b["slices"]
     step = (now["z_hi"] - now["z_lo"]) / n
@@ -310,10 +310,10 @@ def pair_line(b, watch, p_0, x_q, deviating):
 
 @kernel
 def deviating_line(record, watch, _):
-    """Sum over the contact line that begins at line[0] with the penetration line[1]; its force to line[2].
+    """Sum over the contact line with p_0 = line[0] and the penetration line[1]; its force to line[2].
 
-    For a pair with a tooth that deviates from the nominal flank, called through an address: most meshes have
-    none, and their kernel compiles in three quarters of the time without these. `watch` 1: observed.
+    For pairs with flank deviations, called by address: most meshes have none, and without this code their
+    kernel compiles in three quarters of the time. `watch` 1: with observations.
     """
     b = view(record, 1, RECORD)[0]
     line = b["now"]["line"]
@@ -326,7 +326,7 @@ def deviating_line(record, watch, _):
 
 @kernel
 def profile_flank(b, watch, x_0):
-    """All pairs of the current flank; `x_0` penetration at the pitch point."""
+    """Sum over all pairs of the current flank; `x_0`: penetration at the pitch point [m]."""
     now = b["now"]
     fh = now["flank"] * b["tan_b"]
     middle = now["psi"] + 0.5 * now["lam"] * (now["z_lo"] + now["z_hi"])

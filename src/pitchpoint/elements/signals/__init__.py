@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parts of signals: record, sensors, actuators, and the net that puts them in order."""
+"""Parts of signals: record, sensors, actuators, and the net that sorts them."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Actuators: wrenches that are a signal times a unit wrench, and how that turns with its bodies."""
+"""Actuators: wrench = signal times unit wrench, with tangents for the rotation of the unit wrench."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def _keep(unit_wrench, first, force, couple):
 
 @kernel
 def _push_fixed(b, f, g, kk, ctl, value, wrench, tangents):
-    """Force and moment of fixed direction at a point of body i, with reaction on body j at the same point."""
+    """Add force and moment of fixed direction at a point of body i, with reaction on body j at that point."""
     force = triple(b["F"], 0)
     couple = triple(b["F"], 3)
     if b["axes"] == BODY_I:
@@ -58,7 +58,7 @@ def _push_fixed(b, f, g, kk, ctl, value, wrench, tangents):
 
 @kernel
 def act(b, fr, kk, ctl, value, wrench, tangents):
-    """Add the wrenches of an actuator; `wrench` (12) takes what a signal of one does to bodies i and j."""
+    """Add the wrenches of an actuator; writes the wrenches of a unit signal on i and j to `wrench` (12)."""
     f = fr[b["i"]]
     g = fr[b["j"]]
     op = b["op"]

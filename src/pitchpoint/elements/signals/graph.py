@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Order and records of a net of signals: who feeds whom, which loops have no state, which tangents exist."""
+"""Dependency graph of signals: evaluation order, algebraic loops, records and tangent links."""
 
 from __future__ import annotations
 
@@ -41,17 +41,17 @@ class Node:
     name
         Name of the signal.
     op
-        What it does, see `signals.record`.
+        Operation, see `signals.record`.
     inputs
-        Names of the signals it is made of; "t" is the time where a formula takes it.
+        Names of the input signals; "t" is the time, as input of a formula.
     fields
         Fields of its record.
     numbers
-        Its numbers in the pool, but for the places of the inputs of a combination.
+        Values in the pool, without the input slots of a linear combination.
     state
-        Of states and their rates: number of the state.
+        Number of the state, for states and their rates.
     law
-        User law, if it is one.
+        User law, if any.
     """
 
     name: str
@@ -64,12 +64,12 @@ class Node:
 
 
 def evaluation_order(nodes: dict[str, Node]) -> list[Node]:
-    """Nodes in an order in which every input comes first; reactions come after all that acts.
+    """Nodes in evaluation order: inputs first, reactions after all actuators.
 
     Raises
     ------
     CompileError
-        If an input does not exist, or signals depend on one another without a state between them.
+        If an input does not exist, or signals form an algebraic loop.
     """
     acting = tuple(n.name for n in nodes.values() if n.op >= TORQUE and n.op != RATE)
     found: list[Node] = []
@@ -91,7 +91,7 @@ def evaluation_order(nodes: dict[str, Node]) -> list[Node]:
             trail.append((name, k + 1))
             wanted = needs[k]
             if wanted not in nodes:
-                raise CompileError(f"signal {name!r}: no signal is called {wanted!r}; {hint(wanted, nodes)}")
+                raise CompileError(f"signal {name!r}: {wanted!r} is not a signal; {hint(wanted, nodes)}")
             on_trail = [n for n, _ in trail]
             if wanted in on_trail:
                 loop = [*on_trail[on_trail.index(wanted) :], wanted]
@@ -105,7 +105,7 @@ def evaluation_order(nodes: dict[str, Node]) -> list[Node]:
 
 
 def _sources(ordered: Sequence[Node]) -> dict[str, list[str]]:
-    """Sources that each signal follows without a state between."""
+    """Sources (sensors, states) on which each signal depends directly."""
     found: dict[str, list[str]] = {}
     for node in ordered:
         if node.op < LINEAR:
@@ -123,7 +123,7 @@ def _input_slots(node: Node, slot: dict[str, int]) -> list[int]:
 def make_records(
     nodes: dict[str, Node], first_state: int
 ) -> tuple[NDArray[np.void], list[str], NDArray[np.float64], list[Any]]:
-    """Records in the order of evaluation, their names, the pool, and their laws.
+    """Records in evaluation order, their names, the pool, and the laws.
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ def _links(
     size: int,
     sources: int,
 ) -> NDArray[np.void]:
-    """Tangents: every end of every actuator against every body of every source that it follows."""
+    """Link records: tangent of each end of each actuator by each body of each source that it depends on."""
     follows = _sources(ordered)
     by_name = {node.name: record for node, record in zip(ordered, records, strict=True)}
     rows = []
@@ -196,7 +196,7 @@ def _links(
 
 
 def unit_code(unit: str) -> int:
-    """Number of a unit of a signal."""
+    """Code of a signal unit."""
     if unit not in UNITS:
-        raise CompileError(f"signals have the units {', '.join(UNITS[1:])}, not {unit!r}")
+        raise CompileError(f"unit {unit!r} of a signal is unknown; use one of {', '.join(UNITS[1:])}")
     return UNITS.index(unit) or 1

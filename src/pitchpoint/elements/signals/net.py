@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Nets of signals by name: sensors, blocks with and without states, actuators.
+"""Signal nets by name: sensors, blocks with and without states, actuators.
 
-A signal is a number with a name. Names may be used before they exist; `SignalNet.records` puts all into the
-order of evaluation. Blocks with states are made of integrators and linear combinations::
+A signal is a named scalar. Names may be used before they are defined; `SignalNet.records` sorts all signals
+into evaluation order. Blocks with states consist of integrators and linear combinations::
 
     net = SignalNet(bodies)
     net.sensor("angle", ANGLE, 1)
@@ -46,12 +46,12 @@ Three = ArrayLike
 
 
 class SignalNet:
-    """Collects the signals of a system.
+    """Signals of a system.
 
     Parameters
     ----------
     bodies
-        Bodies of the system without those of states, in their order.
+        Bodies of the system without hidden bodies of states, in their order.
     """
 
     def __init__(self, bodies: Sequence[Body]) -> None:
@@ -62,7 +62,7 @@ class SignalNet:
 
     def _add(self, node: Node) -> None:
         if node.name in self.nodes or node.name == "t":
-            raise CompileError(f"signal {node.name!r}: the name is taken")
+            raise CompileError(f"signal {node.name!r}: the name is already in use")
         for key, value in node.fields.items():
             if not np.all(np.isfinite(value)) and key not in ("low", "high"):
                 raise CompileError(f"signal {node.name!r}: {key} is {value}, not a finite number")
@@ -86,21 +86,21 @@ class SignalNet:
         direction_i: Three | None = None,
         direction_j: Three | None = None,
     ) -> None:
-        """Sense a kinematic quantity between two frames.
+        """Add a sensor of a kinematic quantity between two frames.
 
         Parameters
         ----------
         name, quantity
             Name of the signal; POSITION to ANGULAR_ACCELERATION of `signals.record`.
         i, j
-            Body that is sensed, and body from which it is seen (0 = ground).
+            Body whose motion is measured, and reference body (0 = ground).
         axis
-            Axis of a component, or about which an angle counts, fixed to body j; any length but zero.
+            Axis of a component or of an angle, fixed to body j; any nonzero length.
         point_i, point_j
-            Points on both bodies, in their axes [m].
+            Points on both bodies, in body axes [m].
         direction_i, direction_j
-            Directions across the axis whose angle is sensed, from j to i; without them the angle is zero
-            with all coordinates zero.
+            Directions normal to the axis; the angle is from j to i. Default: the angle is zero with all
+            coordinates zero.
         """
         e = _unit(name, axis)
         fields: dict[str, Any] = {"i": i, "j": j, "p_i": point_i, "p_j": point_j, "e": e}
@@ -117,7 +117,7 @@ class SignalNet:
     def _angle(
         self, name: str, i: int, j: int, axis: NDArray[np.float64], from_i: Three | None, from_j: Three | None
     ) -> dict[str, Any]:
-        """Directions of an angle, and its value with all coordinates zero."""
+        """Record fields of an angle: its directions, and its value with all coordinates zero."""
         across = np.eye(3)[int(np.argmin(np.abs(axis)))] if from_j is None else np.asarray(from_j, float)
         e = _unit(name, across - (across @ axis) * axis)
         turned = self._axes(i).T @ self._axes(j)
@@ -127,16 +127,16 @@ class SignalNet:
         return {"e": e, "y": y, "x_i": x, "low": math.atan2(rest @ y, rest @ e)}
 
     def joint_sensor(self, name: str, body: int, coordinate: str, derivative: int = 0) -> None:
-        """Sense a coordinate of the joint of a body, its rate (`derivative` 1) or acceleration (2).
+        """Add a sensor of a joint coordinate, its rate (`derivative` 1) or acceleration (2).
 
-        Turns are counted only where spin is the only rotation of the joint: others have no plane angle.
+        A rotation requires a joint whose only rotation is the spin: other joints have no plane angle.
         """
         b = self.bodies[body - 1]
         m = [d for d, _ in DISPLACEMENTS].index(coordinate)
         free = AXES[b.motion]
         if m not in free or m in (3, 4) or (m == 5 and (3 in free or 4 in free)):
             raise CompileError(
-                f"signal {name!r}: {coordinate} of {b.name!r} cannot be sensed; sense an angle between frames"
+                f"signal {name!r}: {coordinate} of {b.name!r} is not measurable; use an angle between frames"
             )
         outer = self.bodies[b.parent - 1] if b.parent else Body(name="ground")
         frame = np.asarray(outer.axes, float).T @ np.asarray(b.axes, float)
@@ -155,18 +155,18 @@ class SignalNet:
         axis_on: int = 0,
         point: Three = (0.0, 0.0, 0.0),
     ) -> None:
-        """Sense the load that the joint of a body puts on it: a component along an axis fixed to a body.
+        """Add a sensor of the joint reaction on a body: component along an axis fixed to a body.
 
         Parameters
         ----------
         name, body
-            Name of the signal; body whose joint carries the load.
+            Name of the signal; body whose joint reaction is measured.
         moment
-            The moment about the point [N m] in place of the force [N].
+            True: moment about the point [N m]; False: force [N].
         axis, axis_on
             Axis of the component and the body it is fixed to (0 = ground).
         point
-            Point on the body, in its axes [m].
+            Point on the body, in body axes [m].
         """
         beyond = [k for k in range(1, len(self.bodies) + 1) if body in self._way(k)]
         op = sr.REACTION_MOMENT if moment else sr.REACTION_FORCE
@@ -175,7 +175,7 @@ class SignalNet:
         self._add(Node(name, op, (), fields, [float(k) for k in beyond]))
 
     def _way(self, k: int) -> list[int]:
-        """A body and those it hangs on."""
+        """A body and its parents up to ground."""
         found = []
         while k:
             found.append(k)
@@ -183,10 +183,10 @@ class SignalNet:
         return found
 
     def listen(self, name: str, channel: str, unit: str = "1") -> None:
-        """Sense an observation of another element by its name, such as ``tension[spring]``.
+        """Add a sensor of an observation of another element by its name, such as ``tension[spring]``.
 
-        Its value may be one iteration old, and tangents do not contain its derivative: put a state between it
-        and what it drives.
+        The value may be one iteration old, and tangents do not contain its derivative: put a state between
+        the sensor and its actuators.
         """
         self._add(Node(name, sr.CHANNEL, (), {"unit": unit_code(unit)}))
         self.listened[name] = channel
@@ -194,27 +194,27 @@ class SignalNet:
     # -------------------------------------------------------------------------------------------- blocks
 
     def linear(self, name: str, terms: Mapping[str, float], offset: float = 0.0, unit: str = "1") -> None:
-        """Sum of signals times gains, plus a constant."""
+        """Add a sum of signals times gains, plus a constant."""
         fields = {"value": offset, "unit": unit_code(unit)}
         self._add(Node(name, sr.LINEAR, tuple(terms), fields, list(terms.values())))
 
     def saturation(self, name: str, x: str, low: float, high: float) -> None:
-        """Keep a signal within limits."""
+        """Add a saturation: a signal limited to a range."""
         if not low < high:
-            raise CompileError(f"signal {name!r}: its limits {low} and {high} are not a range")
+            raise CompileError(f"signal {name!r}: lower limit {low} (limit below the upper limit {high})")
         self._add(Node(name, sr.SATURATION, (x,), {"low": low, "high": high}))
 
     def table(self, name: str, x: str, xs: ArrayLike, ys: ArrayLike) -> None:
-        """Straight lines between points over another signal, constant beyond the ends."""
+        """Add a table over another signal, linear between its points, constant beyond the ends."""
         a, b = np.asarray(xs, float), np.asarray(ys, float)
         if a.ndim != 1 or a.shape != b.shape or a.size < 2 or np.any(np.diff(a) <= 0.0):
             raise CompileError(f"signal {name!r}: a table needs two points or more with increasing abscissa")
         self._add(Node(name, sr.TABLE, (x,), {"n": a.size}, np.concatenate([a, b])))
 
     def formula(self, name: str, formula: Any, inputs: Sequence[str], unit: str = "1") -> None:
-        """A `Formula` of up to three signals, or of two and the time "t", in its order."""
+        """Add a `Formula` of up to three inputs in the order of its variables; "t" is the time."""
         if len(inputs) != len(formula.variables):
-            raise CompileError(f"signal {name!r}: its formula takes {len(formula.variables)} inputs")
+            raise CompileError(f"signal {name!r}: its formula has {len(formula.variables)} inputs")
         numbers = np.concatenate([formula.ops.view(np.float64), formula.workspace()])
         fields = {"n": formula.ops.size, "unit": unit_code(unit)}
         self._add(Node(name, sr.FORMULA, tuple(inputs), fields, numbers))
@@ -222,18 +222,18 @@ class SignalNet:
     def law(
         self, name: str, x: str, function: Callable[..., float] | int, parameters: Sequence[float] = ()
     ) -> None:
-        """A user law f(t, x, p) of the time and another signal; it should have a slope."""
+        """Add a user law f(t, x, p) of the time and another signal; it should be differentiable in x."""
         numbers = np.asarray([*parameters, 0.0], float)
         self._add(Node(name, sr.LAW, (x,), {"n": len(parameters)}, numbers, law=function))
 
     def held(self, name: str, start: float = 0.0, unit: str = "1") -> None:
-        """Output of a sampled controller: constant between its instants."""
+        """Add the output of a sampled controller: constant between sampling instants."""
         self._add(Node(name, sr.HELD, (), {"value": start, "unit": unit_code(unit)}, [start]))
 
     def integrator(self, name: str, rate: str, start: float = 0.0, unit: str = "1") -> None:
-        """State whose rate is another signal."""
+        """Add a state whose rate is another signal."""
         k = len(self.states)
-        # its spin, on which nothing depends, does not begin at zero: errors are judged by its size
+        # start angle 1, on which nothing depends: error norms are relative to the size of coordinates
         hidden = Body(
             motion=TORSION, polar_inertia=1.0, start=(1.0,), rate=(start,), name=f"state.{name}", state=True
         )
@@ -242,23 +242,23 @@ class SignalNet:
         self._add(Node(f"{name}.rate", sr.RATE, (rate,), {}, state=k))
 
     def low_pass(self, name: str, x: str, time_constant: float, start: float = 0.0, unit: str = "1") -> None:
-        """Filter of first order, T y' + y = x."""
+        """Add a first-order low-pass filter, T y' + y = x."""
         if not time_constant > 0.0:
             raise CompileError(f"signal {name!r}: its time constant must be positive, not {time_constant}")
         self.linear(f"{name}.change", {x: 1.0 / time_constant, name: -1.0 / time_constant})
         self.integrator(name, f"{name}.change", start, unit)
 
     def second_order(self, name: str, x: str, omega: float, zeta: float) -> None:
-        """Filter y'' + 2 zeta omega y' + omega^2 y = omega^2 x."""
+        """Add a second-order filter, y'' + 2 zeta omega y' + omega^2 y = omega^2 x."""
         self.transfer_function(name, x, [omega**2], [1.0, 2.0 * zeta * omega, omega**2])
 
     def transfer_function(self, name: str, x: str, num: Sequence[float], den: Sequence[float]) -> None:
-        """Rational transfer function with falling powers of s, in controllable canonical form, from rest.
+        """Add a transfer function (descending powers of s) in controllable canonical form, from rest.
 
         T. Kailath, Linear Systems (1980), 2.1.
         """
         if not len(den) > 1 or den[0] == 0.0 or len(num) > len(den):
-            raise CompileError(f"signal {name!r}: the numerator must not be of higher order than {list(den)}")
+            raise CompileError(f"signal {name!r}: order of the numerator above that of {list(den)}")
         order = len(den) - 1
         a = np.asarray(den[1:], float)[::-1] / den[0]
         b = np.zeros(order + 1)
@@ -284,7 +284,7 @@ class SignalNet:
         limits: tuple[float, float] | None = None,
         tracking_time: float = 0.0,
     ) -> None:
-        """PID controller with filtered derivative and, within limits, integral tracking (anti-windup).
+        """Add a PID controller with filtered derivative and, with limits, back-calculation anti-windup.
 
         u = kp e + I + kd (e - x)/T_f,  T_f x' = e - x,  I' = ki e + (sat(u) - u)/T_t.
         K. J. Astrom, T. Hagglund, PID Controllers (1995), 3.3 and 3.5.
@@ -294,16 +294,16 @@ class SignalNet:
         name, error
             Name of the output; signal of the control error.
         kp, ki, kd
-            Gains of the error, of its integral, of its derivative.
+            Proportional, integral and derivative gain.
         filter_time
-            Time constant of the derivative [s]; needed with kd.
+            Time constant of the derivative filter [s]; required with kd.
         limits
             Limits of the output.
         tracking_time
             T_t [s]; default sqrt(T_i T_d), or T_i without kd, with T_i = kp/ki and T_d = kd/kp.
         """
         if kd != 0.0 and not filter_time > 0.0:
-            raise CompileError(f"signal {name!r}: a derivative needs a positive filter_time")
+            raise CompileError(f"signal {name!r}: the derivative requires a positive filter_time")
         free = name if limits is None else f"{name}.free"
         terms = {error: kp}
         if kd != 0.0:
@@ -327,7 +327,7 @@ class SignalNet:
     # ----------------------------------------------------------------------------------------- actuators
 
     def torque(self, name: str, x: str, i: int, j: int = 0) -> None:
-        """Torque on body i about the common spin axis, its reaction on body j, as of the kind torque."""
+        """Add a torque on body i about the common spin axis, reaction on body j, as of the kind torque."""
         self._add(Node(name, sr.TORQUE, (x,), {"i": i, "j": j, "unit": unit_code("N m")}))
 
     def strut(
@@ -340,7 +340,7 @@ class SignalNet:
         point_i: Three = (0.0, 0.0, 0.0),
         point_j: Three = (0.0, 0.0, 0.0),
     ) -> None:
-        """Force that pushes a point of body i and one of body j apart."""
+        """Add a force between a point of body i and one of body j; a positive signal pushes them apart."""
         fields = {"i": i, "j": j, "p_i": point_i, "p_j": point_j, "unit": unit_code("N")}
         self._add(Node(name, sr.STRUT, (x,), fields))
 
@@ -355,7 +355,7 @@ class SignalNet:
         axes: int = sr.WORLD,
         point: Three = (0.0, 0.0, 0.0),
     ) -> None:
-        """Force and moment (6) at a signal of one, at a point of body i, the reaction on body j there."""
+        """Add a force and moment, `load` (6) at a signal of 1, at a point of body i, with reaction on j."""
         fields = {"i": i, "j": j, "F": load, "axes": axes, "p_i": point, "unit": unit_code("N")}
         self._add(Node(name, sr.FORCE, (x,), fields))
 
@@ -363,12 +363,12 @@ class SignalNet:
 
     @property
     def kind(self) -> str:
-        """Kind of the bank: it runs after all others if loads are sensed."""
+        """Kind of the records; it runs after all other kinds if loads are measured."""
         late = any(node.op in LOADS for node in self.nodes.values())
         return "signal_of_loads" if late or self._bent_acceleration() else "signal_flow"
 
     def _bent_acceleration(self) -> bool:
-        """Whether accelerations pass a block that is not linear: one solution does not find them then."""
+        """Whether measured accelerations may pass a nonlinear block, so that one solve is not sufficient."""
         sensed = any(n.op in (sr.ACCELERATION, sr.ANGULAR_ACCELERATION) for n in self.nodes.values())
         return sensed and any(sr.LINEAR < n.op < sr.HELD for n in self.nodes.values())
 
@@ -378,7 +378,7 @@ class SignalNet:
 
 
 def _unit(name: str, vector: Three) -> NDArray[np.float64]:
-    """Unit vector."""
+    """Unit vector in the direction of a vector."""
     v = np.asarray(vector, float)
     size = float(np.linalg.norm(v))
     if v.shape != (3,) or not (size > 0.0 and math.isfinite(size)):

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Sensors: kinematic quantities between two frames with their derivatives by the motion of both bodies.
 
-With the points of bodies i and j apart by u, relative velocity w and acceleration A, and an axis E fixed to
-body j that turns with o and o', the component of the way and its time derivatives as seen from body j are
+With u the vector from the point of body j to that of body i, w its relative velocity, A its relative
+acceleration, and an axis E fixed to body j with angular velocity o and acceleration o', the component along E
+and its time derivatives as seen from body j are
 
     s = E.u,  s' = E.w + (o x E).u,  s'' = E.A + 2 (o x E).w + (o' x E + o x (o x E)).u
 
-Angular velocity and acceleration are the first two with the relative angular velocity for u. Derivatives are
-written down once, for any small change of E, u, w, A, o, o', and these follow from a small displacement of a
-body at constant twists, a change of its twist, or of its acceleration.
+Angular velocity and acceleration are the first two with the relative angular velocity in place of u. The
+derivatives are given for small changes of E, u, w, A, o, o', which follow from a small displacement of a body
+at constant velocities, a change of its velocity, or a change of its acceleration.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ def point_motion(f, arm):
 
 @kernel
 def component(level, E, u, w, A, o, do):
-    """Component of a way (`level` 0), its rate (1) or its second derivative (2) as seen from turning axes."""
+    """Component of a distance vector (`level` 0), its rate (1) or second derivative (2) in rotating axes."""
     if level == 0:
         return dot(E, u)
     oE = cross(o, E)
@@ -56,7 +57,7 @@ def component(level, E, u, w, A, o, do):
 
 @kernel
 def component_change(level, now, change):
-    """Change of `component` with small changes of all its arguments."""
+    """Change of `component` for small changes of all its arguments."""
     E, u, w, A, o, do = now
     dE, du, dw, dA, d_o, d_do = change
     if level == 0:
@@ -74,8 +75,8 @@ def component_change(level, now, change):
 def point_change(f, arm, order, k):
     """Changes of position, velocity and acceleration of a point when a body moves.
 
-    `order` 0: displacement along or turn about world axis k at constant twists; 1: change of its twist;
-    2: of its acceleration.
+    `order` 0: displacement along or rotation about world axis k at constant velocities; 1: change of its
+    velocity; 2: change of its acceleration.
     """
     o = triple(f["tw"], 3)
     nothing = (0.0, 0.0, 0.0)
@@ -91,7 +92,7 @@ def point_change(f, arm, order, k):
 
 @kernel
 def spin_change(f, order, k):
-    """Changes of angular velocity and acceleration when a body moves, arguments as of `point_change`."""
+    """Changes of angular velocity and acceleration when a body moves; arguments as in `point_change`."""
     nothing = (0.0, 0.0, 0.0)
     return unit(k - 3) if order == 1 else nothing, unit(k - 3) if order == 2 else nothing
 
@@ -106,7 +107,7 @@ def _axis_along(op, e, u, length):
 
 @kernel
 def sense_way(b, f, g, rows, tangents):
-    """Component of a way, a distance, or their rates; rows: derivatives by x, x', x'' of both bodies."""
+    """Component of a distance vector, a distance, or their rates; rows: derivatives by x, x', x''."""
     op = b["op"]
     line = op == DISTANCE or op == DISTANCE_RATE
     level = 0 if op == POSITION or op == DISTANCE else 1 if op == VELOCITY or op == DISTANCE_RATE else 2
@@ -181,7 +182,7 @@ def sense_spin(b, f, g, rows, tangents):
 
 @kernel
 def sense_angle(b, f, g, rows, tangents):
-    """Angle of a direction on body i in a plane of body j, with whole turns counted by the spins."""
+    """Angle of a direction on body i in a plane of body j, with whole turns from the spins."""
     x = moved_axis(f, b["x_i"])
     e = moved_axis(g, b["e"])
     y = moved_axis(g, b["y"])
@@ -200,7 +201,7 @@ def sense_angle(b, f, g, rows, tangents):
     rest, turns = turn_between(f, g, sense_of(f, g, b["j"]))
     n = (f["R"][0, 2], f["R"][1, 2], f["R"][2, 2])
     way = 1.0 if dot(n, cross(e, y)) > 0.0 else -1.0
-    # the number of turns follows from the spins; the angle itself does not contain them
+    # the spins give the number of turns; atan2 gives the angle without them
     n_turns = math.floor((way * rest - angle + b["low"]) / TWO_PI + 0.5) + way * turns
     return angle + TWO_PI * n_turns
 

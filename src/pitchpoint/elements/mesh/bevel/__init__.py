@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Parts of bevel meshes that cylindrical ones do not have."""
+"""Parts specific to bevel gear meshes."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact lines of one flank of a bevel mesh: their positions and loads, for the scene.
+"""Contact lines of one flank of a bevel mesh, positions and loads, for the scene.
 
-The counterpart of `mesh.contact_lines`, with the same requests. Loads are those of the nodes in
-`flank_forces`. The coordinate along the face is zeta = R_m ln(R/R_m), in which contact lines are straight;
-stations are evenly spaced in it.
+Counterpart of `mesh.contact_lines` with the same requests. The loads are those of the nodes in
+`flank_forces`. Contact lines are straight in the coordinate zeta = R_m ln(R/R_m) along the face; stations are
+equidistant in it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from pitchpoint.multibody.channels import F8
 
 @kernel
 def _loads(b, p_0, loads):
-    """Loads per width at even places on the part of a contact line that lies on the flanks."""
+    """Loads per face width at equidistant stations on the part of a contact line within the flanks."""
     now = b["now"]
     R_m = b["R_m"]
     lam = now["lam"]
@@ -44,7 +44,7 @@ def _loads(b, p_0, loads):
 
 @kernel
 def contact_lines(b, question):
-    """Forces and loads of all pairs of one flank, for bodies at rest."""
+    """Forces and loads of all tooth pairs of one flank, for bodies at rest."""
     now = b["now"]
     n = b["n_pair"]
     stations = question["stations"]
@@ -77,7 +77,7 @@ def contact_lines(b, question):
 
 @kernel
 def answer(_, where, n):
-    """Answer n questions about flanks; `where` is the address of the first."""
+    """Evaluate n flank requests; `where` is the address of the first."""
     questions = view(where, n, LINES)
     for k in range(n):
         contact_lines(view(questions[k]["record"], 1, RECORD)[0], questions[k])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How the forces of a bevel mesh turn with its plane of action: what exact tangents add.
+"""Exact tangents of a bevel mesh: derivative of the force directions by the plane of action.
 
-As in `mesh.exact_tangent` for cylindrical gears: the rows of the basis are closed forms of the frames, and
-their change is a difference of fourth order. Mesh phase and contact lines stay frozen.
+As in `mesh.exact_tangent` for cylindrical gears: the basis rows are closed-form functions of the frames and
+are differentiated by a fourth-order difference quotient. Mesh phase and contact lines are constant.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from pitchpoint.elements.mesh.sums import requested_arrays
 from pitchpoint.multibody.vectors import column, cross, triple, unit
 
 STEP = 2e-4
-"""Distance of the points of a difference: turn [rad], or translation over the mean cone distance."""
+"""Step of the difference quotient: rotation [rad], or translation over the mean cone distance."""
 
 
 @kernel
 def _sample(b, f, g, body, motion, h, flank):
-    """The rows with one body moved by h along an axis of the world, or its axis turned by h about one."""
+    """Set the basis rows for one body displaced by h along a world axis, or rotated by h about one."""
     at = triple(body["r"], 0)
     axis = column(body["R"], 2)
     turned = cross(unit(motion - 3), axis)
@@ -36,7 +36,7 @@ def _sample(b, f, g, body, motion, h, flank):
 
 @kernel
 def _change(b, f, g, side, motion, flank):
-    """Derivative of the rows by one motion of the body `side`, into the scratch `moved`."""
+    """Write the derivative of the rows by one motion of body `side` to the scratch `moved`."""
     now = b["now"]
     h = STEP * b["R_m"] if motion < 3 else STEP
     for row in range(3):
@@ -53,7 +53,7 @@ def _change(b, f, g, side, motion, flank):
 
 @kernel
 def _turn_of_forces(b, f, g, kk, ck, flank):
-    """Forces along changed rows; what the change does to the rates goes to the scratch `slope`."""
+    """Add the forces along the changed rows; write the change of the row rates to the scratch `slope`."""
     now = b["now"]
     rows = 1 if flank == 0 else 3
     for motion in range(12):
@@ -76,10 +76,10 @@ def _turn_of_forces(b, f, g, kk, ck, flank):
 
 @kernel
 def turning(record, flank, _):
-    """Add ck times the change of the wrenches of one mesh with their directions.
+    """Add ck times the derivative of the wrenches of one mesh by their directions.
 
-    Sums of forces are those of the flank, tangents its damping coefficients alone [N s/m]. `flank` 0 is the
-    damper. Compiled only where exact tangents are requested.
+    The sums hold the forces of the flank and, as tangents, its damping coefficients only [N s/m]. `flank` 0:
+    mesh damper. Compiled only if exact tangents are requested.
     """
     b = view(record, 1, RECORD)[0]
     fr, kk = requested_arrays(b)

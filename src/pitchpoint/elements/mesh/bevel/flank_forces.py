@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of one flank of a bevel mesh: where its nodes lie; `mesh.sums.add_node` is what each of them does.
+"""Forces of one flank of a bevel mesh, summed over contact nodes; `mesh.sums.add_node` evaluates a node.
 
 Along a contact line the path position is p = p_0 + lam ln(R/R_m) base pitches, so straight teeth touch along
-rays. Five Gauss points on every piece between kinks (start and end of contact, ends of the ramps, where the
-flanks separate, the pitch ray where sliding reverses) integrate force, couples and tangents. Slices of a pair
-at different R are similar: the stiffness per face width is the same along the face.
+rays. Five Gauss points on every piece between kinks (start and end of contact, ends of the ramps, separation
+of the flanks, sliding reversal at the pitch ray) integrate force, couples and tangents. Slices of a pair at
+different R are geometrically similar: the stiffness per face width is constant along the face.
 
-Where nothing is observed, `watch` is None, and what only observations need is not compiled.
+Without observations `watch` is None, and code that only observations need is not compiled.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _WEIGHTS = (
 
 @kernel
 def _stand(b, R, sigma):
-    """Levers of a node; gives its penetration along the base tangent [m]."""
+    """Set the levers of a node; returns its penetration along the base tangent [m]."""
     now = b["now"]
     lever = b["lever"]
     c = math.cos(sigma)
@@ -50,20 +50,20 @@ def _stand(b, R, sigma):
 
 @kernel
 def _add(b, watch, x, k, limit, feed):
-    """Add the node whose levers are set: its displacement over that at R_m is R/R_m."""
+    """Add the node with the current levers; its displacement relative to that at R_m is R/R_m."""
     size = b["lever"][2] / b["R_m"]
     return add_node(b, watch, x, k, limit, feed, None, size * size)
 
 
 @kernel
 def _ray(b, p):
-    """Angle of the ray at the path position p from the pitch ray [rad]."""
+    """Angle between the ray at the path position p and the pitch ray [rad]."""
     return (b["now"]["xi_A"] + p * b["p_bt"]) / b["R_m"]
 
 
 @kernel
 def _line_at(b, p_0, R):
-    """Path position of a contact line at the cone distance R; along straight teeth always the same."""
+    """Path position of a contact line at the cone distance R; constant for straight teeth."""
     now = b["now"]
     if now["lam"] == 0.0:
         return p_0
@@ -72,7 +72,7 @@ def _line_at(b, p_0, R):
 
 @kernel
 def _aside(b, sigma, p_rate):
-    """Rate of the penetration of a place that the contact line runs over at p_rate base pitches/s."""
+    """Penetration rate from the motion of the contact line across the flank at p_rate base pitches/s."""
     now = b["now"]
     rate = (now["xi_A_rate"] + p_rate * b["p_bt"]) / b["R_m"]
     return rate * (now["x"][1] * math.cos(sigma) - now["x"][0] * math.sin(sigma))
@@ -80,7 +80,7 @@ def _aside(b, sigma, p_rate):
 
 @kernel
 def pair_node(b, watch, p_0, R, weight):
-    """One node of the pair whose contact line is at p_0 at R_m, with its share of the face width [m]."""
+    """Add one node of the pair with its contact line at p_0 at R_m; `weight`: part of the face width [m]."""
     now = b["now"]
     p = _line_at(b, p_0, R)
     sigma = _ray(b, p)
@@ -99,7 +99,7 @@ def pair_node(b, watch, p_0, R, weight):
 
 @kernel
 def _total_node(b, watch, R, weight):
-    """One node of a constant total stiffness, which acts along the pitch ray."""
+    """Add one node of a constant total stiffness, which acts along the pitch ray."""
     x = _stand(b, R, 0.0)
     return _add(b, watch, x, b["c_prime"] * b["spread"] * weight, 0.0, (0.0, 0.0, 0.0))
 
@@ -112,7 +112,7 @@ def _depth(b, p_0, R):
 
 @kernel
 def _edge(b, p_0, a, c, x_a, x_c):
-    """Where between a and c, at which it has different signs, the penetration is zero."""
+    """Zero of the penetration between a and c, where its signs differ."""
     bracket = (a, c, x_a, x_c, 0)
     small = 1e-15 * (abs(x_a) + abs(x_c))
     R = c
@@ -127,7 +127,7 @@ def _edge(b, p_0, a, c, x_a, x_c):
 
 @kernel
 def _gauss(b, watch, p_0, a, c):
-    """Five Gauss points between the cone distances a and c."""
+    """Integrate with five Gauss points between the cone distances a and c."""
     half = 0.5 * (c - a)
     f = 0.0
     for k in range(5):
@@ -141,7 +141,7 @@ def _gauss(b, watch, p_0, a, c):
 
 @kernel
 def _piece(b, watch, p_0, a, c):
-    """The part of a smooth piece on which the flanks touch."""
+    """Integrate the part of a smooth piece on which the flanks are in contact."""
     x_a = _depth(b, p_0, a)
     x_c = _depth(b, p_0, c)
     if (x_a > 0.0) == (x_c > 0.0):
@@ -160,7 +160,7 @@ def _crossing(b, p_0, p):
 
 @kernel
 def _end(b, p_0, p, leaves):
-    """Parametric power of the end of a contact line without ramp, at the path position p.
+    """Add the parametric power at the end of a contact line without ramp, at the path position p.
 
     `leaves` is the rate at which the contact line passes that end [base pitches/s].
     """
@@ -176,7 +176,7 @@ def _end(b, p_0, p, leaves):
 
 @kernel
 def _pair(b, watch, p_0):
-    """Sum over one contact line, split at its kinks."""
+    """Integrate over one contact line, split at its kinks."""
     now = b["now"]
     R = b["R_m"] + now["lo"]
     end = b["R_m"] + now["hi"]
@@ -209,7 +209,7 @@ def _pair(b, watch, p_0):
 
 @kernel
 def _nominal(b):
-    """The whole shared face, teeth in their places."""
+    """Set the full common face and no tooth deviations."""
     now = b["now"]
     now["lo"] = b["z_lo"]
     now["hi"] = b["z_hi"]
@@ -218,8 +218,9 @@ def _nominal(b):
 
 @kernel
 def _own(b, q):
-    """Deviations of the two teeth of the pair q: the tooth of gear 1 and the one ahead of or behind the space
-    of gear 2. Displaced teeth are ahead of their place on one flank and behind it on the other."""
+    """Apply the deviations of the two teeth of pair q: of gear 1, and of gear 2 before or after its space.
+
+    A pitch deviation is leading on one flank and lagging on the other."""
     now = b["now"]
     flank = now["flank"]
     pair = flank * (int(q) - now["tooth"])
@@ -237,7 +238,7 @@ def _own(b, q):
 
 @kernel
 def first_and_last(b):
-    """Numbers of the first and of the last pair whose contact line may cross the shared face."""
+    """Numbers of the first and the last pair whose contact line may cross the common face."""
     now = b["now"]
     inner = _line_at(b, now["psi"], b["R_m"] + b["z_lo"])
     outer = _line_at(b, now["psi"], b["R_m"] + b["z_hi"])

@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where two bevel gears touch: plane of action, travel and phase from two frames, directions of the force.
+"""Plane of action of a bevel pair: contact geometry, travel, phase and force directions from two frames.
 
-The pitch ray p, q across it towards gear 2 and t = p x q follow from the two axes a1, a2 that lead from the
-apexes into the gears: t is normal to both, and p divides the angle between them so that the sines of its
-parts are as those of the base cones. The plane of action of the flank f (+1 front, -1 back) goes through the
-apex, touches both base cones and has the normal N = sin(alpha) t - f cos(alpha) q; a ray of it at the angle
-sigma from p is r = cos(sigma) p + sin(sigma) e0 with e0 = N x p, and the line of action crosses it along
-e = N x r. Gears whose apexes coincide roll exactly, whatever their shaft angle is: base cones stay, working
-pitch cones and backlash follow, as with the centre distance of cylindrical gears.
+The pitch ray p, q normal to it towards gear 2 and t = p x q follow from the two axes a1, a2 that point from
+the apexes into the gears: t is normal to both, and p divides the angle between them in proportion to the
+sines of the base cone angles. The plane of action of the flank f (+1 front, -1 back) contains the apex, is
+tangent to both base cones and has the normal N = sin(alpha) t - f cos(alpha) q; its ray at the angle sigma
+from p is r = cos(sigma) p + sin(sigma) e0 with e0 = N x p, and the line of action crosses the ray in the
+direction e = N x r. Gears with coincident apexes roll exactly for any shaft angle: the base cones are fixed,
+working pitch cones and backlash follow, as with the centre distance of cylindrical gears.
 
-Apexes at a distance d open the flanks by the part of d along their normal, so that the penetration along the
-base tangent at the cone distance R is
+An offset d of the apexes separates the flanks by the component of d along their normal, so that the
+penetration along the base tangent at the cone distance R is
 
     x = R (f u - gap/2)/R_m + (e - f tan(beta_b) r) . d
 
-with u and gap at R_m. What d adds at the pitch point to both flanks, with opposite and with equal signs, is
-part of the travel and of the gap, as for cylindrical gears whose axes are offset or approach each other. The
-gradient of x at frozen R and sigma is the wrench of a unit force: e - f tan(beta_b) r at the apexes, a couple
-R N, and a couple for the turn of e with the axes. So forces can neither create nor lose energy, and since x
-is invariant, action is reaction.
+with u and gap at R_m. The contribution of d at the pitch point with opposite signs on both flanks is included
+in the travel, that with equal signs in the gap, as for an offset or a change of centre distance of
+cylindrical gears. The gradient of x at constant R and sigma is the wrench of a unit force: e - f tan(beta_b)
+r at the apexes, a couple R N, and a couple for the rotation of e with the axes. Hence the forces are
+conservative, and since x is invariant, action equals reaction.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def put_row(A, k, a):
 
 @kernel
 def axes_of_action(b, f, g):
-    """Fill directions, cone angles and places of mesh `b` from the frames `f` and `g` of its bodies."""
+    """Set directions, cone angles and positions of mesh `b` from the frames `f` and `g` of its bodies."""
     now = b["now"]
     n1 = column(f["R"], 2)
     n2 = column(g["R"], 2)
@@ -50,14 +50,14 @@ def axes_of_action(b, f, g):
     s1 = b["base"][0]
     s2 = b["base"][1]
     rest = s1 * s1 + s2 * s2 + 2.0 * dot(one, two) * s1 * s2
-    # two axes in line, or base cones that reach into each other
+    # parallel axes, or overlapping base cones
     if not s * s > rest:
         return BAD_CENTRE
     t = times(1.0 / s, t)
     cos_a = math.sqrt(rest) / s
     s1 /= cos_a
     s2 /= cos_a
-    # the cones fill the shaft angle; one of them may be wider than a plane
+    # the pitch cones fill the shaft angle; one of them may exceed 90 deg
     c1 = (s2 + s1 * dot(one, two)) / s
     c2 = (s1 + s2 * dot(one, two)) / s
     across = cross(t, one)
@@ -88,7 +88,7 @@ def axes_of_action(b, f, g):
 
 @kernel
 def _roll(b, gear):
-    """Roll up to the pitch ray of a gear and its turn about the axis less that, both as arcs [rad]."""
+    """Roll angle at the pitch ray of a gear and involute function, as arcs in the plane of action [rad]."""
     now = b["now"]
     s = b["base"][gear]
     across = s / now["cos_a"] * now["sin_a"]
@@ -98,7 +98,7 @@ def _roll(b, gear):
 
 @kernel
 def _turned(b, f, gear):
-    """How far the pitch ray has turned about the z axis of a body, seen from its frame, since rest."""
+    """Rotation of the pitch ray about the z axis of a body since assembly, in the frame of the body [rad]."""
     sense = 1.0 if gear == 0 else -1.0
     to = triple(b["now"]["away"][gear], 0)
     x = sense * dot(to, column(f["R"], 0))
@@ -110,7 +110,7 @@ def _turned(b, f, gear):
 
 @kernel
 def place_flanks(b, f, g):
-    """Backlash, path of contact, travel and phases of mesh `b`, after `axes_of_action`."""
+    """Set backlash, path of contact, travel and phases of mesh `b`; call `axes_of_action` first."""
     now = b["now"]
     p_bt = b["p_bt"]
     R = b["R_m"]
@@ -133,7 +133,7 @@ def place_flanks(b, f, g):
         n = n1 - n2
         u += p_bt * (n1 + n2)
     else:
-        # whole turns of the plane of the axes are whole teeth of a gear: the nearest teeth are those in mesh
+        # a turn of the plane of the axes shifts the mesh by whole teeth: the nearest teeth are in mesh
         k = int(math.floor(u / p_bt + 0.5))
         u -= p_bt * k
         n = 2 * n1 + k
@@ -149,10 +149,10 @@ def place_flanks(b, f, g):
 
 @kernel
 def turn_of_plane(b, side, w, bends):
-    """Turn of the plane of action with a turn w of the gear `side` (0 or 1) [rad].
+    """Rotation of the plane of action for a rotation w of the gear `side` (0 or 1) [rad].
 
-    `bends` is the change of the pressure angle per shaft angle, signed by the flank, or 0 for the plane of
-    the axes alone. The turns that both gears make together add up to that of the machine.
+    `bends` is the derivative of the pressure angle by the shaft angle, signed by the flank, or 0 for the
+    plane of the axes. For a common rotation of both gears the contributions add up to that rotation.
     """
     now = b["now"]
     t = triple(now["t"], 0)
@@ -167,7 +167,7 @@ def turn_of_plane(b, side, w, bends):
 
 @kernel
 def _couple(b, side, v, bends):
-    """Couple on the gear `side` of a vector v that acts on the turn of the plane: transpose of the above."""
+    """Couple on the gear `side` for a couple v on the plane of action: transpose of `turn_of_plane`."""
     now = b["now"]
     t = triple(now["t"], 0)
     sign = 1.0 if side == 0 else -1.0
@@ -179,14 +179,14 @@ def _couple(b, side, v, bends):
 
 @kernel
 def _pressure_change(b):
-    """Change of the pressure angle per shaft angle, cot(alpha) cos(delta1) cos(delta2)/sin(Sigma)."""
+    """Derivative of the pressure angle by the shaft angle, cot(alpha) cos(delta1) cos(delta2)/sin(Sigma)."""
     now = b["now"]
     return now["cos_a"] * now["cone"][0] * now["cone"][1] / (now["sin_a"] * now["sin_S"])
 
 
 @kernel
 def _normal_row(b, row, G, bends):
-    """A row of the basis for a force along G at the apexes, with what the turn of G takes."""
+    """Set a basis row for a force along G at the apexes, with the couple for the rotation of G."""
     now = b["now"]
     d = triple(now["d"], 0)
     v = cross(G, d)
@@ -211,8 +211,7 @@ def _couple_row(b, row, M):
 
 @kernel
 def normal_rows(b, flank):
-    """Rows 0 to 2 of the basis of a flank; of the damper along the travel (flank 0) at the pitch ray, all in
-    row 0."""
+    """Set rows 0 to 2 of the basis of a flank; for the mesh damper (flank 0) row 0, at the pitch ray."""
     now = b["now"]
     t = triple(now["t"], 0)
     p = triple(now["m"], 0)
@@ -237,7 +236,7 @@ def normal_rows(b, flank):
 
 @kernel
 def friction_rows(b, f, g):
-    """Rows 3 to 5: friction along N at the apex, and its moments per R cos(sigma) and R sin(sigma)."""
+    """Set rows 3 to 5: friction along N at the apex, and its moments per R cos(sigma) and R sin(sigma)."""
     now = b["now"]
     N = triple(now["N"], 0)
     p = triple(now["m"], 0)
@@ -255,14 +254,14 @@ def friction_rows(b, f, g):
 
 @kernel
 def rates_of_place(b, f, g):
-    """How fast travel, phases and path of contact change."""
+    """Set the time derivatives of travel, phases and path of contact."""
     now = b["now"]
     w1 = triple(f["tw"], 3)
     w2 = triple(g["tw"], 3)
     plane = add(turn_of_plane(b, 0, w1, 0.0), turn_of_plane(b, 1, w2, 0.0))
     one = b["R_m"] * b["base"][0] * dot(triple(now["axis"][0], 0), less(w1, plane))
     two = b["R_m"] * b["base"][1] * dot(triple(now["axis"][1], 0), less(w2, plane))
-    wider = dot(triple(now["t"], 0), less(w2, w1))  # of the shaft angle
+    wider = dot(triple(now["t"], 0), less(w2, w1))  # rate of the shaft angle
     p_bt = b["p_bt"]
     by = b["R_m"] * wider / now["sin_a"]
     xi_A_rate = by * now["open"][1]
