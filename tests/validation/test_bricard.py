@@ -129,7 +129,7 @@ def test_one_row_repeats_others_and_is_named():
     assert found.redundant[0].startswith("closure last joint")
     assert runge_kutta.start_adaptive(system, found.state).advance_to(1e-3).status == OK
     (note,) = row_notes(system)
-    assert note.startswith("last joint") and "what other joints hold already" in note
+    assert note.startswith("last joint") and "redundant with other joints" in note
 
 
 def check(advance, run, reference, most):

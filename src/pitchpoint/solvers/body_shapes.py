@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What modes do to the bodies: motions of their frames, and the share of a shaking base that drives them."""
+"""Body motions of modes, and participation of modes in base excitation."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 DIRECTIONS = ("x", "y", "z", "rx", "ry", "rz")
-"""Motions of a base: along the world axes, and turns about them through the world origin."""
+"""Motions of the base: translations along the world axes, rotations about them through the world origin."""
 
 
 def body_motions(system: System, state: State, shapes: NDArray[np.inexact]) -> NDArray[np.inexact]:
-    """Displacement of the origin and small turn of every body, world axes.
+    """Displacement of the origin and small rotation of every body, world axes.
 
     Parameters
     ----------
     system, state
-        The system and the place that it vibrates about.
+        The system and its operating point.
     shapes
         Changes of the coordinates, real or complex, shape (n, nd).
 
@@ -37,7 +37,7 @@ def body_motions(system: System, state: State, shapes: NDArray[np.inexact]) -> N
 
 
 def _twists(system: System, state: State, rates: Array) -> Array:
-    """Twists of all bodies at some rates, less those that time alone makes; they are linear in the rates."""
+    """Twists of all bodies for given rates, without those of prescribed motion; linear in the rates."""
     moved = state.copy()
     found = []
     for sign in (1.0, -1.0):
@@ -48,15 +48,15 @@ def _twists(system: System, state: State, rates: Array) -> Array:
 
 
 def base_momenta(system: System, state: State, shapes: Array) -> Array:
-    """Momenta of the whole system in some motions, shape (n, 6).
+    """Momenta of the whole system for given motions, shape (n, 6).
 
-    Along the world axes and about them through the world origin: by reciprocity the force on a mode, modal
-    coordinates apart, by each unit acceleration of the base. Massive elements count as bodies do.
+    Along the world axes and about them through the world origin. By reciprocity, this is the modal force per
+    unit acceleration of the base. Massive elements are included.
 
     Parameters
     ----------
     system, state
-        The system and the place that it vibrates about.
+        The system and its operating point.
     shapes
         Rates of the coordinates, shape (n, nd).
     """
@@ -91,8 +91,8 @@ def participation(momenta: Array) -> tuple[Array, Array]:
     Returns
     -------
     ndarray, ndarray, shape (n, 6) each
-        Factors [kg^1/2, kg^1/2 m] and effective masses [kg, kg m^2]: the sum over all modes is the mass that
-        the coordinates can move.
+        Factors [kg^1/2, kg^1/2 m] and effective masses [kg, kg m^2]; their sum over all modes is the total
+        movable mass.
 
     References
     ----------
@@ -100,7 +100,7 @@ def participation(momenta: Array) -> tuple[Array, Array]:
 
     Examples
     --------
-    Two masses of 2 kg side by side on equal springs, moving together and against each other:
+    Two masses of 2 kg on equal springs in parallel, moving in phase and in antiphase:
 
     >>> participation(np.array([[2.0, 2.0]]) @ np.array([[0.5, 0.5], [0.5, -0.5]]))[1]
     array([[4., 0.]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Natural frequencies over speed, followed from speed to speed, and the mesh frequencies that cross them."""
+"""Campbell diagram: natural frequencies over speed with mode tracking, and mesh frequencies."""
 
 from __future__ import annotations
 
@@ -45,13 +45,13 @@ class Campbell:
     Parameters
     ----------
     body
-        Body whose speed counts.
+        Reference body of the speed.
     speed
         Its speeds [rad/s], shape (n_speed,).
     frequency
         Damped natural frequencies [Hz], shape (n_speed, n_mode); 0 where a mode does not oscillate.
     damping_ratio
-        Their damping ratios, shape (n_speed, n_mode), 1 where a mode is overdamped.
+        Damping ratios, shape (n_speed, n_mode); 1 where a mode is overdamped.
     names
         Names of the modes at rest.
     orders
@@ -76,7 +76,7 @@ def follow_modes(
     progress: Progress = silent,
     linear: Linearised | None = None,
 ) -> Campbell:
-    """Natural frequencies over speed; parameters as in `solve_campbell`, `linear` if it is known already."""
+    """Natural frequencies over speed; parameters as in `solve_campbell`, `linear` if already computed."""
     body = body or system.layout.bodies[1]
     if body not in system.layout.bodies[1:]:
         known = ", ".join(system.layout.bodies[1:] if system.model is None else system.model.bodies)
@@ -92,7 +92,7 @@ def follow_modes(
         at = at_speeds(linear, speed * rates)
         roots, z = damped_modes(at, modes if at.at_rest is parts else lowest(at, count))
         roots, z = roots[:n], z[:n]
-        # each mode continues in the one that resembles it most
+        # track each mode by the most similar shape
         order = best_match(np.abs(last.conj() @ parts.M @ z.T))
         found[s], last = roots[order], z[order]
         progress(s + 1, omega.size, "speeds")
@@ -102,7 +102,7 @@ def follow_modes(
 
 
 def at_speeds(linear: Linearised, rates: Array) -> Linearised:
-    """The linear system at other speeds; where bodies hang in trees, about the equilibrium of these."""
+    """The linear system at other speeds; with bodies in trees, about the equilibrium at these speeds."""
     stopped = _at_zero_speed(linear)
     if np.any(linear.system.program["body"]["joint"] == GENERAL):
         return _steady(linear, stopped, rates)
@@ -110,14 +110,14 @@ def at_speeds(linear: Linearised, rates: Array) -> Linearised:
 
 
 def _at_zero_speed(linear: Linearised) -> State:
-    """The operating point without its speeds."""
+    """Copy of the operating point with zero speeds."""
     stopped = linear.state.copy()
     stopped.v[:] = 0.0
     return stopped
 
 
 def _turning(linear: Linearised, stopped: State, rates: Array) -> Linearised:
-    """The linear system at other speeds, its place unchanged: nothing but bodies on ground."""
+    """The linear system at other speeds in the same position, for systems without trees of bodies."""
     at_rest, turning = linear.at_rest, stopped.copy()
     turning.v = rates
     D, K = (
@@ -129,9 +129,9 @@ def _turning(linear: Linearised, stopped: State, rates: Array) -> Linearised:
 
 
 def _steady(linear: Linearised, stopped: State, rates: Array) -> Linearised:
-    """The linear system at the relative equilibrium of other speeds: bodies in trees deflect outwards.
+    """The linear system about the relative equilibrium at other speeds: bodies in trees move outwards.
 
-    Meshes keep the stiffness that they have at rest.
+    Mesh stiffness is that at rest.
     """
     system, turning = linear.system, stopped.copy()
     turning.v = rates
@@ -140,7 +140,7 @@ def _steady(linear: Linearised, stopped: State, rates: Array) -> Linearised:
     at_rest.v[:] = 0.0
     elastic = linear.at_rest.K.copy()
     for kind, share in zip(linear.at_rest.kinds, linear.at_rest.shares, strict=True):
-        if kind == "rotation":  # that of the speeds of the scenario
+        if kind == "rotation":  # centrifugal part at the speeds of the scenario
             elastic[np.ix_(share.places, share.places)] -= share.matrix
     mean = elastic - evaluate.matrix(system, stopped, 0.0, 0.0, 1.0)
     mean_D = linear.at_rest.D - evaluate.matrix(system, stopped, 0.0, 1.0, 0.0)
@@ -173,11 +173,12 @@ def solve_campbell(
     speeds
         Speeds of one body [rad/s], shape (n_speed,).
     body
-        The body whose speed counts; default the first. The others follow from the gear ratios, or turn with
-        it; what these leave open, as in a planet set of three free members, has the ratio of the speeds and
-        drives of the scenario. Where bodies hang in trees, every speed has its own relative equilibrium.
+        Reference body of the speed; default the first. The speeds of the other bodies follow from the gear
+        ratios; speeds that these do not determine, as in a planet set of three free members, have the ratio
+        of the speeds and drives of the scenario. With bodies in trees, the relative equilibrium is computed
+        for every speed.
     scenario
-        Gives loads and the operating point; meshes count with the mean over their cycle.
+        Gives loads and the operating point; mesh stiffness is the mean over the mesh cycle.
     count
         Number of modes, the lowest at rest. Default: as `modal.find_modes`.
     progress
@@ -188,13 +189,13 @@ def solve_campbell(
     xarray.Dataset
         Over `speed` [rad/s] and `mode`: frequency [Hz], 0 where a mode does not oscillate, and damping_ratio,
         1 where it is overdamped; over `mode`: name, from its shape at rest; over `mesh`: order (mesh
-        frequency over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Each
-        mode is followed from speed to speed by its shape, so `frequency[:, k]` is one curve of the diagram.
+        frequency over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Modes
+        are tracked over the speed by their shapes, so `frequency[:, k]` is one curve of the diagram.
 
     Raises
     ------
     SolverError
-        If there is no such body or scenario, or no equilibrium.
+        If the body or scenario does not exist, or there is no equilibrium.
     """
     import xarray as xr
 
@@ -206,7 +207,7 @@ def solve_campbell(
     both = ("speed", "mode")
     data = {
         "frequency": (both, c.frequency, {"units": "Hz", "long_name": "damped natural frequency"}),
-        "damping_ratio": (both, c.damping_ratio, {"units": "1", "long_name": "share of critical damping"}),
+        "damping_ratio": (both, c.damping_ratio, {"units": "1", "long_name": "damping ratio"}),
         "order": ("mesh", orders, {"units": "1", "long_name": f"mesh periods per revolution of {c.body}"}),
         "mesh_frequency": (
             ("speed", "mesh"),

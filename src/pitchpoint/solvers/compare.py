@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All integrators and forms of constraints on one model: accuracy against processor time.
+"""Comparison of all integrators and constraint formulations on one model: accuracy against processor time.
 
-The reference is the tightest run of one stiff method; its distance from a second one is the accuracy of the
-reference. An error is the root mean square of the difference to it over all samples of a channel, as
-a share of the alternating part of that channel; the worst channel counts.
+The reference is a run of a stiff method with a tight tolerance; its difference from a second tight run is the
+uncertainty of the reference. The error is the rms difference from the reference over all samples of a
+channel, relative to the rms of the alternating part of that channel; the worst channel counts.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ if TYPE_CHECKING:
 
 TOLERANCES = (1e-4, 1e-5, 1e-6, 1e-7)
 STEPS = (4.0, 2.0, 1.0, 0.5)
-"""Steps of methods with equal steps, over the step that a run of the scenario would take."""
+"""Steps of fixed-step methods, relative to the default step of the scenario."""
 TIGHTER = 0.01
-"""Tolerance of the reference over the least one compared."""
+"""Tolerance of the reference relative to the tightest one compared."""
 SAMPLES = 1000
 STILL = 1e-9
-"""Alternating part over the size of a channel below which it is constant: round-off would be compared."""
+"""Alternating part over the maximum of a channel below which it counts as constant and is not compared."""
 
 
 @dataclass(frozen=True)
@@ -48,11 +48,11 @@ class Attempt:
     Parameters
     ----------
     method, form
-        Integrator and form of the constraints, "" without constraints or where there is no choice.
+        Integrator and constraint formulation; "" without constraints or without a choice.
     setting, value
-        "tolerance" [-] or "step" [s], and how large.
+        "tolerance" [-] or "step" [s], and its value.
     status, sentence
-        How it ended, as a number and in words.
+        Status code and its description.
     steps, cpu_s, t_end
         Accepted steps, processor time [s], time reached [s].
     error, channel
@@ -74,16 +74,16 @@ class Attempt:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Runs of all methods, and what they are compared with.
+    """Runs of all methods, and their reference.
 
     Parameters
     ----------
     attempts
-        All runs, by method, form and setting.
+        All runs, ordered by method, form and setting.
     reference
-        What the reference is, in words.
+        Description of the reference.
     doubt
-        Difference of two tight runs, measured like an error; NaN if there is only one.
+        Difference of two tight runs, computed like an error; NaN if there is only one.
     """
 
     attempts: tuple[Attempt, ...]
@@ -93,7 +93,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class _Case:
-    """One run to make."""
+    """Settings of one run."""
 
     method: str
     form: str
@@ -109,7 +109,7 @@ class _Case:
 
 
 def cases_of(rows: int, step: float) -> Iterator[_Case]:
-    """Methods, forms and settings that are compared on a system with so many constraint rows."""
+    """Methods, forms and settings to compare, for the number of constraint rows and the default step."""
     methods = [("generalized_alpha", form) for form in ("I3", "SI2")]
     methods += [(method, "") for method in EXPLICIT_METHODS]
     methods += [(method, form) for method in STIFF_METHODS for form in FORMS]
@@ -117,7 +117,7 @@ def cases_of(rows: int, step: float) -> Iterator[_Case]:
     for method, form in methods:
         shown = form if rows else ""
         if method == "dassl" and form != "I3":
-            continue  # the other forms of this kind are of no use to anybody who has the next ones
+            continue  # its other forms bring nothing over the methods that follow
         if (method, shown) in known:
             continue
         known.add((method, shown))
@@ -134,17 +134,17 @@ def compare_solvers(
     limit_s: float = 20.0,
     progress: Progress = silent,
 ) -> Comparison:
-    """Run one scenario with every integrator and form, at several settings each.
+    """Run one scenario with every integrator and constraint formulation, at several settings each.
 
     Parameters
     ----------
     system
         Compiled with the scenario.
     scenario
-        A time response; its method, form, order, tolerance and events do not count; its step is about the
-        middle of the steps that are compared, and does not limit methods that choose theirs.
+        A time response. Method, form, order, tolerance and events are ignored; its step is about the middle
+        of the compared steps and does not limit methods with step control.
     limit_s
-        Time after which a run is stopped [s].
+        Wall time after which a run is stopped [s].
     progress
         Called with the number of finished runs.
 
@@ -158,11 +158,11 @@ def compare_solvers(
     begin = prepare_start(system, scenario)
     rate = scenario.sample_rate or SAMPLES / scenario.duration
     step = choose_step(begin, replace(scenario, sample_rate=rate))[0]
-    # no sample may shorten the longest step that is compared
+    # the sample period must not shorten the longest step compared
     scenario = replace(scenario, sample_rate=scenario.sample_rate or min(rate, 1.0 / (max(STEPS) * step)))
     chosen = list(cases_of(system.sizes["nc"], step))
     for method in dict.fromkeys(case.method for case in chosen):
-        address(loop_of(method))  # what is compiled is not measured
+        address(loop_of(method))  # compile first, so that compile time is not measured
     total = len(chosen) + 2
     progress(0, total, "reference")
     reference, words, doubt = _reference(begin, scenario, 5.0 * limit_s)
@@ -175,7 +175,7 @@ def compare_solvers(
 
 
 def _reference(begin: Start, scenario: Scenario, limit_s: float) -> tuple[NDArray[np.float64], str, float]:
-    """Samples to compare with, what they are, and how far a second run is from them."""
+    """Reference samples, their description, and the difference of a second run from them."""
     tight = TIGHTER * min(TOLERANCES)
     found: list[tuple[str, NDArray[np.float64]]] = []
     failed = []
@@ -190,7 +190,7 @@ def _reference(begin: Start, scenario: Scenario, limit_s: float) -> tuple[NDArra
         if len(found) == 2:
             break
     if not found:
-        raise SolverError(f"no tight run finished that could be compared with ({'; '.join(failed)})", 0)
+        raise SolverError(f"no reference run finished ({'; '.join(failed)})", 0)
     name, rows = found[0]
     doubt = _error(begin.system, found[1][1], rows)[0] if len(found) > 1 else float("nan")
     return rows, f"{name} with tolerance {tight:g}", doubt
@@ -203,7 +203,7 @@ def _attempt(
     limit_s: float,
     reference: NDArray[np.float64] | None,
 ) -> tuple[Attempt, NDArray[np.float64]]:
-    """One run, with its error if there is a reference; and its samples, times first."""
+    """Carry out one run; returns it, with its error if there is a reference, and its samples (time first)."""
     chosen = case.applied_to(scenario)
     memory = Memory()
     begun = time.process_time()
@@ -212,7 +212,7 @@ def _attempt(
     late = threading.Event()
 
     def stop_in_time(done: float, total: float, note: str = "") -> None:
-        """End a run whose time is up, as Ctrl-C would."""
+        """Stop a run at the time limit, as Ctrl-C would."""
         if time.monotonic() > end:
             late.set()
             raise KeyboardInterrupt
@@ -226,7 +226,7 @@ def _attempt(
     cpu_s = time.process_time() - begun
     if status == INTERRUPTED:
         if not late.is_set():
-            raise KeyboardInterrupt  # it was the user
+            raise KeyboardInterrupt  # interrupted by the user
         sentence = f"stopped after {limit_s:g} s at t = {t_end:.4g} s"
     rows = np.zeros((0, 1))
     if memory.rows:
@@ -259,7 +259,7 @@ def _error(system: System, rows: NDArray[np.float64], reference: NDArray[np.floa
         size = float(np.std(given))
         still = size <= STILL * max(float(np.abs(given).max(initial=0.0)), 1e-300)
         if still or bool(np.all(given == np.round(given))):
-            continue  # states are counted in whole numbers: what they miss is a time, not a value
+            continue  # integer states: an error there is one of time, not of value
         error = float(np.sqrt(np.mean((found - given) ** 2))) / size
         if not error <= worst:
             worst, name = error, channel.name

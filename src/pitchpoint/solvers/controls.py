@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes of analyses other than time responses on controllers, and the controllers they cannot include."""
+"""Controllers in analyses other than time responses: notes, and errors for those that cannot be included."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ if TYPE_CHECKING:
 
 
 def held_outputs(system: System) -> tuple[str, ...]:
-    """A sentence about sampled controllers where they are not called."""
+    """Note on sampled controllers that an analysis does not call."""
     if not system.controllers:
         return ()
     names = ", ".join(c.name for c in system.controllers)
-    return (f"nothing calls the sampled controllers here ({names}): their outputs keep their start values",)
+    return (f"sampled controllers ({names}) are not called here: their outputs have their initial values",)
 
 
 def refuse_sampled(system: System, what: str) -> None:
-    """Stop where sampled controllers have no instants.
+    """Raise an error if the system has sampled controllers, for analyses without time.
 
     Parameters
     ----------
     system
         The system.
     what
-        The analysis, for the sentence.
+        The analysis, for the message.
     """
     if system.controllers:
         names = ", ".join(_named(system, "controllers", c.name) for c in system.controllers)
@@ -43,7 +43,7 @@ def refuse_sampled(system: System, what: str) -> None:
 
 
 def refuse_rates(system: System, what: str) -> None:
-    """Stop where nothing moves and an actuator follows a speed.
+    """Raise an error if an actuator depends on a speed, for analyses without speeds.
 
     Parameters
     ----------
@@ -53,20 +53,20 @@ def refuse_rates(system: System, what: str) -> None:
     refuse_sampled(system, what)
     for name, signal in rates_behind(system.model).items() if system.model is not None else ():
         raise SolverError(
-            f"{what} has no speeds, and {_named(system, 'actuators', name)} follows one, signal[{signal}]; "
+            f"{what} has no speeds, but {_named(system, 'actuators', name)} depends on signal[{signal}]; "
             "give the torque as a load instead, or run a time response",
             INCONSISTENT,
         )
 
 
 def _named(system: System, section: str, name: str) -> str:
-    """Component with its line, if the system comes from a file."""
+    """Component with its line in the model file, if known."""
     line = system.model.line((section, name)) if system.model is not None else None
     return f"{section}.{name}" + (f" (line {line})" if line is not None else "")
 
 
 def refuse_loads(system: System, what: str) -> None:
-    """Stop where bodies and observations get new numbers and signals sense loads by the old ones.
+    """Raise an error if a signal senses a load, for analyses that renumber bodies and channels.
 
     Parameters
     ----------
@@ -77,6 +77,6 @@ def refuse_loads(system: System, what: str) -> None:
         for record, name in zip(system.records[kind], system.names.get(kind, ()), strict=True):
             if int(record["op"]) in LOADS:
                 raise SolverError(
-                    f"{what} cannot keep {source(system, kind, name)}, which senses a load; leave it out",
+                    f"{what} cannot include {source(system, kind, name)}, which senses a load; remove it",
                     INCONSISTENT,
                 )

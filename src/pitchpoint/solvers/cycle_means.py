@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mean stiffness of meshes over their cycles, and meshes without load at the edge of contact.
+"""Mean damping and stiffness of meshes over the mesh cycle; unloaded meshes are set to first contact.
 
-A mesh is turned through its cycle by moving its path of contact, all bodies staying where they are: meshes
-of a train get their own mean each, whatever the periods of the others. Meshes that cannot influence each
-other go through their cycles together.
+The mesh cycle is traversed by shifting the path of contact while all bodies are fixed: every mesh of a train
+has its own mean, independent of the periods of the others. Independent meshes are evaluated simultaneously.
 """
 
 from __future__ import annotations
@@ -36,23 +35,22 @@ Array = NDArray[np.float64]
 
 _GAUSS_X, _GAUSS_W = np.polynomial.legendre.leggauss(3)
 _MOVED = ("xi_0", "xi_b", "u0")
-"""Fields of a mesh record that place it in its cycle."""
+"""Fields of a mesh record that define its position in the cycle."""
 
 
 def shift(record: np.void, share: float) -> None:
-    """Move a mesh on by a share of its cycle; no body moves."""
+    """Advance a mesh by a fraction of its cycle without moving a body."""
     record["xi_0"] += share * record["p_bt"]
     record["xi_b"] -= share * record["p_bt"]
 
 
 def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) -> tuple[Array, Array]:
-    """Phases of a flank and weights whose sum is the mean over one mesh cycle.
+    """Quadrature phases and weights of a flank for the mean over one mesh cycle.
 
-    Exact for the closed forms and for tables of a pair of up to `MOST_SPLIT` points: three Gauss points
-    between kinks (the total is a polynomial of at most degree four there), equal steps for a Fourier series,
-    the middles of the segments of a table of the mesh. Longer tables of a pair count as smooth on sixteen
-    pieces. Slices and user laws are sampled at 128 points. `both`: the other flank carries too, and has kinks
-    of its own.
+    Exact for the closed forms and for pair tables with up to `MOST_SPLIT` points: three Gauss points between
+    kinks (the total is a polynomial of degree four or less there), equal steps for a Fourier series, segment
+    midpoints for a mesh table. Longer pair tables count as smooth on sixteen pieces. Slices and user-defined
+    laws are sampled at 128 points. `both`: include the kinks of the other flank, which carries load, too.
     """
     if record["source"] == mesh.PHASE:
         n = int(record["n_k"])
@@ -66,7 +64,7 @@ def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) ->
         return _equal(128)
     kinks = _kinks(record, flank, pool)
     if both:
-        # one phase falls as the other rises: both travel with the gears
+        # the phase of one flank falls as that of the other rises
         turned = float(record["now"]["start"].sum() + (record["xi_0"] + record["xi_b"]) / record["p_bt"])
         kinks = np.append(kinks, turned - _kinks(record, -flank, pool))
     kinks = np.unique(kinks % 1.0)
@@ -77,7 +75,7 @@ def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) ->
 
 
 def _kinks(record: np.void, flank: int, pool: Array) -> Array:
-    """Phases of a flank where its total stiffness has a kink or jumps, whole base pitches apart from any."""
+    """Phases of a flank, modulo one base pitch, at which its total stiffness has a kink or a jump."""
     if record["source"] == mesh.PHASE:
         return np.array([0.0, pool[int(record["cosine"]) + 2]])
     lam = flank * record["tan_b"] / record["p_bt"]
@@ -98,7 +96,7 @@ def _equal(n: int) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class _Cycle:
-    """A mesh on its way through its cycle: flank, phase at the start, phases and weights, own blocks."""
+    """Cycle of a mesh: flank, initial phase, quadrature phases and weights, matrix blocks."""
 
     flank: int
     now: float
@@ -110,23 +108,23 @@ class _Cycle:
 def cycle_means(
     system: System, state: State, held: tuple[int, ...], loose: Collection[str], rates: Array
 ) -> dict[int, tuple[Array, Array]]:
-    """Mean damping and stiffness of every mesh over its cycle, others at their phase, as its own blocks.
+    """Mean damping and stiffness blocks of every mesh over its cycle; the other meshes stay at their phase.
 
     Parameters
     ----------
     system, state
-        The system, whose mesh records are moved and put back, and the operating point.
+        The system, whose mesh records are changed and restored, and the operating point.
     held
-        Spins that are kept.
+        Spins that are held.
     loose
-        Names of the meshes that carry nothing and are kept at the edge of contact.
+        Names of the unloaded meshes, which are set to first contact.
     rates
-        Speeds whose forces load the meshes.
+        Rates of the speed-dependent loads of the meshes.
 
     Returns
     -------
     dict
-        By number of the mesh: damping and stiffness, shape (number of blocks, 6, 6) each, in the order of
+        By mesh index: damping and stiffness, shape (number of blocks, 6, 6) each, in the order of
         `element_batches.blocks_of`.
     """
     names, places = mesh_names(system), mesh_places(system)
@@ -146,7 +144,7 @@ def cycle_means(
 def _means_together(
     system: System, state: State, held: tuple[int, ...], batch: Sequence[int], loose: bool, rates: Array
 ) -> dict[int, tuple[Array, Array]]:
-    """The means of meshes that do not influence each other."""
+    """Means of independent meshes, evaluated simultaneously."""
     cycles = {m: _cycle(system, m, values) for m, values in _observed(system, state, batch)}
     records = mesh_records(system)
     kept = {m: records[m].copy() for m in batch}
@@ -160,7 +158,7 @@ def _means_together(
                 shift(records[m], cycle.flank * (float(cycle.phases[step]) - cycle.now))
             if loose:
                 shift_into_contact(system, at, {m: c.flank for m, c in active.items()})
-            for _ in range(0 if loose else 2):  # the deflection there moves the phase a little
+            for _ in range(0 if loose else 2):  # the new deflection changes the phase slightly
                 at = _rest_at(system, at, held, state, rates)
                 for m, (_, phase) in _observed(system, at, [*active]):
                     ahead = _nearest(float(active[m].phases[step]) - phase[active[m].flank])
@@ -176,13 +174,13 @@ def _means_together(
 
 
 def _put_back(record: np.void, kept: np.void) -> None:
-    """Give a mesh the place in its cycle that a copy of its record has."""
+    """Restore the cycle position of a mesh from a copy of its record."""
     for name in _MOVED:
         record[name] = kept[name]
 
 
 def _records(system: System, meshes: Collection[int]) -> dict[str, NDArray[np.int64]]:
-    """Numbers of the records of some meshes, by kind."""
+    """Record indices of some meshes, by kind."""
     found: dict[str, list[int]] = {}
     places = mesh_places(system)
     for m in meshes:
@@ -195,7 +193,7 @@ def _observed(
 ) -> Iterator[tuple[int, tuple[float, dict[int, float]]]]:
     """Contact state of some meshes, and the phases of both flanks.
 
-    That of the back flank is left in the record by its own sum.
+    The phase of the back flank is read from the record, which the evaluation of that flank updates.
     """
     values, names, records = evaluate.observe(system, state), mesh_names(system), mesh_records(system)
     for m in meshes:
@@ -206,7 +204,7 @@ def _observed(
 
 
 def _cycle(system: System, m: int, observed: tuple[float, dict[int, float]]) -> _Cycle:
-    """Phases that a mesh goes through from where it is."""
+    """Cycle of a mesh from its present phase."""
     record, (kind, n) = mesh_record(system, m), mesh_places(system)[m]
     contact, phase = observed
     flank = -1 if contact < 0.0 else 1
@@ -221,7 +219,7 @@ def _nearest(difference: float) -> float:
 
 
 def _rest_at(system: System, near: State, held: tuple[int, ...], like: State, rates: Array) -> State:
-    """Equilibrium under the loads at some rates, with the rates of `like` put into it."""
+    """Equilibrium under the loads at given rates; the result has the rates of `like`."""
     start = near.copy()
     start.v[:] = rates
     found = find_equilibrium(system, start, held).state

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results as plain `xarray.Dataset`: fixed dimensions, never squeezed, units in the attributes.
+"""Results as `xarray.Dataset`: fixed dimensions, never squeezed, units in the attributes.
 
-xarray is imported here, when a result is wanted, and nowhere in a loop.
+xarray is imported only when a result is created.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def attributes(
     system: System, solver: str, status: int = OK, wall_s: float = 0.0, **options: Any
 ) -> dict[str, Any]:
-    """Attributes of a result: where it comes from, the model it is of, and how it ended."""
+    """Attributes of a result: provenance, model text and status."""
     model = system.model
     title, text = ("", "") if model is None else (model.title, model_text(model))
     found = provenance(
@@ -37,7 +37,7 @@ def attributes(
 
 
 def channel_attributes(channel: Any) -> dict[str, str]:
-    """Attributes of a variable: unit and words of the channel, symbol of the nomenclature."""
+    """Attributes of a variable: unit and long name of the channel, symbol of the nomenclature."""
     return {"units": channel.unit, "long_name": channel.long_name, "symbol": symbol(channel.name)}
 
 
@@ -54,17 +54,17 @@ def channel_dataset(
     Parameters
     ----------
     system
-        Gives names and units.
+        Source of channel names and units.
     dimension
         Name of the dimension, `time` or `mesh_phase_position`.
     points
         Its values, shape (n,).
     rows
-        Observations, shape (n, number of channels).
+        Channel values, shape (n, number of channels).
     attrs
         Attributes, see `attributes`.
     channels
-        Numbers of the channels; default all.
+        Indices of the channels; default all.
     """
     import xarray as xr
 
@@ -75,7 +75,7 @@ def channel_dataset(
 
 
 def point_dataset(system: System, found: Equilibrium) -> xr.Dataset:
-    """An equilibrium: channels without dimension, coordinates, holding torques."""
+    """Dataset of an equilibrium: scalar channels, coordinates, holding torques."""
     import xarray as xr
 
     row = found.observe(system)
@@ -87,7 +87,7 @@ def point_dataset(system: System, found: Equilibrium) -> xr.Dataset:
     data["holding_torque"] = (
         ("held",),
         found.reaction,
-        {"units": "N m", "long_name": "torque that keeps the spin; zero if the loads balance"},
+        {"units": "N m", "long_name": "torque that holds the spin angle; zero if the loads balance"},
     )
     coords = {"coordinate": names, "held": [names[k] for k in found.held]}
     return xr.Dataset(data, coords=coords, attrs=attributes(system, "equilibrium"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs that diverge: when a state has left all bounds, what shows it, and whether the step is too long."""
+"""Diagnosis of diverging runs: which quantity diverged, when, and whether the step is too long."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 FASTEST = 299_792_458.0
-"""Rate of a coordinate, as a velocity, that no body reaches: the speed of light [m/s]."""
+"""Divergence limit of the rate of a coordinate, as a velocity: the speed of light [m/s]."""
 SHORTENED = ("runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf", "kinematics")
-"""Methods that shorten a step that fails by themselves, or have no steps that depend on each other."""
+"""Methods that reduce a failed step automatically, or whose steps are independent of each other."""
 
 
 def fastest(system: System) -> tuple[str, float, bool]:
-    """Coordinate of the workspace with the largest rate, that rate, and whether it is beyond all bounds.
+    """Coordinate in the workspace with the largest rate, that rate, and whether it has diverged.
 
-    States of controllers and elements are not coordinates of bodies and have no such bound.
+    States of controllers and elements have no such limit.
     """
     w = system.workspace
     moves = np.ones(len(w.v), bool)
@@ -43,18 +43,18 @@ def fastest(system: System) -> tuple[str, float, bool]:
 
 
 def sentence_of(system: System, chunk: Chunk, t: float, channels: NDArray[np.int64]) -> str:
-    """Name what has left all bounds, and when.
+    """Sentence on which quantity diverged, and when.
 
     Parameters
     ----------
     system
-        Its workspace holds the state reached.
+        Its workspace contains the state reached.
     chunk
         The last chunk.
     t
         Time reached [s].
     channels
-        Numbers of the channels of its samples, in their order; empty: all.
+        Indices of the channels in its samples, in this order; empty: all.
     """
     if chunk.lost is not None:
         column = int(np.argmax(~(np.abs(chunk.lost[1:]) < GREATEST)))
@@ -67,20 +67,20 @@ def sentence_of(system: System, chunk: Chunk, t: float, channels: NDArray[np.int
 
 
 def remedy(start: Start, scenario: Scenario, status: int, h: float) -> str:
-    """Suggest a smaller step where one helps: equal steps that are longer than a run would choose.
+    """Suggestion of a smaller step, if the given fixed step is longer than the default one; else ''.
 
     Parameters
     ----------
     start, scenario
-        What was run.
+        Start and scenario of the run.
     status
-        How it ended.
+        Final status of the run.
     h
-        Its step [s].
+        Step of the run [s].
     """
     if status not in (NOT_FINITE, DIVERGED, SLOW, BAD_CENTRE, UNBOUNDED) or scenario.method in SHORTENED:
         return ""
     own = choose_step(start, replace(scenario, step=None, sample_rate=None))[0]
     if h <= 1.01 * own:
         return ""
-    return f"; the step of {h:.3g} s is {h / own:.3g} times the one chosen without `step`: take a smaller one"
+    return f"; the step of {h:.3g} s is {h / own:.3g} times the default step: reduce `step`"

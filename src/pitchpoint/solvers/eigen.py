@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Eigenvalues of small vibrations: undamped and damped, multiple and zero roots settled. Matrices only."""
+"""Eigenvalues and modes from matrices: undamped and damped, with defined multiple and zero eigenvalues."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ from pitchpoint.core.symmetric_pencil import symmetric_pencil
 Array = NDArray[np.float64]
 
 RIGID = 1e-11
-"""Strain energy over what its terms sum up to without signs, below which a mode counts as rigid."""
+"""Strain energy over the sum of the magnitudes of its terms, below which a mode counts as rigid."""
 OVERLAP = 1e-4
-"""Part of a shape outside the rigid rotations up to which it counts as one of them."""
+"""Part of a shape outside the space of rigid rotations up to which it counts as rigid."""
 SLOW = 1e-4
-"""Eigenvalue over the largest up to which that is asked."""
+"""Eigenvalue over the largest up to which a mode is compared with the rigid rotations."""
 LEFT_OVER = 1e-6
-"""Eigenvalue over the largest below which a rigid mode does not oscillate."""
+"""Eigenvalue over the largest below which a rigid mode counts as not oscillating."""
 NEGATIVE = (
     "inertia is not positive in some direction, so there are no modes; check mass, inertia and inertia_tensor"
 )
 SAME = 1e-9
-"""Relative distance of eigenvalues that count as one multiple root."""
+"""Relative distance of eigenvalues that count as one multiple eigenvalue."""
 
 
 def _are_rigid(shapes: Array, rigid: Array, M: Array) -> NDArray[np.bool_]:
-    """Which mass-normalised shapes (n, nd) lie in the space of the rigid rotations."""
+    """Which mass-normalised shapes (n, nd) are in the space of the rigid rotations."""
     if not len(rigid):
         return np.zeros(len(shapes), bool)
     L = np.linalg.cholesky(rigid @ M @ rigid.T)
@@ -50,12 +50,12 @@ def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Arr
     Parameters
     ----------
     M, K
-        Mass and stiffness matrix, shape (nd, nd); their symmetric parts count.
+        Mass and stiffness matrix, shape (nd, nd); only their symmetric parts are used.
     basis
         Columns that span the free directions, shape (nd, n).
     rigid
-        Rotations that nothing resists, shape (r, nd): the tangents of tilted gears hold at a frozen line of
-        action and would leave a small frequency on them.
+        Free rigid rotations, shape (r, nd). The tangents of tilted gears assume a fixed line of action, so
+        their frequency would be small but not zero.
 
     Raises
     ------
@@ -71,9 +71,9 @@ def undamped(M: Array, K: Array, basis: Array, rigid: Array) -> tuple[Array, Arr
 
 
 def scaled_pencil(M: Array, K: Array, basis: Any) -> tuple[Any, Any, Array]:
-    """Symmetric mass and stiffness of the free directions, masses of one on the diagonal, and their scale.
+    """Symmetric mass and stiffness matrix of the free directions, scaled to a unit mass diagonal; the scale.
 
-    Dense matrices with a dense basis, sparse ones with a sparse basis.
+    Dense for a dense basis, sparse for a sparse basis.
     """
     if isinstance(basis, np.ndarray):
         m, k = (basis.T @ symmetric(A) @ basis for A in (M, K))
@@ -103,14 +103,14 @@ def sorted_modes(
     rigid: Array,
     M: Array,
 ) -> tuple[Array, Array]:
-    """Frequencies and shapes in order, rigid modes at zero and multiple roots settled.
+    """Sorted frequencies and shapes, with rigid modes at zero and a unique basis of multiple eigenvalues.
 
     Parameters
     ----------
     m, k, scale
         As from `scaled_pencil`.
     values, vectors
-        Eigenvalues (n,) and vectors (nf, n), all of them or the lowest.
+        Eigenvalues (n,) and eigenvectors (nf, n), all or the lowest ones.
     basis, rigid, M
         As in `undamped`.
     """
@@ -118,12 +118,12 @@ def sorted_modes(
     terms = ((abs(k) @ sizes) * sizes).sum(axis=0)
     values[np.abs(((k @ vectors) * vectors).sum(axis=0)) <= RIGID * terms] = 0.0
     unsorted = (basis @ (scale[:, None] * vectors)).T
-    # of all eigenvalues: the largest is at least the largest on the diagonal, whose masses are one
+    # with unit masses, the largest eigenvalue is at least the largest diagonal entry
     largest = max(np.abs(values).max(initial=0.0), k.diagonal().max(initial=0.0))
     values[(np.abs(values) < SLOW * largest) & _are_rigid(unsorted, rigid, M)] = 0.0
     order = np.argsort(values, kind="stable")
     values, vectors = values[order], vectors[:, order]
-    # of sparse masses the diagonal, which is one, is enough to choose components by
+    # for sparse matrices the (unit) diagonal of the masses is used
     moved = np.linalg.cholesky(m).T @ vectors if isinstance(m, np.ndarray) else vectors
     start = 0
     while start < values.size:
@@ -136,11 +136,11 @@ def sorted_modes(
 
 
 def _settled(block: Array, moved: Array) -> Array:
-    """One fixed choice among the shapes of a (multiple) root: each takes all of one component.
+    """Unique basis of the shapes of a (multiple) eigenvalue.
 
-    The first shape is the projection of the coordinate that moves most in the whole space onto it, and so on;
-    ties go to the first coordinate. Signs: that component is positive. `moved` are the components in the norm
-    of the masses.
+    The first shape is the projection of the coordinate with the largest motion in the space; the others
+    follow in the same way in the complement. Ties go to the first coordinate. That component is positive.
+    `moved`: components in the mass norm.
     """
     rest, found = block, []
     for _ in range(block.shape[1]):
@@ -164,15 +164,15 @@ def _complement(turn: Array) -> Array:
 def damped(
     D: Array, K: Array, shapes: Array, omega: Array
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues and shapes with damping, each assigned to the undamped mode it resembles most.
+    """Eigenvalues and shapes with damping, each assigned to the most similar undamped mode.
 
     Parameters
     ----------
     D, K
-        Damping matrix, and the stiffness matrix less the symmetric part that the undamped modes have taken:
-        what the speeds add, and what loads that follow the bodies make unsymmetric. Shape (nd, nd).
+        Damping matrix, and the part of the stiffness matrix not included in the undamped modes: contributions
+        of the speeds, and the unsymmetric part due to follower loads. Shape (nd, nd).
     shapes, omega
-        Undamped modes, shape (n, nd) and (n,): the basis in which the problem is well scaled.
+        Undamped modes, shape (n, nd) and (n,): a well-scaled basis of the problem.
 
     Returns
     -------
@@ -182,7 +182,7 @@ def damped(
     k = np.diag(omega * np.abs(omega)) + shapes @ K @ shapes.T
     d = shapes @ D @ shapes.T
     unit = max(float(np.abs(omega).max(initial=0.0)), float(np.abs(d).max(initial=0.0)), 1e-300)
-    # rigid modes that nothing ties to the rest stay out: a double zero root would lose half its digits
+    # decoupled rigid modes are excluded: a double zero eigenvalue would lose half its digits
     size = np.abs(k) / unit**2 + np.abs(d) / unit
     tied = (omega != 0.0) | (size.max(axis=0, initial=0.0) > 1e-12) | (size.max(axis=1, initial=0.0) > 1e-12)
     values = np.zeros(n, np.complex128)
@@ -190,7 +190,7 @@ def damped(
     if np.any(tied):
         own = np.ix_(tied, tied)
         values[tied], z[own] = _quadratic(k[own] / unit**2, d[own] / unit)
-        # nothing brings a rigid rotation back: what seems to is what the tangents leave over of a turn
+        # rigid rotations have no stiffness: small values are errors of the tangents
         values[(omega == 0.0) & (values.imag > 0.0) & (np.abs(values) < LEFT_OVER)] = 0.0
     return np.asarray(values * unit, dtype=np.complex128), z
 
@@ -200,23 +200,23 @@ def damped_with_states(
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Eigenvalues and shapes of a system whose force elements have states.
 
-    A state is the rate of a coordinate whose place nothing reads: x'' of it is its first derivative.
+    A state is stored as the rate of a coordinate whose value is not used: its first derivative is x''.
 
     Parameters
     ----------
     M, D, K
         Matrices of the whole system, shape (nd, nd).
     shapes, omega
-        Undamped modes with all states held, shape (n, nd) and (n,).
+        Undamped modes with constant states, shape (n, nd) and (n,).
     states
         Coordinates whose rates are the states, ns of them.
     left
-        What of K the undamped modes have not taken, shape (nd, nd).
+        Part of K not included in the undamped modes, shape (nd, nd).
 
     Returns
     -------
-    eigenvalue (n + ns,), shape over the coordinates (n + ns, nd); first those that resemble the undamped
-    modes, then those of the states, the slowest first
+    eigenvalue (n + ns,), shape over the coordinates (n + ns, nd); first those of the undamped modes, then
+    those of the states in ascending order
     """
     n, ns = len(shapes), len(states)
     own = list(states)
@@ -235,7 +235,7 @@ def damped_with_states(
     values, vectors = values[upper], vectors[:, upper]
     values = np.where(np.abs(values.imag) <= 1e-12 * unit, values.real, values)
     z = vectors[:n] / np.maximum(np.linalg.norm(vectors[:n], axis=0), 1e-300)
-    # a mode continues in what resembles it in shape and frequency
+    # assign modes by similarity of shape and frequency
     size = np.maximum(np.abs(values), 1e-12 * unit)
     apart = np.abs(np.log(size / np.maximum(np.abs(omega), 1e-12 * unit)[:, None]))
     likeness = np.abs(z) ** 2 * np.where(values.imag > 0.0, 2.0, 1.0) / (1.0 + apart)
@@ -252,12 +252,12 @@ def damped_with_states(
 
 
 def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Roots of z'' + d z' + k z = 0, one of each pair, sorted to the coordinates; shapes of length 1."""
+    """Eigenvalues of z'' + d z' + k z = 0, one of each pair, assigned to the coordinates; unit shapes."""
     n = len(k)
     values, vectors = np.linalg.eig(np.block([[np.zeros((n, n)), np.eye(n)], [-k, -d]]))
     upper = [j for j in range(2 * n) if values[j].imag > 1e-12]
     real = sorted((j for j in range(2 * n) if abs(values[j].imag) <= 1e-12), key=lambda j: values[j].real)
-    upper += real[1::2]  # real roots come in pairs too: the slower one represents the mode
+    upper += real[1::2]  # of a pair of real eigenvalues the slower one represents the mode
     z = vectors[:n, upper]
     z = z / np.linalg.norm(z, axis=0)
     columns = best_match(np.abs(z) ** 2)
@@ -266,17 +266,17 @@ def _quadratic(k: Array, d: Array) -> tuple[NDArray[np.complex128], NDArray[np.c
 
 
 def best_match(likeness: Array) -> NDArray[np.intp]:
-    """Column of each row, all different, with the largest sum.
+    """Assignment of a different column to each row with the largest sum of entries.
 
     Examples
     --------
     >>> best_match(np.array([[0.9, 0.2], [0.8, 0.6]]))
     array([0, 1])
     """
-    if likeness.size == 0:  # everything is held: nothing vibrates
+    if likeness.size == 0:  # no free coordinates
         return np.zeros(0, np.intp)
     columns = likeness.argmax(axis=1)
-    if np.unique(columns).size < len(columns):  # two rows want the same: rare, and SciPy takes long to import
+    if np.unique(columns).size < len(columns):  # conflicts are rare: import SciPy on demand
         from scipy.optimize import linear_sum_assignment
 
         columns = linear_sum_assignment(-likeness)[1]
@@ -284,7 +284,7 @@ def best_match(likeness: Array) -> NDArray[np.intp]:
 
 
 def ratio_of(values: NDArray[np.complex128]) -> Array:
-    """Damping ratio -Re/|eigenvalue|: 1 of an overdamped mode, -1 of one that runs away, 0 of a rigid one.
+    """Damping ratio -Re/|eigenvalue|: 1 for an overdamped mode, -1 for a divergent one, 0 for a rigid one.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elements that are evaluated together because they have no coordinate in common, and the blocks of each."""
+"""Batches of elements without common coordinates, for simultaneous evaluation, and their matrix blocks."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Block:
-    """Where an element has entries in a matrix of blocks.
+    """Blocks of an element in a block matrix.
 
     Parameters
     ----------
     nodes
-        Numbers of the nodes that it moves.
+        Indices of its nodes.
     pairs, places
-        Pairs of nodes that have a block, and the numbers of these blocks.
+        Pairs of nodes with a block, and the indices of these blocks.
     """
 
     nodes: frozenset[int]
@@ -37,9 +37,9 @@ class Block:
 
 
 def blocks_of(system: System, kind: str, k: int) -> Block:
-    """Blocks that one element has entries in: of its bodies, and of those that they hang on."""
+    """Matrix blocks of one element: those of its bodies and of the bodies they are mounted on."""
     layout = system.layout
-    # records of signals reach bodies that their fields do not name
+    # signals depend on bodies that are not fields of their records
     if registry.find(kind).role == SIGNAL or not _bodies(system, kind, k):
         nodes = frozenset(layout.node_of) - {-1}
         pairs = tuple(layout.blocks)
@@ -51,7 +51,7 @@ def blocks_of(system: System, kind: str, k: int) -> Block:
 
 
 def independent_batches(elements: Sequence[int], touched: Sequence[Collection[int]]) -> list[list[int]]:
-    """Elements in as few batches as come out when each goes into the first that touches nothing of it.
+    """Divide elements into batches without common nodes: each joins the first batch without conflict.
 
     Examples
     --------
@@ -73,9 +73,9 @@ def independent_batches(elements: Sequence[int], touched: Sequence[Collection[in
 
 
 def machines_of(system: System) -> NDArray[np.int64]:
-    """Number of the machine of every body: bodies that no element joins do not act on each other.
+    """Index of the machine of every body; different machines are not connected by any element.
 
-    Ground is 0; damping of the whole model acts on speeds alone and joins nothing.
+    Ground is 0. Damping of the whole model is ignored: it acts on speeds only.
     """
     body = system.program["body"]
     rows = [{b: 1.0, int(body[b]["parent"]): 1.0} for b in range(1, len(body)) if body[b]["parent"]]
@@ -96,7 +96,7 @@ def machines_of(system: System) -> NDArray[np.int64]:
 def stiffness_by_element(
     system: System, state: State, elements: Sequence[tuple[str, int]]
 ) -> Iterator[tuple[Block, Array, Array]]:
-    """Blocks, damping and stiffness of elements, given by kind and number of the record, one by one.
+    """Yield blocks, damping and stiffness of each element, given by kind and record index.
 
     Damping and stiffness have the shape (number of blocks, 6, 6).
     """
@@ -114,7 +114,7 @@ def stiffness_by_element(
 
 
 def share_of_blocks(system: System, block: Block, values: Array) -> Share:
-    """Cut the blocks of an element down to the coordinates that it has entries for."""
+    """Reduce the blocks of an element to the coordinates with non-zero entries."""
     layout = system.layout
     nodes = sorted(block.nodes)
     sizes = [layout.node_size[n] for n in nodes]
@@ -129,13 +129,13 @@ def share_of_blocks(system: System, block: Block, values: Array) -> Share:
 
 
 def _bodies(system: System, kind: str, k: int) -> set[int]:
-    """Bodies that a record names, without ground."""
+    """Bodies of a record, without ground."""
     records = system.records[kind]
     return {int(records[k][field]) for field in registry.find(kind).ends} - {0}
 
 
 def _movers(system: System, b: int) -> set[int]:
-    """A body, what it hangs on, and the bodies whose spins they have."""
+    """A body, the bodies it is mounted on, and the bodies whose spins these share."""
     body = system.program["body"]
     found: set[int] = set()
     waiting = [b]

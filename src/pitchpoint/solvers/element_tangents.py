@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tangents of single elements of any kind: the system is evaluated with all others switched off.
+"""Tangents of single elements of any kind, by evaluation of the system with all others disabled.
 
-Forces and tangents of a system are sums over its elements, so what one adds is the difference between the
-system with it alone and the system with none. Kinds keep their physics in their kernels and need not know.
+Forces and tangents of a system are sums over its elements, so the contribution of one element is the
+difference between the system with that element only and the system without elements. No element kind needs
+code for this.
 """
 
 from __future__ import annotations
@@ -23,14 +24,14 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 NEGLIGIBLE = 1e-13
-"""Entry of the mass matrix over the largest that counts as none."""
+"""Entry of the mass matrix over the largest up to which it counts as zero."""
 
 
 def without_friction(system: System, *, joints: bool = False) -> System:
     """Copy of the system with frictionless flanks, and on request frictionless joints.
 
-    Sliding friction follows the normal force but acts across it: in a stiffness matrix it would feed energy
-    into modes that real sliding does not.
+    Sliding friction depends on the normal force but acts perpendicular to it: in a stiffness matrix it would
+    destabilise modes, which real sliding does not.
     """
     rough = [k for k in system.kinds(MESH) if system.records[k]["contact"]["mu"].any()]
     smooth = {kind: system.records[kind].copy() for kind in rough}
@@ -43,7 +44,7 @@ def without_friction(system: System, *, joints: bool = False) -> System:
 
 
 def without_loads(system: System) -> System:
-    """The same system with its torques and forces at zero."""
+    """Copy of the system with zero torques and forces."""
     loads = {kind: system.records[kind].copy() for role in (TORQUE, FORCE) for kind in system.kinds(role)}
     for records in loads.values():
         for record in records:
@@ -53,12 +54,12 @@ def without_loads(system: System) -> System:
 
 @dataclass(frozen=True)
 class Share:
-    """A matrix that is zero but for a few rows and columns.
+    """A matrix that is zero except for a few rows and columns.
 
     Parameters
     ----------
     places
-        Coordinates of the rows and columns, shape (m,).
+        Coordinates of the non-zero rows and columns, shape (m,).
     matrix
         The entries, shape (m, m).
     """
@@ -67,27 +68,27 @@ class Share:
     matrix: Array
 
     def energy(self, shapes: Array) -> Array:
-        """x^T A x of every row of `shapes`, shape (n,)."""
+        """x^T A x for every row x of `shapes`, shape (n,)."""
         x = shapes[:, self.places]
         return np.asarray(((x @ self.matrix) * x).sum(axis=1))
 
 
 def share_of(whole: Array) -> Share:
-    """Cut a dense matrix (nd, nd) down to the coordinates that it has entries for."""
+    """Reduce a dense matrix (nd, nd) to the coordinates with non-zero entries."""
     used = np.flatnonzero(np.any(whole != 0.0, axis=0) | np.any(whole != 0.0, axis=1))
     return Share(used, whole[np.ix_(used, used)].copy())
 
 
 @contextmanager
 def switched(system: System, on: Mapping[str, slice | NDArray[np.int64]]) -> Iterator[None]:
-    """Evaluate a system with some records of some kinds alone; joints made of functions stay.
+    """Context in which only the given records are evaluated; function-driven joints are always included.
 
     Parameters
     ----------
     system
-        The system; its address tables are changed while the context lasts.
+        The system; its address tables are changed within the context.
     on
-        Records that count, by name of kind; copies of them do their work where they are given by numbers.
+        Records to evaluate, by name of kind; records given by index are evaluated on copies.
     """
     tables = system.workspace.tables
     kept = {name: table.copy() for name, table in tables.items()}
@@ -130,7 +131,7 @@ def bare_blocks(system: System, state: State, cm: float, cd: float, ck: float) -
 
 
 def massive_kinds(system: System, state: State) -> tuple[str, ...]:
-    """Kinds whose elements have inertia of their own."""
+    """Kinds whose elements have inertia."""
     bare = bare_blocks(system, state, 1.0, 0.0, 0.0)
     found = []
     for kind in system.records:
@@ -142,7 +143,7 @@ def massive_kinds(system: System, state: State) -> tuple[str, ...]:
 
 
 def inertial_stiffness(system: System, state: State, still: State) -> Array:
-    """What steady rotation adds to the stiffness by inertia, bodies and massive elements (centrifugal)."""
+    """Centrifugal stiffness of a steady rotation, of bodies and massive elements."""
     on = dict.fromkeys(massive_kinds(system, still), slice(None))
     with switched(system, on):
         turning = evaluate.matrix(system, state, 0.0, 0.0, 1.0)
@@ -150,6 +151,6 @@ def inertial_stiffness(system: System, state: State, still: State) -> Array:
 
 
 def element_names(system: System, kind: str) -> tuple[str, ...]:
-    """Names of all elements of a kind, as in the observations."""
+    """Names of all elements of a kind, as in the channels."""
     given = system.names.get(kind, ())
     return tuple(given[k] if k < len(given) else f"{kind}{k}" for k in range(system.records[kind].size))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Root events that a scenario requests, and the names of the sign changes of event functions."""
+"""Events requested by a scenario, and their names by direction of the sign change."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FUNCTIONS = {
     "stick_slip": ("slip_reversal", "slip", "forward_slip", "backward_slip"),
 }
 
-#: A pair that passes the start of its path backwards leaves there, and enters at the end.
+#: In reverse rotation a pair enters at the end of its path of contact and leaves at the start.
 BACKWARDS = {
     "pair_entry": "pair_exit",
     "pair_exit": "pair_entry",
@@ -33,7 +33,7 @@ BACKWARDS = {
 
 
 def bending(system: System) -> NDArray[np.int64]:
-    """Per event function 1 if forces jump or bend at its zeros, shape (ne,)."""
+    """Flags of event functions at whose zeros forces have a jump or a kink, shape (ne,)."""
     flags = np.zeros(len(system.layout.events), np.int64)
     for name, bank in system.records.items():
         kind = registry.find(name)
@@ -46,7 +46,7 @@ def bending(system: System) -> NDArray[np.int64]:
 
 
 class EventWatch:
-    """Selects the events of one scenario; false if it requests none.
+    """Selection of the events of a scenario; false if it requests none.
 
     Parameters
     ----------
@@ -67,16 +67,16 @@ class EventWatch:
             self._named[:, k] = k, index[f"{falling}[{mesh}"]
             kept[k] = kind in wanted
         self._kept = kept
-        #: Per event function 1 if its sign changes count, in one direction at least: steps may end there.
+        #: Flags of event functions requested in at least one direction: steps may end at their zeros.
         self.functions = (kept[self._named[0]] | kept[self._named[1]]).astype(np.int64)
-        #: The same, or forces jump or bend there: explicit methods have no other means to detect them.
+        #: The same with all jumps and kinks of forces: explicit methods cannot detect them otherwise.
         self.ends = self.functions | bending(system) if kept.any() else self.functions
 
     def __bool__(self) -> bool:
         return bool(self._kept.any())
 
     def pick(self, found: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The requested events, named by what happens.
+        """Requested events, named by the direction of the sign change.
 
         Parameters
         ----------

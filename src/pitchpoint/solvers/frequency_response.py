@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frequency response about an operating point: y = C (K + i omega D - omega^2 M)^-1 B, directly or by modes.
+"""Frequency response about an operating point: y = C (K + i omega D - omega^2 M)^-1 B, direct or modal.
 
-M, D and K are those of `linear_system.linearise`: gyroscopic terms and all that a steady rotation does
-are in them, meshes count with the mean over their cycle or with one phase. Loops are kept by moving in the
-directions that they leave free; the reactions follow. Driven spins do not vibrate. With a synchronous body
-every frequency is its speed: the response to its unbalance.
+M, D and K are those of `linear_system.linearise`: they include gyroscopic and centrifugal terms; mesh
+stiffness is the mean over the mesh cycle or the value at one phase. Closed loops are projected onto their
+free directions; the reactions follow. Driven spins are fixed. With a synchronous body, the rotational
+frequency of that body equals the excitation frequency, as for its unbalance response.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class FrequencyResponse:
     outputs, inputs, output_units, input_units
         Names and units.
     notes
-        What the user should know, in sentences.
+        Notes for the user.
     """
 
     frequency: Array
@@ -88,16 +88,16 @@ def find_response(
     scenario, phase, start
         As in `modal.find_modes`.
     modes
-        Number of undamped modes whose span the response is looked for in; default: the direct solution.
+        Number of undamped modes of a modal solution; default: the direct solution.
     synchronous
-        Body whose speed follows the frequency, the others with it by their ratios.
+        Body whose speed equals the excitation frequency; other bodies follow by their speed ratios.
     progress
         Called after every frequency.
 
     Raises
     ------
     SolverError
-        If a name is not known, there is no equilibrium, or nothing resists at a frequency.
+        If a name is unknown, there is no equilibrium, or the system is singular at a frequency.
     """
     linear = linearise(system, scenario, phase=phase, start=start)
     ins, outs = find_inputs(linear, inputs), find_outputs(linear, outputs)
@@ -142,7 +142,7 @@ def _respond(
     M, D, K = matrices
     own = list(linear.states)
     unit = np.eye(M.shape[0])[:, own]
-    # the unknown of a state is the state, the rate of its coordinate
+    # the unknown of a state is the rate of its coordinate
     columns = [(K + 1j * omega * D - omega**2 * M) @ basis, (D + 1j * omega * M)[:, own]]
     B = np.column_stack([port.at(omega) for port in ins])
     if isinstance(basis, np.ndarray):
@@ -168,7 +168,7 @@ def _respond(
 
 
 def _solved_dense(columns: Sequence[Any], basis: Array, unit: Array, B: Complex) -> Complex:
-    """Coordinates along the basis and states that answer loads; NaN if nothing resists."""
+    """Response of the basis coordinates and states to loads; NaN if the matrix is singular."""
     rows = np.hstack([basis, unit]).T
     whole = np.hstack([c if isinstance(c, np.ndarray) else c.toarray() for c in columns])
     try:
@@ -178,7 +178,7 @@ def _solved_dense(columns: Sequence[Any], basis: Array, unit: Array, B: Complex)
 
 
 def _solved_sparse(columns: Sequence[Any], basis: Any, unit: Array, B: Complex) -> Complex:
-    """The same with sparse matrices."""
+    """`_solved_dense` with sparse matrices."""
     from scipy.sparse import csc_array, hstack
     from scipy.sparse.linalg import splu
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gear trains: bodies that can only turn together, and the rotations that no element constrains.
+"""Gear trains: bodies with coupled rotations, and the free rotations of the system.
 
-Every element that carries torque is one linear relation between the rates of the spins: meshes and rigid
-ratios by their teeth, couplings, beams and bearings stiff about their axis by equal rates. What satisfies all
-of them is a free rotation: one per ordinary gear train, two per planet set whose three members are free. What
-is stiff in other directions only, like the bearings of a shaft in a housing that moves, lets bodies turn.
+Every element that transmits torque is one linear relation between the spin rates: meshes and rigid ratios by
+their tooth numbers; couplings, beams and torsionally stiff bearings by equal rates. The solutions of all
+relations are the free rotations: one per ordinary gear train, two per planetary gear set with three free
+members. Elements without torsional stiffness, such as the bearings of a shaft in a movable housing, do not
+couple rotations.
 """
 
 from __future__ import annotations
@@ -30,12 +31,12 @@ Array = NDArray[np.float64]
 
 
 def free_spins(system: System) -> tuple[int, ...]:
-    """Spin coordinates that have to be held so that nothing can turn freely, first bodies first."""
+    """Minimum set of spins to hold so that no body can rotate freely, in the order of the bodies."""
     return _independent(system, ())
 
 
 def held_spins(system: System) -> tuple[int, ...]:
-    """Spins of driven bodies, and those that must be held in addition."""
+    """Spins of driven bodies, and those to hold in addition so that no body can rotate freely."""
     return _independent(system, driven_coordinates(system))
 
 
@@ -45,10 +46,10 @@ def driven_coordinates(system: System) -> tuple[int, ...]:
 
 
 def exchange(system: System, held: Sequence[int], spin: int, state: State | None = None) -> tuple[int, ...]:
-    """Hold one spin in place of the one among `held` that its train moves most; it comes last.
+    """Hold one spin instead of the one among `held` that it drives with the largest ratio; appended last.
 
-    Driven ones are let go last. With a state a train also continues through closed loops in their position
-    there.
+    Driven spins are released only if there is no other. With a state, trains continue through closed loops in
+    their position there.
     """
     return exchange_all(system, held, (spin,), state)
 
@@ -56,7 +57,7 @@ def exchange(system: System, held: Sequence[int], spin: int, state: State | None
 def exchange_all(
     system: System, held: Sequence[int], spins: Sequence[int], state: State | None = None
 ) -> tuple[int, ...]:
-    """Hold several spins in place of others, one after the other as by `exchange`."""
+    """Hold several spins instead of others, in sequence as by `exchange`."""
     kept, driven = tuple(held), driven_coordinates(system)
     if all(spin in kept for spin in spins):
         return (*(h for h in kept if h not in spins), *spins)
@@ -71,7 +72,7 @@ def exchange_all(
 def _exchanged(
     free: NullSpace, held: tuple[int, ...], spin: int, keep: tuple[Sequence[int], Sequence[int]]
 ) -> tuple[int, ...]:
-    """Spins held with one in place of another; those in the second list of `keep` stay longest."""
+    """Held spins with one exchanged; spins of the second list of `keep` are released last."""
     if spin in held or not free.moves(spin):
         return (*(h for h in held if h != spin), spin)
     train = free.group_of[spin]
@@ -88,14 +89,14 @@ def _exchanged(
 
 
 def turning_rates(system: System, state: State, spin: int) -> Array:
-    """Rates of all coordinates as one spin turns at 1 rad/s through teeth and closed loops at a state.
+    """Rates of all coordinates for one spin at 1 rad/s, through gear trains and closed loops at a state.
 
-    What they leave open besides moves as little as it can.
+    Rates that these do not determine have minimum norm.
 
     Returns
     -------
     ndarray, shape (nd,)
-        Zeros if the loops hold it fast.
+        Zeros if the loops fix the spin.
     """
     free = _motions(system, state)
     row = free[spin]
@@ -103,7 +104,7 @@ def turning_rates(system: System, state: State, spin: int) -> Array:
 
 
 def tied_by_teeth(system: System, one: int, two: int) -> bool:
-    """Whether teeth and other ratios that never change tie two spins, whatever loops do besides."""
+    """Whether teeth or other constant ratios couple two spins; closed loops are ignored."""
     spins = spins_of(system)
     free = null_space([p.row for p in torque_paths(system)], spins)
     if free.group_of[one] != free.group_of[two]:
@@ -112,16 +113,16 @@ def tied_by_teeth(system: System, one: int, two: int) -> bool:
 
 
 def is_independent(system: System, state: State, held: Sequence[int], spin: int) -> bool:
-    """Whether a spin can turn through teeth and closed loops while others are held."""
+    """Whether a spin is free to rotate, given teeth and closed loops, while others are held."""
     rows = _motions(system, state)[[*held, spin]]
     return int(np.linalg.matrix_rank(rows, tol=SAME)) > int(np.linalg.matrix_rank(rows[:-1], tol=SAME))
 
 
 def rates_through_loops(system: System, state: State, given: Collection[int]) -> Array:
-    """Rates that fit teeth and closed loops at a state, those of some coordinates being given in it.
+    """Rates consistent with teeth and closed loops at a state, for given rates of some of its coordinates.
 
-    What the given ones leave open changes as little as it can; where they contradict teeth and loops, all
-    rates stay as they are.
+    Rates that these do not determine change as little as possible. If the given rates contradict teeth or
+    loops, all rates are unchanged.
 
     Returns
     -------
@@ -138,9 +139,9 @@ def rates_through_loops(system: System, state: State, given: Collection[int]) ->
 
 
 def _motions(system: System, state: State) -> Array:
-    """What teeth and loops let move: orthonormal columns, shape (nd, k); rates of spins count by 1 rad.
+    """Motions allowed by teeth and loops: orthonormal columns, shape (nd, k).
 
-    Shafts stay in their bearings, elastic bodies and states of elements as they are.
+    Displacements of shafts in their bearings, elastic deformations and element states are excluded.
     """
     body, nd = system.program["body"], system.sizes["nd"]
     rows = list(evaluate.constraint_jacobian(system, state)[loop_rows(system)])
@@ -161,12 +162,12 @@ def _motions(system: System, state: State) -> Array:
 
 
 def complete(system: System, first: Sequence[int], others: Iterable[int]) -> tuple[int, ...]:
-    """Spins to hold: the first ones, and those of the others that they leave free to turn."""
+    """Spins to hold: the first ones, and those of the others that are then still free to rotate."""
     return (*first, *_beside(_free(system), first, others))
 
 
 def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
-    """Mesh periods per second times 2 pi of every mesh at the spins of bodies [rad/s]; see `mesh_orders`."""
+    """Circular mesh frequency of every mesh [rad/s] for the speeds of bodies [rad/s]; see `mesh_orders`."""
     rates = np.zeros(system.sizes["nd"])
     for b, name in enumerate(system.layout.bodies):
         spin = int(system.program["body"][b]["spin"])
@@ -176,15 +177,15 @@ def mesh_rates(system: System, speeds: Mapping[str, float]) -> list[float]:
 
 
 def mesh_orders(system: System, rates: Array) -> dict[str, float]:
-    """Mesh periods per second times 2 pi by mesh: teeth times the speed against the line of centres.
+    """Circular mesh frequency by mesh: number of teeth times the speed relative to the line of centres.
 
     Parameters
     ----------
     system
         The system.
     rates
-        Rates of all coordinates [rad/s], shape (nd,); those of one body at 1 rad/s give the number of
-        mesh periods in a revolution of it.
+        Rates of all coordinates [rad/s], shape (nd,). With one body at 1 rad/s the result is the mesh order:
+        mesh periods per revolution of that body.
     """
     found = {}
     for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
@@ -195,9 +196,9 @@ def mesh_orders(system: System, rates: Array) -> dict[str, float]:
 
 
 def rotations(system: System, spins: Sequence[int]) -> Array:
-    """Rates of all coordinates as each of some spins turns at 1 rad/s and other held ones are at rest.
+    """Rates of all coordinates with each of some spins at 1 rad/s while the other held spins are at rest.
 
-    A train that something keeps from turning turns as its teeth want, whatever it is tied to.
+    The rates of a train that cannot rotate follow from its tooth ratios only.
 
     Returns
     -------
@@ -214,13 +215,13 @@ def rotations(system: System, spins: Sequence[int]) -> Array:
                 rates[list(own), turning[spin]] = basis @ inverse[:, k]
     for column, spin in enumerate(spins):
         if spin not in turning:
-            wanted = _as_the_teeth_want(system, spin)
+            wanted = _by_tooth_ratios(system, spin)
             rates[list(wanted), column] = list(wanted.values())
     return rates
 
 
 def _by_train(free: NullSpace, spins: Sequence[int]) -> dict[int, list[int]]:
-    """Spins of every group that turns together."""
+    """Spins by group of coupled rotations."""
     found: dict[int, list[int]] = {}
     for spin in spins:
         found.setdefault(int(free.group_of[spin]), []).append(spin)
@@ -228,14 +229,14 @@ def _by_train(free: NullSpace, spins: Sequence[int]) -> dict[int, list[int]]:
 
 
 def rigid_rotations(system: System) -> Array:
-    """Turns of the spins that nothing resists: one row per free train that nothing drives, shape (r, nd)."""
+    """Free rigid rotations: one row per train without drive and resistance, shape (r, nd)."""
     return rotations(system, held_spins(system)[len(driven_coordinates(system)) :]).T
 
 
 def driven_rotations(system: System) -> dict[int, Array]:
-    """Rates of all coordinates (nd,) as one driven spin turns at 1 rad/s and the others are at rest, by spin.
+    """Rates of all coordinates (nd,) with one driven spin at 1 rad/s and the others at rest, by driven spin.
 
-    Of drives on one train the first counts.
+    If a train has several drives, only the first counts.
     """
     free = _free(system)
     turning: list[int] = []
@@ -253,7 +254,7 @@ def _independent(system: System, first: Sequence[int]) -> tuple[int, ...]:
 
 
 def _beside(free: NullSpace, first: Sequence[int], others: Iterable[int]) -> list[int]:
-    """Those of the other spins that are free while the first ones, and those before them, are held."""
+    """Spins among the others that are free while the first ones, and those found before, are held."""
     order = [*(s for s in first if s in free.group_of), *others]
     found = set()
     for group, spins in _by_train(free, order).items():
@@ -270,28 +271,28 @@ def _beside(free: NullSpace, first: Sequence[int], others: Iterable[int]) -> lis
 
 
 def _free(system: System) -> NullSpace:
-    """Free rotations over the spins."""
+    """Free rotations, as null space over the spins."""
     spins = spins_of(system)
     resisted: list[Row] = [{spin: 1.0} for spin in resisted_spins(system)]
-    if len(resisted) == len(spins):  # nothing turns freely, as in machines of bodies on bushings
+    if len(resisted) == len(spins):  # no free rotation, as for bodies on bushings
         return null_space(resisted, spins)
     return null_space([*resisted, *(p.row for p in torque_paths(system))], spins)
 
 
 def _whole(basis: Array) -> NullSpace:
-    """Orthonormal columns over all coordinates as one group."""
+    """Null space with one group over all coordinates, from orthonormal columns."""
     places = range(len(basis))
     return NullSpace(((tuple(places), basis),), dict.fromkeys(places, 0), {k: k for k in places})
 
 
 def _null_space(rows: Array) -> Array:
-    """Orthonormal columns that rows of length one leave."""
+    """Orthonormal basis of the null space of rows of unit length."""
     _, sizes, basis = np.linalg.svd(rows)
     return np.asarray(basis[int(np.sum(sizes > SAME * sizes.max(initial=0.0))) :].T)
 
 
 def spins_of_train(system: System, spin: int) -> set[int]:
-    """Spins that teeth, couplings and other paths of torque join with one, itself among them."""
+    """Spins connected with one by teeth, couplings and other torque paths, including itself."""
     return _joined([p.row for p in torque_paths(system) if not p.to_ground], spin)
 
 
@@ -302,8 +303,8 @@ def _joined(rows: Sequence[Row], spin: int) -> set[int]:
     return joined
 
 
-def _as_the_teeth_want(system: System, spin: int) -> dict[int, float]:
-    """Rates of the spins of a train that cannot turn as a whole, where its relations differ least."""
+def _by_tooth_ratios(system: System, spin: int) -> dict[int, float]:
+    """Spin rates of a train that cannot rotate as a whole: least-squares solution of its relations."""
     rows = [p.row for p in torque_paths(system) if not p.to_ground]
     joined = _joined(rows, spin)
     place = {s: k for k, s in enumerate(sorted(joined))}

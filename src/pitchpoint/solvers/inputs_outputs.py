@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where a linear system is shaken and where it is looked at: named inputs and outputs as columns and rows.
+"""Named inputs and outputs of a linear system, as columns and rows of its matrices.
 
 Inputs: a coordinate (`BODY.spin`), a force or moment on a body in world axes (`BODY.fx` ... `BODY.mz`),
 `transmission_error[MESH]`, `unbalance[BODY]`. Outputs: a coordinate, a motion of a body in world axes
@@ -29,27 +29,27 @@ Array = NDArray[np.float64]
 LOADS = ("fx", "fy", "fz", "mx", "my", "mz")
 MOTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
 MESH_FORCES = ("mesh_force", "normal_force", "circumferential_force", "radial_force", "axial_force")
-"""Channels of a mesh that are its stiffness times a deflection."""
+"""Channels of a mesh that are proportional to its stiffness."""
 STEP = 2e-10
-"""Step of differences [m]: below the touch of unloaded flanks."""
+"""Step of finite differences [m]: below the penetration at which unloaded flanks are assumed in contact."""
 RATE = 1e-6
-"""Step of the rates [m/s]."""
+"""Step of finite differences of the rates [m/s]."""
 
 
 @dataclass(frozen=True)
 class Input:
-    """One excitation per unit: force + i omega rate + omega^2 turning on the coordinates.
+    """Generalised forces of a unit excitation: force + i omega rate + omega^2 turning.
 
     Parameters
     ----------
     name, unit
-        What it is, and its unit.
+        Name and unit.
     force, rate, turning
         Shape (nd,); `turning` is complex.
     follows
-        Motion of the coordinates that would do the same as an error of the flanks, or zeros, shape (nd,).
+        Motion of the coordinates equivalent to a transmission error of the flanks, or zeros, shape (nd,).
     mesh
-        Number of the mesh whose error it is, -1 for none.
+        Index of the mesh of a transmission error, -1 for other inputs.
     """
 
     name: str
@@ -67,16 +67,16 @@ class Input:
 
 @dataclass(frozen=True)
 class Outputs:
-    """What is looked at: y = place q + rate q' + react lambda + feed e.
+    """Output equations: y = place q + rate q' + react lambda + feed e.
 
     Parameters
     ----------
     names, units
-        Of the outputs, no of them.
+        Names and units of the `no` outputs.
     place, rate, react
         Shape (no, nd), (no, nd), (no, nc).
     feed
-        By errors of the flanks, shape (no, number of meshes).
+        Feedthrough of the transmission errors of the flanks, shape (no, number of meshes).
     """
 
     names: tuple[str, ...]
@@ -142,7 +142,7 @@ def find_inputs(linear: Linearised, names: Sequence[str]) -> tuple[Input, ...]:
 
 
 def _turning(linear: Linearised, J: Array, b: int) -> NDArray[np.complex128]:
-    """Force of an unbalance over omega^2: it turns from the first axis of the frame to the second."""
+    """Force of an unbalance over omega^2; it rotates from the first axis of the frame to the second."""
     evaluate.residual(linear.system, linear.state)
     frame = linear.system.workspace.fr[b]
     sense = -1.0 if frame["spin"] < 0.0 else 1.0
@@ -151,10 +151,10 @@ def _turning(linear: Linearised, J: Array, b: int) -> NDArray[np.complex128]:
 
 
 def _error_of(linear: Linearised, name: str, k: int) -> Input:
-    """Error of the flanks of a mesh: what its deflection is less than the travel of the gears.
+    """Unloaded transmission error of the flanks of a mesh: relative travel of the gears less the deflection.
 
-    It acts like a travel of the gears against each other, with the stiffness that counts (the mean over the
-    cycle, or that of one phase) and the damping of the mesh.
+    It acts like a relative travel of the gears, through the stiffness in use (mean over the cycle or that of
+    one phase) and the damping of the mesh.
     """
     system, stopped = linear.system, linear.state.copy()
     stopped.v[:] = 0.0
@@ -175,7 +175,7 @@ def _error_of(linear: Linearised, name: str, k: int) -> Input:
 
 
 def _by_travel(system, k: int, request) -> Array:  # type: ignore[no-untyped-def]
-    """Derivative of what `request` gives by the travel that a mesh was assembled with."""
+    """Derivative of the result of `request` with respect to the assembled travel of a mesh."""
     record = mesh_record(system, k)
     kept, sides = float(record["u0"]), []
     for sign in (1.0, -1.0):
@@ -186,9 +186,9 @@ def _by_travel(system, k: int, request) -> Array:  # type: ignore[no-untyped-def
 
 
 def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
-    """Rows of the outputs by name; channels are differentiated at the operating point as it is.
+    """Output rows by name; channels are differentiated at the operating point.
 
-    Forces of meshes go by the stiffness that counts, the mean over the cycle.
+    Mesh forces are scaled to the stiffness in use, such as the mean over the cycle.
 
     Raises
     ------
@@ -225,7 +225,7 @@ def find_outputs(linear: Linearised, names: Sequence[str]) -> Outputs:
 
 
 def _slopes(linear: Linearised, meshes: int) -> tuple[Array, Array, Array, Array]:
-    """Derivatives of all channels by coordinates, rates, multipliers and errors of the flanks."""
+    """Derivatives of all channels with respect to coordinates, rates, multipliers and flank errors."""
     system, state = linear.system, linear.state
     weight = system.weight
     nothing = np.zeros((system.sizes["no"], 0))
@@ -239,7 +239,7 @@ def _slopes(linear: Linearised, meshes: int) -> tuple[Array, Array, Array, Array
     feed = np.column_stack(errors) if errors else nothing
     for o, channel in enumerate(system.layout.channels):
         if channel.name.startswith("transmission_error["):
-            feed[o] = 0.0  # the travel of the gears is what it is, whatever their flanks are like
+            feed[o] = 0.0  # it is the travel of the gears, independent of their flanks
     for k, name in enumerate(mesh_names(system)):
         ratio = _mean_ratio(linear, k, name)
         for word in MESH_FORCES:
@@ -250,7 +250,7 @@ def _slopes(linear: Linearised, meshes: int) -> tuple[Array, Array, Array, Array
 
 
 def _mean_ratio(linear: Linearised, k: int, name: str) -> float:
-    """Stiffness of a mesh that counts (mean over its cycle) over that of the phase of the operating point."""
+    """Stiffness of a mesh in use (mean over its cycle) over its stiffness at the operating point."""
     stopped = linear.state.copy()
     stopped.v[:] = 0.0
     _, now = tangents(linear.system, stopped, one_mesh(linear.system, k))
@@ -261,7 +261,7 @@ def _mean_ratio(linear: Linearised, k: int, name: str) -> float:
 
 
 def _differences(system, state: State, key: str, steps: Array) -> Array:  # type: ignore[no-untyped-def]
-    """Central differences of all channels by one part of the state, shape (no, n)."""
+    """Central differences of all channels with respect to one part of the state, shape (no, n)."""
     found = np.zeros((system.sizes["no"], steps.size))
     for k, step in enumerate(steps):
         sides = []

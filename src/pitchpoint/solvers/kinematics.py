@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Motion without dynamics: drives and loops decide where everything is; forces follow from the motion.
+"""Kinematic analysis with inverse dynamics: drives and loops determine the motion; forces follow from it.
 
-At every time the loops are closed with the drives where they are, rates and accelerations follow from the
-derivatives of the rows, and the multipliers from the equations of motion: the observations of drives and
-cut joints are what an inverse dynamics wants to know.
+At every time the loops are closed for the given drives. Rates and accelerations follow from the derivatives
+of the constraint rows, and the multipliers from the equations of motion: the drive torques and the reactions
+of cut joints.
 """
 
 from __future__ import annotations
@@ -23,31 +23,31 @@ Array = NDArray[np.float64]
 
 
 def moved_to(system: System, state: State, t: float) -> State:
-    """The state of a driven mechanism at a time, near another one, with accelerations and multipliers.
+    """State of a driven mechanism at time t, with accelerations and multipliers, from a nearby state.
 
     Parameters
     ----------
     system
-        The system; its constraints must leave no freedom.
+        The system; its constraints must leave no degree of freedom.
     state
-        A state nearby.
+        A nearby state.
     t
         Time [s].
 
     Raises
     ------
     SolverError
-        If something is left free, or the drives lead where loops cannot follow.
+        If a degree of freedom is left, or the loops cannot close for the given drives.
     """
     guess = state.copy()
-    # along the motion so far, so that a mechanism with two ways to close keeps to its own
+    # extrapolate the motion, to stay in the same assembly configuration
     step = t - state.t
     guess.t = t
     guess.q += step * state.v + 0.5 * step**2 * state.a
     guess.v += step * state.a
     found = assemble_state(system, guess)
     if found.freedoms > 0:
-        raise SolverError(f"{_loose(system, found.state)}: prescribe their motion as well", INCONSISTENT)
+        raise SolverError(f"{_loose(system, found.state)}: prescribe its motion, too", INCONSISTENT)
     evaluate.prepare(system)
     evaluate.load(system, found.state)
     evaluate.check(system, evaluate.accelerations(system, t), found.state)
@@ -55,7 +55,7 @@ def moved_to(system: System, state: State, t: float) -> State:
 
 
 def _loose(system: System, state: State) -> str:
-    """What the constraints leave free, in words."""
+    """Sentence on the degrees of freedom left by the constraints."""
     G = evaluate.constraint_jacobian(system, state) / system.weight
     _, sizes, rows = np.linalg.svd(G)
     null = rows[int(np.sum(sizes > 1e-9 * sizes.max(initial=0.0))) :]
@@ -66,14 +66,14 @@ def _loose(system: System, state: State) -> str:
 
 
 class KinematicRun:
-    """Times of a driven mechanism under way, with the face of an integration.
+    """Running kinematic analysis, with the interface of an integration.
 
     Parameters
     ----------
     system, state
-        What moves and from where; drives and loops must leave no freedom.
+        The system and its initial state; drives and loops must leave no degree of freedom.
     h
-        Distance of the times [s].
+        Time step [s].
     """
 
     def __init__(self, system: System, state: State, h: float) -> None:
@@ -94,12 +94,12 @@ class KinematicRun:
         stride: int = 1,
         events: int = 0,
     ) -> Chunk:
-        """Go n steps on, or fewer if the mechanism cannot follow; events are not looked for.
+        """Take n steps, or fewer if the loops cannot close; events are not detected.
 
         Parameters
         ----------
         every, statistics, stride
-            As of `generalized_alpha.Run.advance`.
+            As in `generalized_alpha.Run.advance`.
         """
         rows: list[Array] = []
         status = OK
@@ -119,7 +119,7 @@ class KinematicRun:
         return Chunk(status, n, np.array(rows).reshape(-1, width), np.zeros((0, 3)))
 
     def change_step(self, h: float) -> None:
-        """Continue with another step from here."""
+        """Change the step from the present time on."""
         self.t0, self.steps, self.h = self.t, 0, h
 
     def state(self) -> State:

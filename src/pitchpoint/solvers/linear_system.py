@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The linear system about an operating point: matrices at rest and at speed, free directions, its modes.
+"""Linearization about an operating point: matrices at rest and at speed, free directions, modes.
 
-What `modal`, `campbell` and `frequency_response` have in common; `modal` describes the matrices.
+Used by `modal`, `campbell` and `frequency_response`; `modal` describes the matrices.
 """
 
 from __future__ import annotations
@@ -34,38 +34,38 @@ from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
 MOST_MODES = 200
-"""Modes up to which a system has all of them found if no number is given."""
+"""Largest system (number of modes) for which all modes are computed by default."""
 LOWEST = 40
-"""Modes that are found of a larger one."""
+"""Default number of modes of larger systems."""
 SPARSE = 0.3
-"""Share of its modes up to which they are found one by one."""
+"""Share of the modes up to which they are computed iteratively."""
 
 MOST_COORDINATES = 20_000
-"""Coordinates up to which there are matrices of the linear system, three gigabytes each."""
+"""Largest number of coordinates of a linear system; each matrix then takes three gigabytes."""
 
 
 @dataclass(frozen=True)
 class Linearised:
-    """Split matrices about an operating point, at rest and at speed, and what the user should know of it.
+    """Matrices about an operating point, at rest and at speed, with notes for the user.
 
     Parameters
     ----------
     system, state
-        Own copy of the system, and the operating point.
+        Copy of the system, and the operating point.
     at_rest
-        Matrices and elements without speeds; its K has the centrifugal part of a steady rotation.
+        Matrices by element at zero speed; K includes the centrifugal part of a steady rotation.
     D, K
         Damping and stiffness matrix at speed, shape (nd, nd).
     basis
-        Directions that vibrate: columns, shape (nd, n), sparse if the system is large.
+        Free directions: columns, shape (nd, n), sparse if the system is large.
     rigid
-        Turns that nothing resists, shape (r, nd).
+        Unconstrained rigid rotations, shape (r, nd).
     states
         Coordinates whose rates are states of force elements.
     held
-        Spins that keep the operating point where it is.
+        Spins held at the operating point.
     notes
-        Sentences.
+        Notes for the user.
     """
 
     system: System
@@ -83,16 +83,16 @@ class Linearised:
 def _frictionless_point(
     system: System, scenario: Scenario | str | None, start: State | None
 ) -> OperatingPoint:
-    """The operating point with frictionless flanks, and a note if that changes something.
+    """The operating point with frictionless flanks, and a note if the flanks have friction.
 
-    The machine has to rest there without friction too: every other position or speed that the matrices are
-    taken at (phases of a mesh, the speeds of a diagram) is an equilibrium of the frictionless machine.
+    The other positions and speeds of the analysis (mesh phases, speeds of a Campbell diagram) are equilibria
+    of the frictionless machine, so the operating point must be one, too.
     """
     smooth = without_friction(system)
     point = operating_point(smooth, scenario, start)
     if smooth is system:
         return point
-    note = "friction of the flanks is neglected in the modes; it depends on the motion, not on a state"
+    note = "flank friction is neglected in the modes; it depends on the motion, not on the state"
     return replace(point, notes=(*point.notes, note))
 
 
@@ -105,17 +105,18 @@ def linearise(
     start: State | None = None,
     progress: Progress = silent,
 ) -> Linearised:
-    """Matrices about the loaded state of a scenario; arguments as in `modal.find_modes`."""
+    """Linearize about the loaded state of a scenario; arguments as in `modal.find_modes`."""
     if (count := system.sizes["nd"]) == 0:
         raise SolverError(
-            "all bodies are fixed, so nothing can vibrate; let a body move (motion: torsion, planar or free)",
+            "all bodies are fixed, so there are no modes; free a body (motion: torsion, planar or free)",
             SINGULAR,
         )
     if count > MOST_COORDINATES:
         raise CompileError(
             f"the machine has {count} coordinates, and each matrix of the linear system would take "
-            f"{8e-9 * count**2:.2g} GB (limit {MOST_COORDINATES} coordinates); compute parts of it apart, or "
-            "give bodies less freedom (motion: torsion or planar) and shafts fewer pieces (largest_piece)"
+            f"{8e-9 * count**2:.2g} GB (limit {MOST_COORDINATES} coordinates); analyse parts of it "
+            "separately, or reduce the freedom of bodies (motion: torsion or planar) and the number of shaft "
+            "pieces (largest_piece)"
         )
     point = _frictionless_point(system, scenario, start)
     own, state = point.system.copy(), point.state
@@ -140,53 +141,53 @@ def linearise(
 
 
 def _of_assumed_flanks(loose: Mapping[str, int]) -> str:
-    """Note on the flanks at which unloaded meshes are taken."""
+    """Note on the flanks that are assumed in contact in unloaded meshes."""
     front, back = (", ".join(m for m, flank in loose.items() if flank == sense) for sense in (1, -1))
     sides = " and ".join(
         f"the {side} of {names}" for side, names in (("front", front), ("back", back)) if names
     )
     return (
-        f"no load presses the flanks of {', '.join(loose)} together: they are taken as touching at {sides}, "
-        "as a small torque through the train presses them"
+        f"the flanks of {', '.join(loose)} carry no load: contact is assumed at {sides}, "
+        "as for a small torque through the train"
     )
 
 
 def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]:
-    """Note on unloaded meshes whose stiffness grows with the load: at the point of touch they have none."""
+    """Note on unloaded meshes whose stiffness grows with the load: at first contact it is zero."""
     records = zip(mesh_names(system), mesh_records(system), strict=True)
     names = [name for name, record in records if name in loose and record["contact"]["power"] > 1.0]
     if not names:
         return []
     return [
-        f"the stiffness of {', '.join(names)} is zero where the flanks touch and grows with the load: "
-        f"without one it is that at {1e9 * TOUCH:g} nm of penetration, and frequencies in which these flanks "
-        "take part are arbitrary; give the scenario a load that presses them together"
+        f"the stiffness of {', '.join(names)} grows with the load from zero at first contact: without a load "
+        f"the value at {1e9 * TOUCH:g} nm of penetration is used, and the frequencies of modes that deform "
+        "these flanks are arbitrary; give the scenario a load that presses them together"
     ]
 
 
 def _of_one_position(system: System, state: State) -> tuple[str, ...]:
-    """Notes on elastic bodies whose modes turn, and on other bodies whose inertia changes as they turn."""
+    """Notes on rotating elastic bodies, and on other bodies whose inertia changes with their angle."""
     body, names = system.program["body"], system.layout.bodies
     elastic = modal_bodies(system, frames=True)
     turning = [names[b] for b in sorted(elastic) if body[b]["spin"] >= 0 and state.v[body[b]["spin"]] != 0.0]
     notes = []
     if turning:
         notes.append(
-            f"the modes of {', '.join(turning)} turn with the body: what is found holds for one position of "
-            "it; elastic shafts hold for all"
+            f"the modes of {', '.join(turning)} rotate with the body: the results hold for one position of "
+            "it; elastic shafts have no such limit"
         )
     elif state.v.any() and not elastic:
         moving = changing(system, state, {}, state.v / np.abs(state.v).max())[1]
         if moving:
             notes.append(
-                f"the inertia of {', '.join(names[b] for b in moving)} changes as it turns: what is found "
-                "holds for one position of it"
+                f"the inertia of {', '.join(names[b] for b in moving)} changes as it rotates: the results "
+                "hold for one position of it"
             )
     return tuple(notes)
 
 
 def _turning(system: System, state: State, stopped: State, at_rest: Parts) -> Parts:
-    """Add what a steady rotation does to the stiffness by inertia, as one more part."""
+    """Add the centrifugal stiffness of a steady rotation as one more part."""
     more = symmetric(inertial_stiffness(system, state, stopped))
     if np.abs(more).max(initial=0.0) <= NONE * np.abs(at_rest.K).max(initial=0.0):
         return at_rest
@@ -201,8 +202,8 @@ def _turning(system: System, state: State, stopped: State, at_rest: Parts) -> Pa
 
 
 def _at_phase(system: System, state: State, phase: float, held: tuple[int, ...]) -> State:
-    """Put every mesh at one phase; the records of the system change."""
-    for _ in range(4):  # the deflection of the new place moves the phase a little
+    """Set every mesh to one phase; changes the records of the system."""
+    for _ in range(4):  # the new deflection changes the phase slightly
         values = evaluate.observe(system, state)
         for name, record in zip(mesh_names(system), mesh_records(system), strict=True):
             shift(record, phase - float(values[system.layout.channel(f"mesh_phase[{name}]")]))
@@ -219,13 +220,13 @@ class Undamped:
     Parameters
     ----------
     omega, shapes
-        Circular frequencies [rad/s] (n,) and shapes with modal mass 1 (n, nd): the requested ones.
+        Circular frequencies [rad/s] (n,) and mass-normalised shapes (n, nd) of the requested modes.
     total
-        Number of modes that there are.
+        Number of modes of the system.
     notes
-        A sentence if modes were omitted without a request.
+        A note if modes were omitted by default.
     whole
-        All modes of a small system, (omega, shapes); the damped ones are made of them.
+        All modes of a small system, (omega, shapes), as a basis of the damped modes.
     """
 
     omega: Array
@@ -241,7 +242,7 @@ def lowest(linear: Linearised, count: int | None = None) -> Undamped:
     total = linear.basis.shape[1]
     wanted = total if total <= MOST_MODES else LOWEST
     wanted = min(wanted if count is None else count, total)
-    note = (f"the lowest {wanted} of {total} modes; give a number of modes to see more",)
+    note = (f"the lowest {wanted} of {total} modes; give a number of modes to get more",)
     notes = note if count is None and wanted < total else ()
     if total > MOST_MODES and wanted < SPARSE * total:
         found = lowest_modes(parts.M, parts.K, _sparse(linear.basis), rigid, wanted)
@@ -252,7 +253,7 @@ def lowest(linear: Linearised, count: int | None = None) -> Undamped:
 
 
 def _sparse(basis: Any) -> Any:
-    """The same columns, sparse."""
+    """The basis as a sparse matrix."""
     from scipy.sparse import csc_array
 
     return csc_array(basis)
@@ -261,7 +262,7 @@ def _sparse(basis: Any) -> Any:
 def damped_modes(
     linear: Linearised, modes: Undamped
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues at speed in the order of the undamped modes, those of states last, and their shapes."""
+    """Eigenvalues and shapes at speed, in the order of the undamped modes, those of states last."""
     M, D, K = linear.at_rest.M, linear.D, linear.K
     left = K - symmetric(linear.at_rest.K)
     if modes.whole is None and _is_undamped(linear, modes, left):
@@ -279,7 +280,7 @@ def damped_modes(
 
 
 def _is_undamped(linear: Linearised, modes: Undamped, left: Array) -> bool:
-    """Whether nothing distinguishes the damped modes of a stable system from the undamped ones."""
+    """Whether the damped modes equal the undamped ones: a stable system without damping and states."""
     if linear.states or np.any(modes.omega < 0.0) or linear.D.any():
         return False
     return bool(np.abs(left).max(initial=0.0) <= NONE * np.abs(linear.at_rest.K).max(initial=0.0))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Balancing torques of machines that turn: of the mean over the period of the loads and over the mesh cycle.
+"""Balancing torques of rotating machines, from means over the period of the loads and over the mesh cycle.
 
-A torque that balances one instant of a pulsating load makes the machine faster or slower with every turn.
-What keeps the mean speed is the balance of work: loads over angles count with their mean over their period,
-and friction of flanks, which pulsates with the mesh phase, with its mean over mesh cycles.
+A torque that balances a pulsating load at one instant only changes the mean speed with every revolution. The
+mean speed is constant if the work balances: angle-dependent loads enter with their mean over their period,
+flank friction, which pulsates with the mesh phase, with its mean over mesh cycles.
 """
 
 from __future__ import annotations
@@ -30,30 +30,30 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 POINTS = 720
-"""Points per turn at which a load is averaged; harmonics below them drop out exactly."""
+"""Points per revolution at which a load is averaged; lower harmonics cancel exactly."""
 MOST_TURNS = 12
-"""Turns within which a load must repeat to count as periodic."""
+"""Revolutions within which a load must repeat to count as periodic."""
 SAME = 1e-9
-"""Difference over the largest value up to which two values, or two mesh frequencies, are one."""
+"""Relative difference below which two values, or two mesh frequencies, count as equal."""
 IN_CYCLE = 16
-"""Instants of one mesh cycle at which friction is averaged where all meshes have one frequency."""
+"""Instants per mesh cycle at which friction is averaged if all meshes have the same frequency."""
 MOST_COORDINATES = 300
-"""Coordinates of a system up to which friction is averaged: every instant takes an equilibrium."""
+"""Largest number of coordinates for which friction is averaged: every instant needs an equilibrium."""
 CYCLES = 3
-"""Cycles of the slowest mesh, faded in and out, over which friction is averaged where they have several."""
+"""Cycles of the slowest mesh, with a Hann window, over which friction is averaged if frequencies differ."""
 DRIFT = 0.01
-"""Share of a speed by which its mean may leave the scenario before a run reports it."""
+"""Relative deviation of the mean speed from the scenario above which a run adds a remark."""
 
 
 def with_mean_loads(system: System, state: State) -> System:
-    """The system with torques that repeat over the angle of a turning body at their means.
+    """Copy of the system with angle-periodic torques replaced by their mean values.
 
-    Torques that do not repeat, such as those of springs, and those on bodies at rest stay as they are.
+    Torques that are not periodic, such as those of springs, and torques on bodies at rest are unchanged.
 
     Parameters
     ----------
     system, state
-        The system and its start: the speeds there count for loads that follow them.
+        The system and its initial state, whose speeds apply to speed-dependent loads.
     """
     records = system.records.get(LOAD)
     if records is None or not np.any(records["form"] != CONSTANT):
@@ -76,7 +76,7 @@ def with_mean_loads(system: System, state: State) -> System:
 
 
 def _mean_over_angle(alone: System, state: State, k: int) -> float | None:
-    """Mean of one torque over its period; None if its body rests or it does not repeat."""
+    """Mean of one torque over its period; None if the body is at rest or the torque is not periodic."""
     body = int(alone.records[LOAD][k]["i"])
     spin, out = spin_of(alone.program["body"], body), int(alone.records[LOAD][k]["out"])
     if spin < 0 or state.v[spin] == 0.0:
@@ -84,7 +84,7 @@ def _mean_over_angle(alone: System, state: State, k: int) -> float | None:
     here = state.copy()
 
     def torques(turn: int) -> Array:
-        """Values over one turn, so many turns on."""
+        """Values over one revolution, after a number of revolutions."""
         here.turns[body] = state.turns[body] + turn
         values = np.empty(POINTS)
         for n, angle in enumerate(np.arange(POINTS) * (TWO_PI / POINTS)):
@@ -103,9 +103,9 @@ def _mean_over_angle(alone: System, state: State, k: int) -> float | None:
 
 
 def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
-    """Instants [s] at which friction of flanks is averaged, and their weights, which add up to one.
+    """Instants [s] at which flank friction is averaged, and their weights; the weights sum to one.
 
-    The start alone where nothing turns, no flank has friction, loops close the machine, or it is large.
+    Only the start if nothing rotates, no flank has friction, or the system has closed loops or is large.
     """
     rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in system.banks(MESH))
     rates = np.zeros(0)
@@ -131,14 +131,14 @@ def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
 def drift_notes(
     system: System, scenario: Scenario, channels: Mapping[str, Mapping[str, Any]]
 ) -> tuple[str, ...]:
-    """Bodies whose mean speed has left the speed of the scenario, although a torque was to balance.
+    """Remarks on bodies whose mean speed deviates from the scenario in spite of a balancing torque.
 
     Parameters
     ----------
     system, scenario
-        What was run.
+        The system and scenario of the run.
     channels
-        Statistics of every channel.
+        Statistics by channel.
     """
     if not balancing_loads(system):
         return ()

@@ -1,18 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Modes about an operating point: frequencies, damping, shapes, energies, names.
 
-M x'' + D x' + K x = 0 with the derivatives of the residual at the loaded state, exact but for the phase of
-the meshes, which is held: they count with the mean of their stiffness over the mesh cycle, or with the value
-at one phase. Undamped modes are those at rest, with the symmetric part of K; damped ones carry dampers, the
-gyroscopic terms of the speeds and the whole K. A torque that follows its tilting body makes K unsymmetric
-and can feed energy into modes that nothing damps. Friction of the flanks is neglected in both and in the
-operating point: sliding reverses within every mesh cycle. Rayleigh and modal damping are made at the phase
-where the scenario starts.
+M x'' + D x' + K x = 0 with the derivatives of the residual at the loaded state. They are exact except for the
+phase of the meshes, which is fixed: mesh stiffness is the mean over the mesh cycle, or the value at one
+phase. Undamped modes are those at rest, with the symmetric part of K; damped modes include dampers,
+gyroscopic terms and the whole K. A torque that follows a tilting body makes K unsymmetric and can destabilise
+undamped modes. Flank friction is neglected in both and in the operating point: sliding reverses within every
+mesh cycle. Rayleigh and modal damping are computed at the phase where the scenario starts.
 
-Mechanisms vibrate in the directions that their loops leave free, with the reactions of the loops in K. Where
-bodies hang in trees, what a steady rotation adds by inertia (centrifugal forces) belongs to the stiffness of
-the undamped modes; the operating point then is the relative equilibrium, all rates steady. States of force
-elements are held for the undamped modes and free for the damped ones.
+Mechanisms vibrate in the free directions of their loops; K includes the geometric stiffness of the loop
+reactions. For trees of bodies, the undamped modes include the centrifugal stiffness of a steady rotation; the
+operating point is then the relative equilibrium with constant rates. States of force elements are constant
+for the undamped modes and free for the damped ones.
 """
 
 from __future__ import annotations
@@ -49,40 +48,41 @@ class Modes:
     shape
         Undamped shapes, modal mass 1, shape (n, nd); the largest component by mass is positive.
     eigenvalue
-        Complex eigenvalue with damping and gyroscopic terms [1/s], shape (n,), the one with Im >= 0; each
-        belongs to the undamped mode it resembles most.
+        Complex eigenvalue with damping and gyroscopic terms [1/s], shape (n,), the one with Im >= 0; assigned
+        to the most similar undamped mode.
     damped_frequency, damping_ratio
         Im/2 pi [Hz] and -Re/|eigenvalue|, shape (n,); 0 Hz and 1 where a mode is overdamped, -1 where it
-        runs away without oscillating.
+        diverges without oscillation.
     damped_shape
         Complex shapes, shape (n, nd); largest component by mass real and positive, modal mass 1.
     kinetic
-        Share of each coordinate in the kinetic energy of a mode, shape (n, nd): they sum to 1, and one may be
-        negative where a joint moves bodies against each other.
+        Share of each coordinate in the kinetic energy of a mode, shape (n, nd); they sum to 1, and may be
+        negative for coordinates of joints.
     potential
-        Share of each element in the strain energy, shape (n, ne); zero for rigid modes, negative where loads
-        or weight weaken it.
+        Share of each element in the strain energy, shape (n, ne); zero for rigid modes, negative for negative
+        geometric stiffness of loads or weight.
     names
-        What moves, in words.
+        Names of the modes, from their main motions.
     coordinates, elements
         Names of coordinates and elements.
     state
         The operating point.
     participation, effective_mass
-        Factor [kg^1/2, kg^1/2 m] and mass [kg, kg m^2] with which the mode follows a base that accelerates
-        along x, y, z or turns about them through the world origin, shape (n, 6).
+        Participation factor [kg^1/2, kg^1/2 m] and effective mass [kg, kg m^2] for base accelerations along
+        x, y, z and rotations about them through the world origin, shape (n, 6).
     bodies
         Names of the bodies, ground first.
     place, axes
-        Where their frames are at the operating point, shape (nb, 3) [m] and (nb, 3, 3), world axes.
+        Positions and axes of their frames at the operating point, shape (nb, 3) [m] and (nb, 3, 3), world
+        axes.
     body_shape, damped_body_shape
-        Displacement of the origins and turn of the bodies in a mode, world axes, shape (n, nb, 6).
+        Displacement of the origins and rotation of the bodies in a mode, world axes, shape (n, nb, 6).
     state_eigenvalue
-        Further eigenvalues [1/s], those of the states of force elements, the slowest first.
+        Further eigenvalues [1/s], those of the states of force elements, in ascending order.
     total
-        Number of modes that there are; more than n if only the lowest were requested.
+        Number of modes of the system; more than n if only the lowest were requested.
     notes
-        What the user should know, in sentences.
+        Notes for the user.
     """
 
     frequency: Array
@@ -138,21 +138,21 @@ def find_modes(
     system
         The compiled model.
     scenario
-        Gives speeds and drives; driven spins do not vibrate. Default: the scenario the system was compiled
-        with, else everything at rest.
+        Gives speeds and drives; driven spins are fixed. Default: the scenario the system was compiled with,
+        or the system at rest.
     phase
-        Mesh phase in [0, 1) at which every mesh is taken; default: mean over the mesh cycle.
+        Mesh phase in [0, 1) of all meshes; default: mean over the mesh cycle.
     mean
-        False: the phase of the operating point as it is.
+        False: mesh phases of the operating point.
     count
-        Number of modes, lowest first. Default: all of up to 200, the lowest 40 of more.
+        Number of modes, lowest first. Default: all of up to 200 modes, otherwise the lowest 40.
     start
-        State near which the operating point is looked for; its rates are kept. Default: that of the scenario,
-        and the initial state of a system made from numbers.
+        Initial state of the search for the operating point; its rates are retained. Default: that of the
+        scenario, or the initial state of a system without a model.
     progress
         Called after every element.
     linear
-        What `linearise` gives for all of these, if it is known already.
+        Result of `linearise` for the same arguments, if already computed.
 
     Returns
     -------
@@ -161,7 +161,7 @@ def find_modes(
     Raises
     ------
     SolverError
-        If there is no equilibrium to vibrate about.
+        If there is no equilibrium.
     """
     if linear is None:
         linear = linearise(system, scenario, phase=phase, mean=mean, start=start, progress=progress)
@@ -170,7 +170,7 @@ def find_modes(
     omega, shapes = modes.omega, modes.shapes
     values, complex_shapes = damped_modes(linear, modes)
     n = len(omega)
-    complex_shapes = _turned(complex_shapes[:n], parts.M)
+    complex_shapes = _normalised(complex_shapes[:n], parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)
     factors, masses = participation(base_momenta(own, linear.state, shapes))
     moved = body_motions(own, linear.state, shapes)
@@ -203,7 +203,7 @@ def find_modes(
     )
 
 
-def _turned(shapes: NDArray[np.complex128], M: Array) -> NDArray[np.complex128]:
+def _normalised(shapes: NDArray[np.complex128], M: Array) -> NDArray[np.complex128]:
     """Complex shapes with modal mass 1 whose largest component by mass is real and positive."""
     sizes = np.abs(shapes) * np.sqrt(np.diag(M))
     chosen = (sizes >= sizes.max(axis=1, keepdims=True) * (1.0 - 1e-6)).argmax(axis=1)
@@ -233,7 +233,7 @@ def solve_modal(
         [1/s], name; over `mode` and `coordinate`: shape (modal mass 1), damped_shape_real, damped_shape_imag,
         kinetic_share; over `mode` and `element`: potential_share; over `mode` and `direction`: participation
         and effective_mass; over `mode`, `body` and `direction`: body_shape, the displacement of the origin
-        of every body and its turn, world axes.
+        of every body and its rotation, world axes.
     """
     import xarray as xr
 
@@ -245,7 +245,7 @@ def solve_modal(
     data = {
         "frequency": (one, m.frequency, "Hz", "undamped natural frequency"),
         "damped_frequency": (one, m.damped_frequency, "Hz", "natural frequency with damping at speed"),
-        "damping_ratio": (one, m.damping_ratio, "1", "share of critical damping"),
+        "damping_ratio": (one, m.damping_ratio, "1", "damping ratio"),
         "eigenvalue_real": (one, m.eigenvalue.real, "1/s", "real part of the eigenvalue"),
         "eigenvalue_imag": (one, m.eigenvalue.imag, "1/s", "imaginary part of the eigenvalue"),
         "shape": (by_coordinate, m.shape, "1", "undamped shape, modal mass 1"),

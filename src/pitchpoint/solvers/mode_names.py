@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a mode does, in words: from the shares of bodies and elements in its energies.
+"""Names of modes, from the energy shares of bodies and elements.
 
-The share of a coordinate in a name is M_kk phi_k^2 over the sum of this over all coordinates: the kinetic
-energy that the coordinate would have alone. Between 0 and 1 it is, and it is the share in the kinetic energy
-where the mass matrix is diagonal. A coordinate of a joint also moves what hangs on the body, and what
-moves the other way takes energy away: phi_k (M phi)_k, the share in the energy itself, then is negative for
-one of them and above 1 for another. Elements that push away from rest, such as gravity on an upright
-pendulum, have negative strain energy; the share of an element is that in the sum of the magnitudes.
+The share of a coordinate is M_kk phi_k^2 over its sum over all coordinates: the kinetic energy of that
+coordinate alone. It is between 0 and 1, and it is the share of the kinetic energy if the mass matrix is
+diagonal. The exact share, phi_k (M phi)_k, is not used: a joint coordinate also moves the bodies that follow
+in the tree, so the share of one coordinate may be negative and that of another above 1. Elements with
+negative stiffness, such as gravity on an upright pendulum, have negative strain energy; the share of an
+element refers to the sum of the magnitudes.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ MOTION = {
     "beta": "tilt ry",
     "spin": "rotation",
 }
-"""Words for the coordinates of a body."""
+"""Names of the motions of a body, by coordinate."""
 
 TORSIONAL = 0.7
-"""Share of the spins from which a mode counts as torsional."""
+"""Kinetic energy share of the spins from which a mode counts as torsional."""
 ENOUGH = 0.8
-"""Share that the named motions make up."""
+"""Energy share that the listed motions must cover."""
 MOST = 3
-"""Most motions that are named."""
+"""Maximum number of motions listed."""
 
 
 def mode_names(
@@ -47,7 +47,7 @@ def mode_names(
     layout
         Names of bodies and coordinates.
     parts
-        Names of the elements and their bodies, and the mass matrix.
+        Elements and their bodies, and the mass matrix.
     omega, shapes
         Undamped circular frequencies (n,), zero for rigid modes, and shapes (n, nd).
     potential
@@ -89,7 +89,7 @@ def _elastic(layout: Layout, parts: Parts, kinetic: Array, potential: Array) -> 
 
 
 def _motions(layout: Layout, kinetic: Array) -> str:
-    """The motions that have the largest shares, largest first."""
+    """Motions with the largest shares, in descending order."""
     named, total = [], 0.0
     for k in np.argsort(-kinetic, kind="stable")[:MOST]:
         body, _, motion = layout.coordinates[k].rpartition(".")
@@ -105,7 +105,7 @@ def _spin_share(layout: Layout, kinetic: Array) -> float:
 
 
 def _bodies(layout: Layout, kinetic: Sequence[float] | Array) -> list[tuple[str, float]]:
-    """Share of every body, largest first."""
+    """Share of every body, in descending order."""
     shares: dict[str, float] = {}
     for coordinate, share in zip(layout.coordinates, kinetic, strict=True):
         body = coordinate.rpartition(".")[0]

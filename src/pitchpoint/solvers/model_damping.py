@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rayleigh and modal damping of a model: one matrix about the state from which a run starts.
+"""Rayleigh and modal damping of a model: one matrix about the initial state of a run.
 
-Both refer to what can vibrate: directions that fit the constraint rows, with driven coordinates at rest. The
-rigid motion of the machine (rotation of free trains and whatever follows a drive) is taken out, so damping
-brakes no rotation at any speed.
+Both damp vibrations only: motions in the free directions of the constraints with driven coordinates at rest.
+The rigid motion of the machine (rotation of free trains, and motion that follows a drive) is projected out,
+so that damping does not brake the rotation at any speed.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ Array = NDArray[np.float64]
 
 
 def with_damping(system: System, state: State) -> System:
-    """Fill the Rayleigh and modal damping about the starting state into its records.
+    """Copy of the system with the Rayleigh and modal damping about the initial state in its records.
 
-    Its stiffness is that of what is elastic: a load that changes with the angle or the speed would make the
-    damping brake the rotation, or drive it.
+    Loads are excluded from the stiffness: loads that depend on the angle or the speed would make the damping
+    brake or drive the rotation.
     """
     if KIND.name not in system.records or system.model is None or system.model.damping is None:
         return system
@@ -52,7 +52,7 @@ def with_damping(system: System, state: State) -> System:
 
 
 def _matrix(system: System, stopped: State, given: Damping) -> Array:
-    """Damping matrix at a state without speeds, shape (nd, nd)."""
+    """Damping matrix at a state with zero speeds, shape (nd, nd)."""
     M, _, K = evaluate.linearize(system, stopped)
     basis = free_directions(system, stopped, tuple(int(s) for s in system.states))
     basis = basis if isinstance(basis, np.ndarray) else basis.toarray()
@@ -75,11 +75,11 @@ def modal_damping(M: Array, K: Array, basis: Array, rigid: Array, ratio: float) 
     Parameters
     ----------
     M, K
-        Mass and stiffness matrix, shape (nd, nd); their symmetric parts count.
+        Mass and stiffness matrix, shape (nd, nd); only their symmetric parts are used.
     basis
         Columns that span the free directions, shape (nd, n).
     rigid
-        Rotations that nothing resists, shape (r, nd); they are not damped.
+        Free rigid rotations, shape (r, nd); they are not damped.
     ratio
         Damping ratio of every mode [-].
 
@@ -103,9 +103,9 @@ def modal_damping(M: Array, K: Array, basis: Array, rigid: Array, ratio: float) 
 
 
 def _following(system: System, stopped: State, K: Array, basis: Array) -> dict[int, Array]:
-    """Rates of all coordinates that follow one driven coordinate at 1 m/s or 1 rad/s, other drives at rest.
+    """Rates of all coordinates for one driven coordinate at 1 m/s or 1 rad/s with the other drives at rest.
 
-    Trains turn in the ratio of their teeth. Elsewhere bodies follow so that they store the least energy.
+    Trains rotate in their tooth ratios; other bodies follow with minimum strain energy.
     """
     driven = driven_coordinates(system)
     if not is_looped(system) and all(c in system.program["body"]["spin"] for c in driven):
@@ -121,16 +121,16 @@ def _following(system: System, stopped: State, K: Array, basis: Array) -> dict[i
 
 
 def _vibrating_part(M: Array, free: Array, following: dict[int, Array]) -> Array:
-    """Matrix that takes the motion of the machine as a rigid whole out of rates, shape (nd, nd).
+    """Projection that removes the rigid motion of the machine from rates, shape (nd, nd).
 
     Parameters
     ----------
     M
-        Mass matrix, shape (nd, nd); what vibrates has no momentum along free rotations.
+        Mass matrix, shape (nd, nd); vibrations have no momentum along free rotations.
     free
-        Rotations that nothing drives or resists, shape (nd, r).
+        Free rotations without drive, shape (nd, r).
     following
-        Rates that follow driven coordinates.
+        Rates that follow each driven coordinate.
     """
     found = np.eye(len(M))
     for place, rates in following.items():

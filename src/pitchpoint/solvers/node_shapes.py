@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Modes of a machine at the nodes of the files of its elastic bodies."""
+"""Mode shapes of a machine at the nodes of its elastic bodies."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ Array = NDArray[np.float64]
 
 
 def node_shapes(model: Model, modes: Modes) -> dict[str, tuple[Array, NDArray[np.complex128]]]:
-    """Places of all nodes of elastic bodies and their displacements in the damped modes.
+    """Positions of all nodes of elastic bodies and their displacements in the damped modes.
 
     Parameters
     ----------
     model, modes
-        The model and what `find_modes` found for it.
+        The model and its modes from `find_modes`.
 
     Returns
     -------
     dict
-        By body: places at rest (k, 3) [m], and displacements (n, k, 3) per unit of the shapes, world axes.
+        By body: positions at rest (k, 3) [m], and displacements (n, k, 3) per unit of the shapes, world axes.
     """
     return {name: _of_body(name, *file_nodes(model, name), modes) for name in model.elastic_bodies}
 
 
 def _of_body(name: str, places: Array, phi: Array, modes: Modes) -> tuple[Array, Any]:
-    """Motion of the floating frame, and in it that of the modal coordinates, in the world."""
+    """Node positions and displacements in world axes, from the floating frame and the modal coordinates."""
     k = modes.bodies.index(name)
     own = [modes.coordinates.index(f"{name}.{m // 3 + 1}.eta{m + 1}") for m in range(phi.shape[2])]
     turned = modes.axes[k] @ _about_z(modes.state.q[modes.coordinates.index(f"{name}.spin")])

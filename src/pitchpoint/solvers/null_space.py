@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Null space of many short rows: what linear relations between the spins of trains leave free.
+"""Null space of many short rows, such as the linear relations between the spins of gear trains.
 
-Rows that share no unknown are independent of each other, so every connected group of unknowns has a basis of
-its own. Within a group each row removes one parameter from the expressions of the unknowns: among those with
-a large coefficient the one with the fewest unknowns, so a train of n gears takes n log n operations.
+Every connected group of unknowns has a separate basis. Within a group each row eliminates one parameter from
+the expressions of the unknowns: among those with a large coefficient the one used by the fewest unknowns, so
+a train of n gears takes n log n operations.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 SAME = 1e-9
-"""Part of a row over the sum of its terms that counts as zero."""
+"""Coefficient over the sum of its terms that counts as zero."""
 LARGE = 0.1
-"""Coefficient over the largest of its row from which a parameter may be removed."""
+"""Coefficient over the largest of its row from which a parameter may be eliminated."""
 
 
 Row = Mapping[int, float]
@@ -47,17 +47,17 @@ class NullSpace:
         return np.asarray(self.groups[self.group_of[unknown]][1][self.place_of[unknown]])
 
     def moves(self, unknown: int) -> bool:
-        """Whether an unknown is free to change at all."""
+        """Whether an unknown is free to change."""
         return float(np.linalg.norm(self.row(unknown))) > SAME
 
 
 def null_space(rows: Sequence[Row], unknowns: Sequence[int]) -> NullSpace:
-    """Find what rows leave free.
+    """Compute the null space of sparse rows.
 
     Parameters
     ----------
     rows
-        Rows without zeros; their lengths do not count.
+        Rows without zeros, with any scaling.
     unknowns
         Names of the unknowns.
 
@@ -84,7 +84,7 @@ def null_space(rows: Sequence[Row], unknowns: Sequence[int]) -> NullSpace:
 
 
 def _expressions(rows: Sequence[Row], unknowns: Sequence[int]) -> dict[int, dict[int, float]]:
-    """Every unknown as a sum of parameters, which are unknowns themselves."""
+    """Every unknown as a linear combination of parameters, which are independent unknowns."""
     found = {v: {v: 1.0} for v in unknowns}
     users = {v: {v} for v in unknowns}
     for row in rows:
@@ -111,7 +111,7 @@ def _expressions(rows: Sequence[Row], unknowns: Sequence[int]) -> dict[int, dict
 
 
 def connected(rows: Sequence[Row], unknowns: Sequence[int]) -> list[list[int]]:
-    """Groups of unknowns that rows join, in the order of their first unknowns.
+    """Groups of unknowns connected by rows, in the order of their first unknowns.
 
     Examples
     --------
@@ -121,7 +121,7 @@ def connected(rows: Sequence[Row], unknowns: Sequence[int]) -> list[list[int]]:
     leader = {v: v for v in unknowns}
 
     def first(v: int) -> int:
-        """Follow an unknown to the leader of its group."""
+        """Leader of the group of an unknown."""
         while leader[v] != v:
             leader[v] = leader[leader[v]]
             v = leader[v]

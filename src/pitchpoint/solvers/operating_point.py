@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where linear analyses look: the loaded state of a scenario, with the spins that keep it there."""
+"""Operating point of linear analyses: the loaded state of a scenario, with its held spins."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ class OperatingPoint:
     Parameters
     ----------
     system
-        Own copy of the system with balancing torques and damping filled in.
+        Copy of the system with balancing torques and damping.
     state
         Position at equilibrium, speeds of the scenario.
     held
-        Spins that were kept: driven ones, and one of every group that could turn freely.
+        Held spins: the driven ones, and one of every group that can rotate freely.
     notes
-        What the user should know, in sentences.
+        Notes for the user.
     """
 
     system: System
@@ -38,7 +38,7 @@ class OperatingPoint:
 
 
 def scenario_named(system: System, scenario: Scenario | str | None) -> Scenario | None:
-    """The scenario of a model that a name means; what is none is left as it is."""
+    """The scenario of the model with this name; a scenario or None is returned unchanged."""
     if not isinstance(scenario, str):
         return scenario
     if system.model is None or scenario not in system.model.scenarios:
@@ -59,8 +59,8 @@ def operating_point(
     scenario
         Scenario or its name; default the one the system was compiled with, else at rest.
     start
-        State near which the equilibrium is looked for, in place of a scenario; its rates are kept, so the
-        equilibrium is that of a steady rotation.
+        Initial state of the equilibrium iteration, instead of a scenario. Its rates are retained: the result
+        is the equilibrium of a steady rotation.
 
     Raises
     ------

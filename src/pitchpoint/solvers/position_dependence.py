@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What of a linearisation changes as bodies turn: masses and linear elements, now and further on."""
+"""Position dependence of a linearization: bodies and elements whose matrices change as bodies rotate."""
 
 from __future__ import annotations
 
@@ -20,41 +20,41 @@ Array = NDArray[np.float64]
 Choice = dict[str, NDArray[np.int64]]
 
 FACTORS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-"""Factors of acceleration, rate and coordinate that make the matrices M, D and K."""
+"""Factors of acceleration, rate and coordinate for the matrices M, D and K."""
 LATER = (1.0, 2.3)
-"""Angles [rad] by which the fastest spin has gone on when matrices are compared with those of now."""
+"""Rotation [rad] of the fastest spin to the positions at which the matrices are compared."""
 SAME = 1e-8
-"""Relative change of a matrix in the scale of the masses that counts as rounding."""
+"""Relative change of a mass-scaled matrix that counts as rounding."""
 
 
 def ways_to_turn(system: System, state: State, turning: Collection[int]) -> Array:
-    """Rates at which a system continues to turn, largest 1.
+    """Rates of the rotation of a system, scaled to a maximum of 1.
 
     Parameters
     ----------
     system, state
-        The system and its operating point, whose rates these are unless all is at rest.
+        The system and its operating point, whose rates are used unless the system is at rest.
     turning
-        Bodies that can begin to turn then, with their trains, if nothing holds them.
+        For a system at rest: bodies that may rotate, with their trains, if they are free.
 
     Returns
     -------
     ndarray, shape (nd,)
-        Zeros if nothing turns or could turn.
+        Zeros if nothing rotates or can rotate.
     """
     rates = state.v
     if not rates.any():
         free = rotations(system, held_spins(system)[len(driven_coordinates(system)) :])
         own = [int(s) for s in system.program["body"]["spin"][sorted(turning)] if s >= 0]
         free = free[:, np.abs(free[own]).any(axis=0)]
-        # no train at the rate of another, so that one does not hide what another changes
+        # trains at different rates, so that their changes do not cancel
         rates = free @ (1.0 + 0.37 * np.arange(free.shape[1]))
     top = float(np.abs(rates).max(initial=0.0))
     return rates / top if top > 0.0 else np.zeros(rates.size)
 
 
 def _later(state: State, rates: Array) -> list[State]:
-    """The operating point a while on: all that turns has turned."""
+    """Copies of the operating point with all rotations advanced."""
     found = []
     for angle in LATER:
         moved = state.copy()
@@ -64,16 +64,16 @@ def _later(state: State, rates: Array) -> list[State]:
 
 
 def changing(system: System, state: State, eligible: Choice, rates: Array) -> tuple[Choice, list[int]]:
-    """Elements, and bodies, whose matrices change as the system turns.
+    """Elements and bodies whose matrices change as the system rotates.
 
     Parameters
     ----------
     system, state
         The system and its operating point.
     eligible
-        Records of the elements that are tried, by kind.
+        Records of the elements to check, by kind.
     rates
-        Of `ways_to_turn`.
+        Rates of the rotation, see `ways_to_turn`.
     """
     states = [state, *_later(state, rates)]
     rows, columns, places = system.layout.entries
@@ -82,7 +82,7 @@ def changing(system: System, state: State, eligible: Choice, rates: Array) -> tu
     rate = float(np.abs(state.v).max(initial=0.0)) or 1.0
 
     def request() -> list[Array]:
-        """Entries of M, D and K at all moments, in the scale of the masses and of the fastest spin."""
+        """Entries of M, D and K at all positions, scaled by the masses and the fastest spin."""
         return [
             np.array(
                 [evaluate.blocks(system, s, *f).reshape(-1)[places] / (size * rate**power) for s in states]
@@ -118,5 +118,5 @@ def changing(system: System, state: State, eligible: Choice, rates: Array) -> tu
 
 
 def _varies(entries: Array) -> NDArray[np.bool_]:
-    """Entries that are not the same at all moments (first axis)."""
+    """Entries that differ between the positions (first axis)."""
     return np.asarray(np.ptp(entries, axis=0) > SAME * np.abs(entries).max(initial=1.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What keeps single spins from turning freely: springs, contacts, loops, and weight off the axis."""
+"""Spins that cannot rotate freely: because of springs, contacts, loops, or an eccentric weight."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from pitchpoint.system.system import System
 Array = NDArray[np.float64]
 
 SAME = 1e-9
-"""Singular value over the largest, and length of a row over one, that count as zero."""
+"""Relative singular value, and norm of a unit row, that count as zero."""
 ECCENTRIC = 1e-6
-"""Distance of a centre of mass from an axis [m] from which weight turns what hangs there."""
+"""Eccentricity of a centre of mass [m] from which its weight exerts a torque about the axis."""
 
 
 def resisted_spins(system: System) -> list[int]:
-    """Spins that springs, contacts, loops or eccentric weight keep from turning freely."""
+    """Spins that springs, contacts, loops or eccentric weights prevent from rotating freely."""
     body = system.program["body"]
     held = {int(s) for s in system.states}
     for kind, records in system.records.items():
@@ -30,9 +30,9 @@ def resisted_spins(system: System) -> list[int]:
             if resists == NOTHING:
                 continue
             if resists == WEIGHT:
-                held |= _leaning(system)
+                held |= _eccentric(system)
                 break
-            if resists == OWN:  # on one body, against what it hangs on
+            if resists == OWN:  # between one body and the body it is mounted on
                 held |= {int(body[record["i"]]["spin"])} - {-1}
                 continue
             between = set.symmetric_difference(*(_movers(body, int(record[end])) for end in ("i", "j")))
@@ -43,7 +43,7 @@ def resisted_spins(system: System) -> list[int]:
 
 
 def _along(system: System, b: int) -> set[int]:
-    """Spins of all bodies about the axis of body b, where they are drawn."""
+    """Spins of all bodies coaxial with body b in the design position."""
     place, axis = (np.asarray(x, float) for x in (system.bodies[b - 1].position, system.bodies[b - 1].axes))
     z = np.array([np.asarray(other.axes, float)[:, 2] for other in system.bodies])
     way = np.array([np.asarray(other.position, float) for other in system.bodies]) - place
@@ -53,7 +53,7 @@ def _along(system: System, b: int) -> set[int]:
 
 
 def _movers(body: NDArray[np.void], b: int) -> set[int]:
-    """Spins on the way from ground to a body."""
+    """Spins on the path from ground to a body."""
     found = set()
     while b:
         if body[b]["spin"] >= 0:
@@ -62,8 +62,8 @@ def _movers(body: NDArray[np.void], b: int) -> set[int]:
     return found
 
 
-def _leaning(system: System) -> set[int]:
-    """Spins about whose axes the weight of what hangs there has a lever."""
+def _eccentric(system: System) -> set[int]:
+    """Spins with an eccentric weight: the bodies mounted there have a centre of mass off the axis."""
     body = system.program["body"]
     places = [np.zeros(3), *(np.asarray(b.position, float) for b in system.bodies)]
     turning: dict[int, list[int]] = {}

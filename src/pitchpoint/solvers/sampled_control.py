@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sampled controllers during a run: called at their instants, between two calls of the compiled loop.
+"""Sampled controllers during a run: called at their sampling instants, between calls of the compiled loop.
 
-Integrators step onto every instant and begin anew where an output has changed, for forces jump there. At an
-instant all inputs are read first, then outputs whose delay is over and those without delay are written, in
-the order of the controllers. Every run starts with fresh states and start values, so it repeats to the bit.
+Integrators step exactly onto every instant and restart if an output has changed, because forces jump there.
+At an instant all inputs are read first; then the outputs without delay, and those whose delay has elapsed,
+are written in the order of the controllers. Every run starts with new states and initial values, so runs are
+reproducible bit by bit.
 """
 
 from __future__ import annotations
@@ -25,9 +26,9 @@ from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
 
 SAME = 1e-9
-"""Share of a period within which two instants are one."""
+"""Fraction of a period within which two instants count as equal."""
 FINEST = 1e-3
-"""Least share of the chosen step that a step may have for the sake of the instants."""
+"""Smallest fraction of the chosen step to which the instants may reduce it."""
 
 
 class Sampler:
@@ -36,14 +37,14 @@ class Sampler:
     Parameters
     ----------
     system
-        System with controllers; its held signals are set to their start values.
+        System with controllers; its held signals are set to their initial values.
     state
-        Start of the run, at which they are called for the first time.
+        Start of the run; the controllers are called there for the first time.
 
     Attributes
     ----------
     status, failure
-        How the last calls ended, and a sentence if a controller failed.
+        Status of the last calls, and a message if a controller failed.
     """
 
     def __init__(self, system: System, state: State) -> None:
@@ -66,7 +67,7 @@ class Sampler:
         return self.t0 + self._calls[k] * self.system.controllers[k].period
 
     def follow(self, run: Any) -> int:
-        """Do what is due where a run has come to; it begins anew if a force jumps. Returns the status."""
+        """Make the updates due at the time of a run; restart it if a force jumps. Returns the status."""
         if self.next() > run.t + self._room():
             return OK
         self.status, changed = self.update(run.t)
@@ -76,7 +77,7 @@ class Sampler:
         return SAME * min(c.period for c in self.system.controllers)
 
     def update(self, t: float) -> tuple[int, bool]:
-        """Do what is due at the state in the workspace; returns the status and whether an output changed."""
+        """Make the updates due at the state in the workspace; returns the status and if an output changed."""
         system = self.system
         room = self._room()
         status = send_request(system.workspace, RESIDUAL, t)
@@ -105,12 +106,12 @@ class Sampler:
         return OK, any(x != value for x, (_, value) in zip(before, writing, strict=True))
 
     def common_step(self, h: float, sample_rate: float | None) -> tuple[float, int]:
-        """Time step [s] that leads onto all instants and samples, at most h, and steps between samples.
+        """Time step [s], at most h, that hits all instants and samples, and the steps between samples.
 
         Raises
         ------
         SolverError
-            If periods, delays and samples have no common divisor worth the name.
+            If periods, delays and the sample period have no common divisor of useful size.
         """
         times = [x for c in self.system.controllers for x in (c.period, c.delay) if x > 0.0]
         times += [1.0 / sample_rate] if sample_rate else []
@@ -121,21 +122,21 @@ class Sampler:
         if not step > FINEST * h:
             raise SolverError(
                 f"periods and delays of controllers and samples ({', '.join(f'{x:.9g}' for x in times)} s) "
-                f"have no common step near {h:.3g} s; choose multiples of one time, or variable steps",
+                f"have no common step near {h:.3g} s; choose multiples of one period, or variable steps",
                 NOT_FINITE,
             )
         return step, max(1, round(1.0 / (sample_rate * step))) if sample_rate else 1
 
 
 def _named(system: System, name: str) -> tuple[str, str]:
-    """What a controller is called by its sentence, and with its place in the model file if it has one."""
+    """Name of a controller as in its message, and the same with its line in the model file if known."""
     short = f"the controller {name!r}"
     known = system.model is not None and name in system.model.controllers
     return short, source(system, kind_of_signals(system), name) if known else short
 
 
 def begin_anew(run: Any) -> int:
-    """Let an integration continue from where it is after a jump of the forces; returns the status."""
+    """Restart an integration at its present state after a jump of the forces; returns the status."""
     w = run.system.workspace
     if hasattr(run, "go_on"):
         return int(run.go_on())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a time loop leaves behind: sampled rows, running statistics, recorded events. Written by the drivers.
+"""Output of time loops: sampled rows, running statistics, recorded events.
 
-Nothing is stored per step. A chunk fills the caller's buffers: one row of observations every n-th step, and
-per channel the running statistics over every step in which they are switched on.
+Nothing is stored per step. A chunk fills the caller's buffers: one row of channel values every n-th step, and
+running statistics per channel over all steps for which they are enabled.
 """
 
 from __future__ import annotations
@@ -20,34 +20,34 @@ from pitchpoint.multibody.channels import CTL, F8, I8
 from pitchpoint.system.residual import evaluate_events, observe
 from pitchpoint.system.workspace import MACH
 
-#: Columns of the running statistics. Sums are of x - reference, so that a large mean costs no digits.
+#: Columns of the running statistics. Sums are of x - reference, so that a large mean does not cost accuracy.
 COUNT, REFERENCE, SUM, SQUARES, LEAST, MOST, NEGATIVE, ZERO = range(8)
 
 #: Columns of a recorded event: time, index of the event function, direction (+1 rising, -1 falling).
 EVENT_COLUMNS = 3
 GREATEST = 1e100
-"""Size of a number from which a solution has left all bounds, whatever its unit; its square is one."""
+"""Magnitude from which a solution counts as diverged, for any unit; its square is still finite."""
 
 
 class Recorder(NamedTuple):
-    """Buffers that a chunk of steps fills.
+    """Output buffers of a chunk of steps.
 
     Parameters
     ----------
     every
-        Store a row of observations at steps divisible by it; 0 for none. Not for adaptive methods.
+        Store a row at step numbers divisible by it; 0: no rows. Fixed-step methods only.
     stride
-        Feed the statistics at steps divisible by it. Not for adaptive methods.
+        Update the statistics at step numbers divisible by it. Fixed-step methods only.
     rows
-        Room for samples (time, observations ...), shape (n, no + 1).
+        Sample buffer (time, channel values ...), shape (n, no + 1).
     sums
-        Running statistics, shape (no, 8); none without rows.
+        Running statistics, shape (no, 8); disabled if empty.
     found
-        Room for events (time, event function, direction), shape (n, 3); none looked for without rows.
+        Event buffer (time, event function, direction), shape (n, 3); event detection is disabled if empty.
     done
-        Steps, samples and events of the chunk.
+        Number of steps, samples and events of the chunk.
     picked
-        Channels of the samples, in their order; all if there are none.
+        Channels of the samples, in this order; all if empty.
     """
 
     every: int
@@ -69,7 +69,7 @@ def new_recorder(
     events: int,
     picked: NDArray[np.int64] | None = None,
 ) -> Recorder:
-    """Buffers for a chunk: room for some samples of no channels, or of those picked, and some events."""
+    """Allocate the buffers of a chunk: `rows` samples of all `no` or the picked channels, `events` events."""
     chosen = np.zeros(0, np.int64) if picked is None else picked
     return Recorder(
         every,
@@ -84,20 +84,20 @@ def new_recorder(
 
 @dataclass
 class Chunk:
-    """What one call of a time loop did.
+    """Result of one call of a time loop.
 
     Parameters
     ----------
     status
-        Status of the core; OK, or why it stopped.
+        Status code; OK, or why the loop stopped.
     steps
         Accepted steps.
     rows
-        Samples (time, observations ...), shape (n, no + 1).
+        Samples (time, channel values ...), shape (n, no + 1).
     events
         Recorded events (time, event function, direction), shape (n, 3).
     lost
-        Sample at which the solution has left all bounds, shape (no + 1,); `rows` end before it.
+        First diverged sample, shape (no + 1,); `rows` end before it.
     """
 
     status: int
@@ -107,7 +107,7 @@ class Chunk:
     lost: NDArray[np.float64] | None = None
 
 
-#: A recorder as a record: addresses and sizes of its buffers.
+#: Record layout of a Recorder: addresses and sizes of its buffers.
 RECORDER = np.dtype(
     [
         (name, "i8")
@@ -131,16 +131,16 @@ RECORDER = np.dtype(
 
 
 def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorder) -> Chunk:
-    """Let a time loop carry out an order; returns what it did.
+    """Run a compiled time loop for one chunk.
 
     Parameters
     ----------
     entry
-        The loop: an entry with the addresses of the control record, of the order and of a RECORDER record.
+        Entry of the loop; takes the addresses of the control record, the order and a RECORDER record.
     at
         Address of the control record.
     order
-        Numbers of the loop, a record of its own layout, shape (1,).
+        Arguments of the loop, a record in its own layout, shape (1,).
     recorder
         Buffers to fill.
     """
@@ -162,12 +162,12 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorde
         first = int(np.argmax(~(np.abs(kept) < GREATEST).all(axis=1)))
         kept, lost = kept[:first], kept[first].copy()
     if lost is not None or not (bounded(sums[:, SUM]) and bounded(sums[:, LEAST : MOST + 1])):
-        status = UNBOUNDED  # whatever else stopped the loop then, it is a consequence
+        status = UNBOUNDED  # any other status is a consequence of the divergence
     return Chunk(status, steps, kept, found[: min(events, len(found))], lost)
 
 
 def bounded(values: NDArray[np.float64]) -> bool:
-    """Whether all values are numbers of a size that a machine can have; two passes without a copy.
+    """Whether all values are finite and below the divergence limit; two passes without a copy.
 
     Examples
     --------
@@ -194,16 +194,17 @@ def recorder_at(where):
 
 @dataclass(frozen=True)
 class Statistics:
-    """Statistics of all channels over the steps of a window; arrays of shape (no,), NaN without any step.
+    """Statistics of all channels over the steps of a window; arrays of shape (no,), NaN without steps.
 
     Parameters
     ----------
     count
         Number of steps.
     mean, rms, least, most
-        Mean, root mean square of the alternating part, extremes.
+        Mean, rms of the alternating part, minimum and maximum.
     share_negative, share_zero
-        Shares of the steps with a negative value and with zero; of the contact state: back flank, separation.
+        Fraction of the steps with a negative value and with zero; for the contact state: back-flank contact
+        and contact loss.
     """
 
     count: int
@@ -221,7 +222,7 @@ def new_statistics(n: int) -> NDArray[np.float64]:
 
 
 def read_statistics(sums: NDArray[np.float64]) -> Statistics:
-    """Turn accumulators into statistics."""
+    """Compute statistics from the accumulators."""
     n = np.where(sums[:, COUNT] > 0.0, sums[:, COUNT], np.nan)
     mean = sums[:, SUM] / n
     variance = np.maximum(sums[:, SQUARES] / n - mean**2, 0.0)
@@ -238,7 +239,7 @@ def read_statistics(sums: NDArray[np.float64]) -> Statistics:
 
 @kernel(inline=True)
 def accumulate(row, sums):
-    """Add one row of observations to the running statistics."""
+    """Add one row of channel values to the running statistics."""
     if row.size > 0 and sums[0, COUNT] == 0.0:
         for k in range(row.size):
             sums[k, REFERENCE] = row[k]
@@ -258,7 +259,7 @@ def accumulate(row, sums):
 
 @kernel
 def take(at, t, recorder, measure, sample):
-    """Observe once; feed the statistics and store the row, each if asked and if there is room."""
+    """Evaluate the channels; update the statistics and store the row as requested, within the buffer."""
     status = observe(at, t, view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["row"])
     if status == OK:
         keep(at, t, recorder, measure, sample)
@@ -267,7 +268,7 @@ def take(at, t, recorder, measure, sample):
 
 @kernel(inline=True)
 def keep(at, t, recorder, measure, sample):
-    """Feed the statistics with what was observed and store it, each if asked and if there is room."""
+    """Update the statistics with the evaluated row and store it as requested, within the buffer."""
     c = view(at, 1, CTL)[0]
     row = view(view(c["mach"], 1, MACH)[0]["row"], c["no"], F8)
     if measure != 0:
@@ -287,7 +288,7 @@ def keep(at, t, recorder, measure, sample):
 
 @kernel
 def samples_up_to(t, grid):
-    """Number of the last sample up to a time, which is within it where only rounding parts the two."""
+    """Index of the last sample up to a time; a sample that differs from it by rounding only is included."""
     limit = t + 1e-15 * abs(t)
     k = math.floor((t - grid[0]) / grid[1])
     while grid[0] + k * grid[1] > limit:
@@ -299,7 +300,7 @@ def samples_up_to(t, grid):
 
 @kernel
 def changes_sign(a, b):
-    """Whether an event function that was `a` and is `b` has passed zero; phases that wrap round have not."""
+    """Whether an event function changes sign from `a` to `b`; the wrap of a phase does not count."""
     return ((a < 0.0 and b >= 0.0) or (a > 0.0 and b <= 0.0)) and abs(b - a) <= 0.5
 
 
@@ -307,8 +308,8 @@ def changes_sign(a, b):
 def crossings(ev0, ev1, t0, h, found, n):
     """Record sign changes between two steps by linear interpolation; returns the new number of records.
 
-    A value that starts at zero does not count again, nor does one that wraps round; records beyond the buffer
-    are counted, not written.
+    A value that starts at zero does not count again, nor does the wrap of a phase. Records beyond the buffer
+    are counted but not written.
     """
     for k in range(ev0.size):
         a = ev0[k]
@@ -324,14 +325,14 @@ def crossings(ev0, ev1, t0, h, found, n):
 
 @kernel(inline=True)
 def due(number, recorder):
-    """Whether statistics and whether a row are due after step `number` of a fixed-step loop: 0 or 1 each."""
+    """Flags (0 or 1) of whether statistics and a row are due after step `number` of a fixed-step loop."""
     measure = 1 if recorder.sums.shape[0] > 0 and number % recorder.stride == 0 else 0
     return measure, 1 if recorder.every > 0 and number % recorder.every == 0 else 0
 
 
 @kernel(inline=True)
 def record_step(at, t, h, number, recorder):
-    """What a fixed-step loop leaves behind after step `number` of its run, accepted at t; gives a status."""
+    """Record statistics, sample and events of step `number` of a fixed-step loop at t; returns a status."""
     measure, sample = due(number, recorder)
     if sample != 0 or measure != 0:
         status = take(at, t, recorder, measure, sample)
@@ -342,7 +343,7 @@ def record_step(at, t, h, number, recorder):
 
 @kernel(inline=True)
 def record_events(at, t, h, recorder):
-    """Record the sign changes of event functions in a step of h that ends at t; gives a status."""
+    """Record the sign changes of event functions in a step h that ends at t; returns a status."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     if recorder.found.shape[0] > 0 and c["ne"] > 0:

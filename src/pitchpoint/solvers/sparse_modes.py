@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lowest modes of large systems: shift and invert, none missed; damping refined beyond their span.
+"""Lowest modes of large systems by shift-and-invert iterations, with a check that no mode is missing.
 
-Lanczos iterations with (K + s M)^-1 find the modes nearest to -s, below which there are none. How many
-eigenvalues lie below a number is the count of negative pivots of K - number M (Sylvester's law of inertia),
-so what an iteration has missed of a multiple root is known and searched for next to what has been found.
+Lanczos iterations with (K + s M)^-1 find the modes closest to -s, below which there are none. The number of
+eigenvalues below a value x is the number of negative pivots of K - x M (Sylvester's law of inertia). It
+reveals missing copies of a multiple eigenvalue; they are then computed in the complement of the modes found.
 
-Damping couples a mode with others that were not requested, so the damped modes are not looked for in the span
-of the undamped ones but in the whole space: Arnoldi iterations with (A - s B)^-1 B in first order.
+Damping couples the requested modes with all others, so the damped modes are not computed in the span of the
+undamped ones but in the whole space: Arnoldi iterations with (A - s B)^-1 B of the first-order form.
 
 References
 ----------
@@ -32,22 +32,22 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 SHIFT = 1e-10
-"""First shift over the largest stiffness per mass: rigid modes then have six digits, which is enough to find
-them, and all others as many as the rounding of the stiffness leaves."""
+"""First shift over the largest stiffness per mass. Rigid modes then have six correct digits, enough to
+identify them; all others are accurate to the rounding of the stiffness."""
 GUARD = 8
-"""Modes that are found beyond those requested, at least."""
+"""Minimum number of modes computed beyond those requested."""
 APART = 1e-6
-"""Relative distance of eigenvalues between which those below are counted."""
+"""Relative gap between eigenvalues at which the lower ones are counted."""
 ROUNDS = 8
-"""Most rounds in which missed modes are looked for."""
+"""Maximum number of rounds to find missing modes."""
 NEARER = 0.1
-"""Shift of the damped modes over the lowest frequency that is not zero."""
+"""Shift of the damped modes over the lowest non-zero frequency."""
 STILL = 1e-5
-"""Eigenvalue over that shift below which it is that of a rigid mode: a double zero loses half its digits."""
+"""Eigenvalue over that shift below which a mode is rigid: a double zero has half the digits only."""
 MOST_SHIFT = 1e6
-"""Shift over the largest stiffness at which only a negative mass can leave anything below it."""
+"""Shift over the largest stiffness above which an eigenvalue below it means negative mass."""
 OWN = 0.5
-"""Share of a shape in the states of elements from which it is theirs."""
+"""Share of the element states in an eigenvector from which it counts as a mode of the states."""
 
 
 def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tuple[Array, Array]:
@@ -56,7 +56,7 @@ def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tu
     Raises
     ------
     SolverError
-        If a free direction has no mass, or modes are missing after all rounds.
+        If a free direction has no mass, or modes are still missing after the last round.
     """
     m, k, scale = scaled_pencil(M, K, basis)
     n = m.shape[0]
@@ -73,11 +73,11 @@ def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tu
 
 
 def _factors(k: Any, m: Any, shift: float) -> tuple[Any, int]:
-    """Factors of K + shift M, and its number of negative eigenvalues."""
+    """Factorise K + shift M; returns the factors and the number of negative eigenvalues."""
     from scipy.sparse.linalg import splu
 
     options = {"SymmetricMode": True}
-    for nearly in (0.0, 1e-9, 1e-7):  # a pivot may be zero by chance
+    for nearly in (0.0, 1e-9, 1e-7):  # perturb the shift if a pivot is zero by chance
         try:
             lu = splu(
                 (k + shift * (1.0 + nearly) * m).tocsc(),
@@ -94,7 +94,7 @@ def _factors(k: Any, m: Any, shift: float) -> tuple[Any, int]:
 
 
 def _complete(m: Any, k: Any, lu: Any, shift: float, count: int) -> tuple[Array, Array]:
-    """Lowest eigenvalues and vectors, counted."""
+    """Lowest eigenvalues and eigenvectors, with a check of their number."""
     n = m.shape[0]
     vectors = np.zeros((n, 0))
     values = np.zeros(0)
@@ -104,7 +104,7 @@ def _complete(m: Any, k: Any, lu: Any, shift: float, count: int) -> tuple[Array,
         both = np.hstack([vectors, more])
         values, mix = symmetric_pencil(both.T @ (k @ both), both.T @ (m @ both))
         vectors = both @ mix
-        # count below the last gap, so that no eigenvalue lies where it is counted
+        # count at the last gap, away from all eigenvalues
         size = np.abs(values) + shift
         gaps = np.flatnonzero(np.diff(values) > APART * size[1:])
         inside = int(gaps[-1]) + 1 if gaps.size else 0
@@ -112,26 +112,26 @@ def _complete(m: Any, k: Any, lu: Any, shift: float, count: int) -> tuple[Array,
             return values, vectors
         at = values[inside] - 0.5 * APART * size[inside]
         missing = _factors(k, m, -at)[1] - inside
-        if missing <= 0:  # what lies above the last gap is part of one multiple root
+        if missing <= 0:  # the eigenvalues above the last gap are part of one multiple root
             return values, vectors
     raise SolverError(f"{missing} modes are missing among the lowest {inside}", DIVERGED)
 
 
 def _lanczos(m: Any, k: Any, lu: Any, shift: float, found: Array, count: int, turn: int) -> Array:
-    """Vectors of the lowest eigenvalues in addition to those found."""
+    """Eigenvectors of the lowest eigenvalues, orthogonal to those found."""
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     n = m.shape[0]
     carried = m @ found
 
     def solve(b: Array) -> Array:
-        """Solve with the factors, without the part along the rigid modes."""
+        """Solve with the factors and remove the part along the vectors found."""
         x = lu.solve(np.asarray(b, dtype=float).ravel())
         return np.asarray(x - found @ (carried.T @ x))
 
     start = np.random.default_rng(turn).standard_normal(n)
     start -= found @ (carried.T @ start)
-    if found.shape[1]:  # a few are missing: one more than those, as the rest would only be repeated
+    if found.shape[1]:  # one more than the missing ones
         count = min(count + 1, n - 1)
     inverse = LinearOperator((n, n), matvec=solve, dtype=float)
     return np.asarray(
@@ -142,7 +142,7 @@ def _lanczos(m: Any, k: Any, lu: Any, shift: float, found: Array, count: int, tu
 def nearest_damped(
     matrices: tuple[Array, Array, Array], basis: Any, states: Sequence[int], omega: Array, shapes: Array
 ) -> tuple[Complex, Complex]:
-    """Damped modes of the lowest undamped ones.
+    """Damped modes that correspond to the lowest undamped modes.
 
     Parameters
     ----------
@@ -158,7 +158,7 @@ def nearest_damped(
     Returns
     -------
     eigenvalue, shape over the coordinates
-        First those of the undamped modes, then those of the states among the lowest, slowest first.
+        First those of the undamped modes, then those of the states among the lowest, in ascending order.
 
     Raises
     ------
@@ -179,7 +179,9 @@ def nearest_damped(
     try:
         found, y = eigs(inverse, count, which="LM", v0=start, ncv=min(size, 2 * count + 20))
     except ArpackNoConvergence as problem:
-        raise SolverError("the damped modes were not found; request another number", DIVERGED) from problem
+        raise SolverError(
+            "the iteration for the damped modes did not converge; request another number of modes", DIVERGED
+        ) from problem
     values = shift + 1.0 / found
     upper = values.imag > -1e-10 * np.abs(values)
     values, y = values[upper], y[:, upper]
@@ -200,7 +202,7 @@ def nearest_damped(
 
 
 def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Sequence[int]) -> tuple[Any, Any]:
-    """Sparse A and B of B y' = A y: places and rates in the free directions, and the states."""
+    """Sparse A and B of B y' = A y: positions and rates in the free directions, and the states."""
     from scipy.sparse import block_array, csc_array, eye_array
 
     M, D, K = (csc_array(A) for A in matrices)
@@ -220,7 +222,7 @@ def _first_order(matrices: tuple[Array, Array, Array], basis: Any, states: Seque
 
 
 def _likeness(M: Any, omega: Array, shapes: Array, values: Complex, z: Complex) -> Array:
-    """Resemblance of damped to undamped modes, in shape and frequency; shape (m, candidates)."""
+    """Similarity of damped and undamped modes in shape and frequency, shape (m, candidates)."""
     size = np.sqrt(sum(np.einsum("ij,ij->i", part, (M @ part.T).T) for part in (z.real, z.imag)))
     within = np.abs((M @ shapes.T).T @ z.T) ** 2 / np.maximum(size, 1e-300) ** 2
     least = 1e-6 * float(np.abs(omega).max(initial=1e-300))

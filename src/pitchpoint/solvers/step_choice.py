@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The time step of a run: small against the shortest period that matters, and a divisor of the sample
-period."""
+"""Time step of a run: a small fraction of the shortest relevant period that divides the sample period."""
 
 from __future__ import annotations
 
@@ -21,20 +20,20 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 ROUND_OFF = 1e-13
-"""Share of a span of time that is rounding: less than a step for the 1e12 steps that a run may have."""
+"""Relative rounding error of a time span; smaller than one step of a run with 1e12 steps."""
 
 KINEMATIC_STEPS = 1000
-"""Times of a motion without dynamics."""
+"""Default number of time steps of a purely kinematic run."""
 STEPS_PER_PERIOD = 200
-"""Steps in the period of the fastest mode and of the fastest mesh.
+"""Steps per period of the fastest mode and of the fastest mesh.
 
-On a spur pair whose mesh excites its resonance 200 steps leave 3e-4 in the rms of the deflection, 100 steps
-1.1e-3; the error falls with the square.
+For a spur pair excited at resonance by its mesh, the relative error of the rms deflection is 3e-4 with 200
+steps and 1.1e-3 with 100 steps; it is second order in the step.
 """
 
 
 def fastest_mesh(system: System, scenario: Scenario) -> float:
-    """Highest mesh frequency [Hz] of a scenario, from its start speeds and drives."""
+    """Highest mesh frequency [Hz] of a scenario, from its initial speeds and drives."""
     if not mesh_records(system):
         return 0.0
     speeds = speeds_of(system, scenario)
@@ -54,9 +53,9 @@ def _mesh_frequency(system: System, speeds: dict[str, float]) -> float:
 
 
 def mesh_mode(row: np.void, system: System) -> float:
-    """Natural frequency of the usual stiffness of a mesh between the spins of its two bodies [Hz].
+    """Torsional natural frequency [Hz] of the two bodies of a mesh on its nominal stiffness.
 
-    Counts for a mesh that is not in contact yet, too.
+    It is defined for a mesh that is not in contact, too.
     """
     inverse = 0.0
     for body, r_b in ((int(row["i"]), row["r_b1"]), (int(row["j"]), row["r_b2"])):
@@ -67,9 +66,9 @@ def mesh_mode(row: np.void, system: System) -> float:
 
 
 def shortest_period(start: Start, scenario: Scenario) -> float:
-    """Period of the fastest mode or mesh of a run, or a tenth of its duration if that is less [s].
+    """Period of the fastest mode or mesh of a run, or a tenth of its duration if that is shorter [s].
 
-    Of the modes of finite elements those count that something excites: see `step_modes`.
+    Of the modes of finite-element bodies only the excited ones count: see `step_modes`.
     """
     fastest = max(
         counted_frequency(start, scenario.method in EXPLICIT_METHODS),
@@ -81,18 +80,18 @@ def shortest_period(start: Start, scenario: Scenario) -> float:
 
 
 def largest_step(start: Start, scenario: Scenario) -> float:
-    """Longest step of an adaptive method [s]: the given step, else a quarter of the shortest period.
+    """Longest step of an adaptive method [s]: the given step, or a quarter of the shortest period.
 
-    Step control sees errors, not what happens between its stages: a step longer than that may pass over a
-    whole tooth or a short load.
+    Error control evaluates the forces at the stages only: a longer step may miss a whole tooth or a short
+    load pulse.
     """
     return scenario.step or 0.25 * shortest_period(start, scenario)
 
 
 def largest_stiff_step(start: Start, scenario: Scenario) -> float:
-    """Longest step of a stiff method with error control [s]: the given step, else a quarter of a mesh period.
+    """Longest step of a stiff method with error control [s]: the given step, or a quarter of a mesh period.
 
-    Modes do not count: steps longer than the periods of those that are not excited are what it is for.
+    Modes do not limit it: stiff methods may step over the periods of modes that are not excited.
     """
     mesh = fastest_mesh(start.system, scenario)
     return scenario.step or 0.25 / max(mesh, 10.0 / (scenario.duration or 1.0))
@@ -101,17 +100,17 @@ def largest_stiff_step(start: Start, scenario: Scenario) -> float:
 def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
     """Time step [s] and number of steps between samples.
 
-    A given step counts as the largest one: it is shortened to divide the sample period, or the duration if
-    every step is a sample.
+    A given step is the upper limit: it is shortened to divide the sample period, or the duration if every
+    step is a sample.
 
     Parameters
     ----------
     start
-        Where the run begins.
+        Initial state of the run.
     scenario
-        Its step, sample rate and speeds count.
+        Gives step, sample rate and speeds.
     """
-    if scenario.method == "kinematics":  # every time is independent
+    if scenario.method == "kinematics":  # all time points are independent
         h = scenario.step or (scenario.duration or 1.0) / KINEMATIC_STEPS
     else:
         h = scenario.step or shortest_period(start, scenario) / STEPS_PER_PERIOD
@@ -121,7 +120,7 @@ def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
 
 
 def divided(span: float, longest: float) -> tuple[float, int]:
-    """Step that divides a span of time and is no longer than another, and how often it does.
+    """Longest step up to a limit that divides a time span, and the number of steps.
 
     Examples
     --------
@@ -133,7 +132,7 @@ def divided(span: float, longest: float) -> tuple[float, int]:
 
 
 def whole_steps(span: float, h: float) -> tuple[int, float]:
-    """Steps that fit into a span of time, and what is left over [s]; nothing if that is round-off.
+    """Number of whole steps in a time span, and the remainder [s]; zero if it is round-off.
 
     Examples
     --------

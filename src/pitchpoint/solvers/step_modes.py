@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which modes a time step has to follow: those that meshes, contacts and loads excite, as far as they do.
+"""Modes that a time step must resolve, weighted by their excitation through meshes, contacts and loads.
 
-Finite elements have modes far above anything that happens to them; with steps for these a run would take
-hours. An implicit method lets them follow their forces as springs do, which is what they do. A mode whose
-share of what is excited is s may have an error 1/s times that of one which is all of it, so with an error
-that falls with the square of the step it counts with the frequency f sqrt(s). Shares: of the energy of the
-mode in meshes, contacts and other nonlinear springs; of the compliance of the coordinates under a
-load. Explicit methods must follow every mode, or they become unstable.
+Finite-element bodies have modes far above all excitation; steps that resolve them would make runs hours long.
+With an implicit method these modes respond quasi-statically, which is correct. A mode with the share s of the
+excited response may have an error 1/s times larger; since the error is second order in the step, its weighted
+frequency is f sqrt(s). Shares: of the strain energy of the mode in meshes, contacts and other nonlinear
+springs; of the compliance of the loaded coordinates. Explicit methods must resolve every mode to be stable.
 """
 
 from __future__ import annotations
@@ -30,18 +29,18 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 RIGID = 1e-3
-"""Square root over that of the stiffest mode below which a mode is a rotation [1]."""
+"""Frequency over the highest frequency below which a mode counts as rigid, before squaring [1]."""
 
 
 def counted_frequency(start: Start, explicit: bool = False) -> float:
-    """Highest frequency among the modes of a start, each by the root of its share of what is excited [Hz].
+    """Highest modal frequency [Hz] at the start of a run, weighted by the root of the excited share.
 
     Parameters
     ----------
     start
-        Where a run begins.
+        Start of the run.
     explicit
-        Whether its method is explicit: all modes count in full, then.
+        Whether the method is explicit: all modes then have the weight 1.
     """
     system, state = start.system, start.state
     if not state.q.size:
@@ -59,14 +58,14 @@ def counted_frequency(start: Start, explicit: bool = False) -> float:
     share = np.zeros(len(omega))
     for found in (_excited_energy(start, shapes), _loaded_compliance(system, shapes, omega, bends)):
         share = np.maximum(share, found)
-    if not share.any():  # drives, bases, releases: what moves it is not an element
+    if not share.any():  # excited by drives, base motion or release only
         share = values
     weight = np.sqrt(np.clip(share / np.where(bends, values, np.inf), 0.0, 1.0))
     return float((omega * weight).max() / (2.0 * np.pi))
 
 
 def _excited_energy(start: Start, shapes: Array) -> Array:
-    """Twice the energy of every mode in nonlinear elements."""
+    """Twice the strain energy of every mode in nonlinear elements."""
     system, state = start.system, start.state
     parts = []
     for on in ({kind: slice(None) for kind in system.records if registry.find(kind).excites}, {}):
@@ -77,20 +76,20 @@ def _excited_energy(start: Start, shapes: Array) -> Array:
 
 
 def _ends(system: System, role: str) -> set[int]:
-    """Numbers of the bodies, without ground, on which loads of a role act."""
+    """Indices of the bodies, without ground, on which loads of a role act."""
     return {int(r[end]) for r in system.rows(role) for end in "ij"} - {0}
 
 
 def _loaded_compliance(system: System, shapes: Array, omega: Array, bends: NDArray[np.bool_]) -> Array:
-    """Largest share of every mode in the compliance of a coordinate under a load, times its omega^2.
+    """Largest share of every mode in the compliance of a loaded coordinate, times its omega^2.
 
-    A torque turns the spin of its body, a force may move any coordinate.
+    A torque loads the spin of its body, a force may load any coordinate of its body.
     """
     body = system.program["body"]
     spins = {spin_of(body, b) for b in _ends(system, TORQUE)}
     pushed = set()
     for b in _ends(system, FORCE):
-        while b:  # what moves it: its own coordinates or those that it shares, else those that carry it
+        while b:  # its own or shared coordinates, else those of the body it is mounted on
             owner = body[int(body[b]["shares"]) or b]
             pushed |= set(range(int(owner["dof"]), int(owner["dof"]) + int(owner["n"])))
             b = int(body[b]["parent"]) if body[b]["n"] == 0 else 0

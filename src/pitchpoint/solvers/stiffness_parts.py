@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness of a system split into its elements, and its mean over the mesh cycles.
+"""Stiffness of a system by element, with the mean over the mesh cycles.
 
-What an element contributes is the difference between the matrix with it and with none (see
-`element_tangents`), so every kind keeps its physics in its kernel.
+The contribution of an element is the difference between the matrix with it and without elements (see
+`element_tangents`).
 """
 
 from __future__ import annotations
@@ -25,29 +25,29 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 ROTATION = "rotation"
-"""What takes the place of a kind for the stiffness of guided motion."""
+"""Substitute for the kind of the inertial stiffness of prescribed motion."""
 
 NONE = 1e-14
-"""Stiffness over the largest below which an element has none."""
+"""Stiffness over the largest below which it counts as zero."""
 
 
 @dataclass(frozen=True)
 class Parts:
-    """Linearised system about one operating point, elements apart.
+    """Linearised system about one operating point, with the stiffness of each element.
 
     Parameters
     ----------
     M, D, K
-        Mass, damping and stiffness matrix, shape (nd, nd); D and K are those of the whole system.
+        Mass, damping and stiffness matrix of the whole system, shape (nd, nd).
     elements
-        Names of the elements with stiffness, "KIND NAME"; loads and reactions of loops have one too where
-        they turn with what moves.
+        Names of the elements with stiffness, "KIND NAME"; includes follower loads and loop reactions with
+        geometric stiffness.
     kinds
         Their kinds.
     bodies
         The two bodies of each element, 0 is ground, shape (ne, 2).
     shares
-        Their shares of K.
+        Their contributions to K.
     """
 
     M: Array
@@ -60,7 +60,7 @@ class Parts:
 
 
 def element_list(system: System) -> list[tuple[str, int, str]]:
-    """All elements: kind, number of the record, "WORD NAME" for people."""
+    """All elements: kind, record index, label "KIND NAME"."""
     found = []
     for kind in sorted(system.records, key=_rank):
         described = registry.find(kind)
@@ -72,7 +72,7 @@ def element_list(system: System) -> list[tuple[str, int, str]]:
 
 
 def _rank(kind: str) -> tuple[bool, bool, str]:
-    """Bearings and couplings first, then meshes, then all others by name."""
+    """Sort key: bearings and couplings first, then meshes, then all others by name."""
     described = registry.find(kind)
     return not described.main, described.role == MESH, kind
 
@@ -86,25 +86,25 @@ def split(
     progress: Callable[..., None] | None = None,
     rates: Array | None = None,
 ) -> Parts:
-    """Linearise about a state and split the stiffness.
+    """Linearise about a state, with the stiffness by element.
 
     Parameters
     ----------
     system
-        The system; its mesh records are moved to and fro, so give a copy if another thread uses it.
+        The system; its mesh records are changed temporarily, so pass a copy if another thread uses it.
     state
-        Operating point; its speeds count in D and K.
+        Operating point; its speeds contribute to D and K.
     held
-        Spins that are kept while a mesh goes through its cycle.
+        Spins held during the mesh cycles.
     mean
-        Take every mesh at its mean over the mesh cycle instead of at its phase.
+        Use the mean over the mesh cycle for every mesh instead of the value at its phase.
     touched
-        Meshes that carry nothing and are kept at the edge of contact.
+        Unloaded meshes, which are set to first contact.
     progress
         Called after every element.
     rates
-        Speeds whose forces (drag of bearings, motors) load the meshes through their cycles; those of `state`
-        if omitted.
+        Rates of the speed-dependent loads (bearing drag, motors) during the mesh cycles; default those of
+        `state`.
     """
     under = state.v if rates is None else rates
     M, D, K = (
@@ -128,7 +128,7 @@ def split(
             found.append((kind, name, _ends(system.records[kind][k]), share_of_blocks(system, blocks, own)))
         if progress is not None:
             progress(e + 1, len(listed), name)
-    if np.abs(bare).max(initial=0.0) > least:  # joints that turn over time make the bodies heavy or light
+    if np.abs(bare).max(initial=0.0) > least:  # inertia of bodies on joints with prescribed rotation
         found.append((ROTATION, "guided motion", (0, 0), share_of(evaluate.dense(system, bare))))
     kinds, names, bodies, shares = zip(*found, strict=True) if found else ((), (), (), ())
     ends = np.array(bodies, np.int64).reshape(-1, 2)

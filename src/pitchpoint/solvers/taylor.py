@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Taylor series of a motion whose accelerations are known a little later, too.
+"""Taylor series of a motion from accelerations at the present and at two slightly later times.
 
-Methods that need the past of a side that they have never seen begin with it: the start of generalised-alpha
-and multistep methods behind a jump of forces.
+Start values of methods that need a history: generalised-alpha and multistep methods after a force jump.
 """
 
 from __future__ import annotations
@@ -10,14 +9,14 @@ from __future__ import annotations
 from pitchpoint.core.kernel import kernel
 
 APART = 1.0 / 16.0
-"""Distance of the points of the differences, over the step."""
+"""Spacing of the finite differences, relative to the step."""
 DISAGREEMENT = 0.1
-"""Change of a derivative from one estimate to the next, over its size, from which it is unreliable."""
+"""Relative change of a derivative between two estimates above which it is unreliable."""
 
 
 @kernel
 def forward_derivatives(now, soon, later, d):
-    """First and second derivative at the first of three values at the distance d, of second and first order.
+    """First and second derivative at the first of three values with spacing d; second and first order.
 
     Examples
     --------
@@ -31,7 +30,7 @@ def forward_derivatives(now, soon, later, d):
 
 @kernel
 def integral_on(value, s, slope, bend, change):
-    """What becomes of a value by the time s if its derivatives are slope, bend and change.
+    """Value after the time s from its first, second and third derivative (slope, bend, change).
 
     Examples
     --------
@@ -43,5 +42,5 @@ def integral_on(value, s, slope, bend, change):
 
 @kernel
 def position_on(q, v, s, a, jerk, snap):
-    """What becomes of a position with rate v by the time s; `integral_on` gives the rate."""
+    """Position after the time s from rate, acceleration and its derivatives; `integral_on` gives the rate."""
     return q + s * (v + s * (a / 2.0 + s * (jerk / 6.0 + s * snap / 24.0)))

@@ -39,12 +39,12 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.sampling import Chunk
 
 CHUNK_SECONDS = 0.15
-"""Wall time that one call of the compiled loop should take: progress and Ctrl-C come between calls."""
+"""Target wall time of one call of the compiled loop; progress and Ctrl-C are handled between calls."""
 
 MOST_EVENTS = 100_000
-"""Events kept per chunk."""
+"""Maximum number of events recorded per chunk."""
 MOST_SAMPLES = 100_000
-"""Samples for which a chunk of an adaptive method has room."""
+"""Size of the sample buffer of a chunk of an adaptive method."""
 
 
 def scenario_of(system: System, scenario: Scenario | None) -> Scenario:
@@ -64,30 +64,31 @@ def run_time(
     start: Start | None = None,
     channels: Sequence[int] = (),
 ) -> TimeSummary:
-    """Compute the time response of a scenario: up to its duration, whatever the step.
+    """Compute the time response of a scenario up to its duration, for any step size.
 
-    Samples lie at multiples of the sample period; the last one lies at the duration if that is a multiple,
-    else before it. Without a sample rate every step is a sample and the steps divide the duration.
+    Samples are taken at multiples of the sample period; the last one is at the duration if that is a
+    multiple, otherwise before it. Without a sample rate every step is a sample and the step size divides the
+    duration.
 
     Parameters
     ----------
     system
         Compiled with the scenario (`compile_model(model, scenario)`).
     scenario
-        What to do; default the one of the system.
+        Scenario to run; default the one of the system.
     sink
-        Takes the samples; without one only statistics remain.
+        Receives the samples; without one only statistics are computed.
     progress
         Called with the time reached after every chunk.
     start
-        Where to begin; default the start of the scenario.
+        Initial state; default the start of the scenario.
     channels
-        Numbers of the channels that the sink takes, in their order; default all.
+        Indices of the channels passed to the sink, in this order; default all.
 
     Returns
     -------
     TimeSummary
-        Also of a failed or interrupted run, as its status shows.
+        Returned for a failed or interrupted run too; see its status.
 
     Raises
     ------
@@ -105,8 +106,8 @@ def run_time(
 
 
 def loop_of(method: str) -> Any:
-    """Compiled loop of a method, an entry that `core.kernel.expect` takes."""
-    if method in ("generalized_alpha", "kinematics"):  # the latter has none of its own
+    """Compiled loop of a method, as an entry for `core.kernel.expect`."""
+    if method in ("generalized_alpha", "kinematics"):  # kinematics has no loop
         return generalized_alpha.entry
     if method in STIFF_METHODS:
         from pitchpoint.solvers.multistep import step as multistep
@@ -114,21 +115,21 @@ def loop_of(method: str) -> Any:
         return multistep.entry
     from pitchpoint.solvers.explicit import (
         dormand_prince,
-        equal_steps,  # only those who use them wait for them
+        equal_steps,  # imported on demand
     )
 
     return dormand_prince.entry if method == "runge_kutta" else equal_steps.entry
 
 
 class _Loop:
-    """One run: its integrator, its statistics, what it found so far."""
+    """One run: integrator, statistics, events and counters."""
 
     def __init__(
         self, start: Start, scenario: Scenario, sink: Sink | None, channels: Sequence[int] = ()
     ) -> None:
         self.start, self.scenario, self.sink = start, scenario, sink
         self.channels = np.array(channels, np.int64)
-        self.more: dict[str, Any] = {}  # arguments of a loop that picks the channels itself
+        self.more: dict[str, Any] = {}  # arguments of a loop that selects the channels
         self.system = start.system
         self.t0 = start.state.t
         self.t_end = self.t0 + float(scenario.duration or 0.0)
@@ -137,13 +138,13 @@ class _Loop:
         self.events: list[NDArray[np.float64]] = []
         self.watch = EventWatch(self.system, scenario)
         self.adaptive = scenario.method in ERROR_METHODS
-        self.dense = self.adaptive or scenario.method in STIFF_METHODS  # samples lie within steps
+        self.dense = self.adaptive or scenario.method in STIFF_METHODS  # samples are interpolated in steps
         self.h, self.every = choose_step(start, scenario)
         self.steps = 0
         self.diverged = ""
         self.sampler: Sampler | None = None
         if self.system.controllers:
-            from pitchpoint.solvers.sampled_control import Sampler  # only those who use it wait for it
+            from pitchpoint.solvers.sampled_control import Sampler  # imported on demand
 
             self.sampler = Sampler(self.system, start.state)
             if not self.dense:
@@ -157,9 +158,9 @@ class _Loop:
             self.run_ = KinematicRun(self.system, start.state, self.h)
             return
         if scenario.method != "generalized_alpha":
-            from pitchpoint.solvers.explicit import runge_kutta  # only those who use it wait for it
+            from pitchpoint.solvers.explicit import runge_kutta  # imported on demand
         if self.adaptive:
-            # absolute tolerances follow, or no request below their defaults would have an effect
+            # absolute tolerances scale with rtol; otherwise they would limit the accuracy
             rtol = scenario.tolerance
             self.run_ = runge_kutta.start_adaptive(
                 self.system,
@@ -180,7 +181,7 @@ class _Loop:
             self.run_ = generalized_alpha.start(self.system, start.state, self.h, form=form)
 
     def _stiff(self) -> Any:
-        """Begin a run of backward differentiation formulas."""
+        """Start a run of a BDF method."""
         from pitchpoint.solvers.multistep import bdf
 
         chosen = self.scenario
@@ -198,7 +199,7 @@ class _Loop:
         return run
 
     def run(self, progress: Progress) -> int:
-        """Advance to the end of the scenario; gives the status."""
+        """Advance to the end of the scenario; returns the status."""
         if self.sink is not None:
             row = evaluate.observe(self.system, evaluate.store(self.system, self.t0))
             self.sink.append(np.array([self.t0]), self._picked(row[None, :]))
@@ -229,11 +230,11 @@ class _Loop:
             if status != OK:
                 return status
             progress(self.run_.t - self.t0, self.t_end - self.t0, f"{self.steps} steps")
-            n = min(next_chunk(n, time.perf_counter() - begun), total)  # controllers may cut chunks short
+            n = min(next_chunk(n, time.perf_counter() - begun), total)  # controllers may shorten chunks
         return self._last_step(rest) if rest > 0.0 else OK
 
     def _last_step(self, h: float) -> int:
-        """A step of its own length up to the duration, where no sample is due."""
+        """Take the shorter last step up to the duration; it is not a sample."""
         self.run_.change_step(h)
         sums = self.sums.copy() if self.window < self.t_end else None
         chunk = self.run_.advance(1, statistics=sums, events=MOST_EVENTS if self.watch else 0)
@@ -265,9 +266,9 @@ class _Loop:
         return OK
 
     def _take(self, chunk: Chunk, sums: NDArray[np.float64] | None) -> int:
-        """Keep what a chunk found, call the controllers that are due; returns the status.
+        """Store the results of a chunk and call the controllers that are due; returns the status.
 
-        Statistics of a chunk in which the solution has left all bounds are dropped.
+        Statistics of a chunk in which the solution diverged are discarded.
         """
         self.steps += chunk.steps
         if chunk.status in (OK, NOT_FINITE, INCONSISTENT) and fastest(self.system)[2]:
@@ -287,16 +288,16 @@ class _Loop:
         return int(chunk.status)
 
     def _sentence(self, status: int) -> str:
-        """How the run ended: what diverged and when, and whether a smaller step may help."""
+        """Sentence on how the run ended: what diverged and when, and whether a smaller step may help."""
         found = f": {self.diverged}" if self.diverged else ""
         return f"{explain(self.system, status)}{found}{remedy(self.start, self.scenario, status, self.h)}"
 
     def _picked(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """The requested channels of rows of all."""
+        """Columns of the requested channels."""
         return values[:, self.channels] if len(self.channels) else values
 
     def summary(self, status: int, wall_s: float) -> TimeSummary:
-        """What a run was: status, times, statistics by channel, events, remarks."""
+        """Summary of the run: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
         channels = {
             c.name: {
@@ -312,8 +313,8 @@ class _Loop:
         remarks = (*deep_contacts(self.system.model, [channels]), *weak_damping(self.system, channels))
         if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
             remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
-        if status == OK and found.count == 0:  # methods with samples within steps measure at them
-            remarks = (note("no sample lies in the window of the statistics", remedy="raise sample_rate"),)
+        if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
+            remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
         divided = int(self.system.workspace.clock[REJECTED])
         if isinstance(self.run_, generalized_alpha.Run) and divided:
             divisions = f"{divided} of {self.steps} steps were divided where Newton's method failed"
@@ -336,7 +337,7 @@ class _Loop:
 
 
 def next_chunk(n: int, seconds: float) -> int:
-    """Number of steps of the next chunk, if n took so many seconds.
+    """Number of steps of the next chunk, from the wall time [s] of the last n steps.
 
     Examples
     --------
@@ -353,19 +354,19 @@ def solve_time(
     progress: Progress = silent,
     on_failure: str = "raise",
 ) -> xr.Dataset:
-    """Time response as a dataset over `time`; long runs belong in a file, see `pitchpoint run`.
+    """Time response as a dataset over `time`; for long runs write a file with `pitchpoint run`.
 
     Parameters
     ----------
     system
         Compiled with the scenario (`compile_model(model, scenario)`).
     scenario
-        What to do; default the one of the system.
+        Scenario to run; default the one of the system.
     progress
         Called with the time reached after every chunk.
     on_failure
-        "raise" raises a SolverError that carries the partial dataset; "keep" returns it, status in its
-        attributes.
+        "raise" raises a SolverError with the partial dataset; "keep" returns the partial dataset with the
+        status in its attributes.
 
     Returns
     -------

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elements that carry torque, as linear relations between the spins: meshes, ratios, couplings, beams.
+"""Elements that transmit torque, as linear relations between the spins: meshes, ratios, couplings, beams.
 
-A row holds factors by spin. Rates of the spins that fit make its sum zero; by virtual work the same factors,
-times the torque of the element, are what it puts on the spins.
+A row contains factors by spin. Its sum is zero for consistent spin rates; by virtual work, the same factors
+times the torque of the element are the torques on the spins.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ Row = dict[int, float]
 
 @dataclass(frozen=True)
 class TorquePath:
-    """An element that carries torque.
+    """An element that transmits torque.
 
     Parameters
     ----------
     kind, number
-        Kind of the element and number of its record.
+        Kind of the element and index of its record.
     row
-        Factors by spin coordinate; for a mesh those of its travel on the front flank.
+        Factors by spin coordinate; for a mesh those of the travel of its front flank.
     to_ground
-        Whether one of its ends cannot turn.
+        Whether one of its ends cannot rotate.
     """
 
     kind: str
@@ -49,7 +49,7 @@ def spins_of(system: System) -> list[int]:
 
 
 def turning(system: System, b: int, sense: float = 1.0) -> Row:
-    """How a body turns in space per rate of every spin: about its own axis, or against it (`sense` -1)."""
+    """Absolute rotation of a body about its axis per rate of every spin; reversed with `sense` -1."""
     body = system.program["body"]
     found: Row = {}
     while b and sense != 0.0:
@@ -62,12 +62,12 @@ def turning(system: System, b: int, sense: float = 1.0) -> Row:
 
 
 def against_the_base(system: System, record: np.void, end: str) -> Row:
-    """How a gear of a mesh turns against what carries the line of centres."""
+    """Rotation of a gear of a mesh relative to the carrier of the line of centres, by spin."""
     return _sum((1.0, turning(system, int(record[end]))), (-1.0, _base(system, record, end)))
 
 
 def torque_paths(system: System) -> list[TorquePath]:
-    """All elements that carry torque between spins, or from them to ground."""
+    """All elements that transmit torque between spins, or between a spin and ground."""
     found = []
     for kind, records in system.records.items():
         described = registry.find(kind)
@@ -90,7 +90,7 @@ def torque_paths(system: System) -> list[TorquePath]:
 
 
 def _sum(*terms: tuple[float, Mapping[int, float]]) -> Row:
-    """Sum of rows with factors, without what cancels."""
+    """Linear combination of rows, without zeros."""
     found: Row = {}
     for factor, row in terms:
         for spin, value in row.items():
@@ -99,10 +99,10 @@ def _sum(*terms: tuple[float, Mapping[int, float]]) -> Row:
 
 
 def _base(system: System, record: np.void, end: str) -> Row:
-    """How what carries the line of centres of a mesh turns about the axis of a gear, per rate of any spin.
+    """Rotation of the carrier of the line of centres about the axis of a gear, by spin.
 
-    Axes of cylindrical gears are the same, bevel gears have their own. A housing that turns about another
-    axis takes the gears along and turns none against the other.
+    The axes of cylindrical gears are parallel, those of bevel gears differ. A housing that rotates about
+    another axis carries both gears and does not change their relative rotation.
     """
     body = system.program["body"]
     carried = "i" if record["carried"] == 1 else "j"
@@ -114,7 +114,7 @@ def _base(system: System, record: np.void, end: str) -> Row:
 
 
 def _bevel_base(system: System, gears: tuple[int, int]) -> Row:
-    """How the base of the first of two bevel gears turns about the axis of the second, if it is parallel."""
+    """Rotation of the base of the first bevel gear about the axis of the second, if parallel, by spin."""
     base = base_of(system.program["body"], gears[0])
     if base == 0:
         return {}
@@ -124,7 +124,7 @@ def _bevel_base(system: System, gears: tuple[int, int]) -> Row:
 
 
 def _ratio(system: System, record: np.void) -> Row:
-    """Row of a rigid ratio; one that ties a coordinate that is not a spin holds no spin by itself."""
+    """Row of a rigid ratio; empty if it includes a coordinate that is not a spin."""
     row: Row = {}
     for end in "ijk":
         if record[f"c_{end}"] != 0.0:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flanks of unloaded meshes that a small torque through the train would press.
+"""Working flanks of unloaded meshes for a small torque through the train.
 
-Idlers and planets have no torque of their own, so the forces on their two flanks cancel: the flanks of a
-train follow from each other. Torques of meshes, couplings and ratios balance at every spin but those where
+Idlers and planets carry no external torque, so the mesh forces on them balance: the working flanks of a train
+depend on each other. The torques of meshes, couplings and ratios balance at every spin except those where
 torque enters or leaves: bodies with loads or drives, bodies held by springs and contacts, ends of the train.
 """
 
@@ -27,23 +27,23 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 TOUCH = 1e-9
-"""Penetration at which an unloaded flank is looked at [m]."""
+"""Penetration assumed for an unloaded flank [m]."""
 
 
 def pressed_flanks(system: System, loose: Sequence[int], touching: Mapping[int, int]) -> dict[int, int]:
-    """Flanks that a small torque through the train presses, by unloaded mesh: 1 is the front, -1 the back.
+    """Working flanks for a small torque through the train, by unloaded mesh: 1 front, -1 back.
 
-    The torque enters at the first end of a train, in the sense that presses the front flank of the first of
-    its unloaded meshes. Meshes that it does not reach take the torque that presses their own front.
+    The torque enters at the first end of a train, in the direction that loads the front flank of its first
+    unloaded mesh. Meshes outside this torque path have their front flank loaded.
 
     Parameters
     ----------
     system
         The system.
     loose
-        Numbers of the meshes without load.
+        Indices of the unloaded meshes.
     touching
-        Flanks of those among them in contact already; they decide the sense of their train.
+        Flanks of those already in contact; they define the torque direction of their train.
     """
     if len(loose) == len(touching):
         return dict(touching)
@@ -83,18 +83,18 @@ def _ends(system: System, paths: Sequence[TorquePath]) -> set[int]:
             gears = {b for b in (int(record["i"]), int(record["j"])) if spin_of(body, b) >= 0}
             riding |= {spin_of(body, b) for b in gears if len(turning(system, b)) > 1}
         carriers = path.row.keys() - {spin_of(body, b) for b in gears} if gears else set()
-        for spin in path.row:  # all meshes of a planetary set join its members once
+        for spin in path.row:  # all meshes of a planetary set count as one joint
             joints.setdefault(spin, set()).add(("carried", *sorted(carriers)) if carriers else c)
     return (found | {spin for spin, joined in joints.items() if len(joined) == 1}) - riding
 
 
 def _brings_torque(kind: Kind) -> bool:
-    """Whether a kind puts torques on bodies that still turn as they like: loads, clutches, dampers."""
+    """Whether a kind exerts torques without constraining the rotation: loads, clutches, dampers."""
     return kind.power is not None and bool(kind.power.torque) and kind.spins == FREE and kind.role != DRIVE
 
 
 def _patterns(paths: Sequence[TorquePath], own: Sequence[int], inner: Sequence[int]) -> Array:
-    """Torques of elements that balance at inner spins: orthonormal columns, shape (len(own), patterns)."""
+    """Element torques in balance at the inner spins: orthonormal columns, shape (len(own), patterns)."""
     rows = [{c: paths[c].row[s] for c in own if s in paths[c].row} for s in inner]
     space = null_space([row for row in rows if row], own)
     place = {c: k for k, c in enumerate(own)}
@@ -114,7 +114,7 @@ def _add_signs(
     entries: Sequence[int],
     wanted: dict[int, int],
 ) -> None:
-    """Add the flanks of the meshes of one train: torque through its ends first, then mesh by mesh."""
+    """Add the flanks of the meshes of one train: for a torque through its ends first, then mesh by mesh."""
     place = {c: k for k, c in enumerate(own)}
     entering = [np.array([paths[c].row.get(spin, 0.0) for c in own]) for spin in entries[:1]]
     single = [np.eye(len(own))[place[c]] for c in wanted.values()]
@@ -131,10 +131,10 @@ def _add_signs(
 
 
 def close_backlash(system: System, state: State) -> dict[str, int]:
-    """Bring the flanks of unloaded meshes into contact by shifting the assembly; gives them by mesh.
+    """Bring the flanks of unloaded meshes into contact by shifting the assembly; returns the flank by mesh.
 
-    1 is the front flank and -1 the back: the one in contact already, else that which a small
-    torque through the train presses. Changes the records of the system: give it a copy.
+    1 front, -1 back: the flank in contact already, or the working flank for a small torque through the train.
+    Changes the records of the system: pass a copy.
     """
     flanks: dict[int, int] = {}
     loose = []
@@ -142,7 +142,7 @@ def close_backlash(system: System, state: State) -> dict[str, int]:
     for k, record in enumerate(mesh_records(system)):
         now = record["now"]
         depth = abs(now["u"] - now["e_t"]) - 0.5 * now["gap"] - record["sep_min"]
-        # without backlash round-off presses both flanks of an unloaded mesh
+        # without backlash both flanks of an unloaded mesh are in contact by round-off
         if depth < TOUCH:
             loose.append(k)
             if depth > 0.0 and now["gap"] > TOUCH:
@@ -153,9 +153,9 @@ def close_backlash(system: System, state: State) -> dict[str, int]:
 
 
 def shift_into_contact(system: System, state: State, flanks: Mapping[int, int]) -> None:
-    """Shift the assembly of some meshes, by number, so that the given flank is just in contact."""
+    """Shift the assembly of some meshes, by index, so that the given flank is just in contact."""
     records = mesh_records(system)
-    for _ in range(2):  # the excitation follows the phase
+    for _ in range(2):  # the excitation depends on the phase
         evaluate.residual(system, state)
         for k, flank in flanks.items():
             record, now = records[k], records[k]["now"]

@@ -101,7 +101,7 @@ def test_a_mesh_whose_stiffness_begins_with_a_load_is_named_without_one(
     file, target = written(tmp_path, pair(law, torque="0 N m")), tmp_path / "modes.h5"
     found = json_of(["modes", file, "-o", str(target)], capsys)
     (note,) = [n for n in found["notes"] if remedy in n]
-    assert "stiffness of stage is zero where the flanks touch" in note
+    assert "stiffness of stage grows with the load from zero at first contact" in note
     assert "1 nm" in note
     with open_result(target) as ds:
         assert remedy in ds.attrs["notes"]

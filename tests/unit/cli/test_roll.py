@@ -129,6 +129,6 @@ def test_a_roll_that_nothing_loads_says_so(tmp_path: Path, capsys: pytest.Captur
     text = ROLL.replace("output: {body: driven, torque: 150 N m}", "output: {body: driven, torque: 0 N m}")
     assert run_command(["run", written(tmp_path, text), "-s", "roll", "-o", str(tmp_path / "r.h5")]) == 0
     out = capsys.readouterr().out
-    assert "note: nothing loads mesh stage; 150 N m on driver go into holding it" in out
+    assert "note: mesh stage carries no load; 150 N m on driver are balanced by holding torques" in out
     assert "speed" not in out
     assert "0 mm" not in out

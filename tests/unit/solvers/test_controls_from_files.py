@@ -99,12 +99,12 @@ def test_integrals_share_a_load_and_a_balancing_torque_takes_it_alone():
 def test_an_integral_of_an_error_begins_at_its_start_value():
     start, signal = begun(PAIR + ERROR + PI % "" + DRIVE, "slow")
     assert signal("u") == pytest.approx(2.0 * 10.0, rel=1e-12)
-    assert "signal[u.integral] is not at rest: it begins at 0" in start.notes[0]
+    assert "signal[u.integral] has no steady state: it starts at 0" in start.notes[0]
     plain = PAIR + ERROR + "  u: {type: integrator, input: error, start: 7 N m}\n" + DRIVE
     start, signal = begun(plain, "slow")
     assert signal("u") == pytest.approx(7.0, rel=1e-12)
-    assert "begins at 7" in start.notes[0]
-    assert "-13 N m are left over on motor" in " ".join(start.notes)
+    assert "starts at 7" in start.notes[0]
+    assert "net torque of -13 N m on motor" in " ".join(start.notes)
 
 
 def test_limits_leave_what_they_do_not_let_through():
@@ -136,7 +136,7 @@ def test_a_transfer_function_that_integrates_begins_at_rest():
     blocks = "blocks:\n  u: {type: transfer_function, input: speed, numerator: [1], denominator: [1, 1, 0]}\n"
     start, signal = begun(PAIR + blocks + DRIVE)
     assert signal("u") == 0.0
-    assert "no rest of machine and controllers" in start.notes[0]
+    assert "no equilibrium of machine and controllers" in start.notes[0]
 
 
 def test_a_servo_holds_a_weight():
@@ -303,7 +303,7 @@ def test_what_other_analyses_cannot_take_in():
     with pytest.raises(SolverError, match=r"actuators.drive \(line \d+\) follows one, signal\[speed\]"):
         roll_through(compile_model(loads_model(PAIR + ERROR + PI % "" + DRIVE), "roll"), "roll")
     modes = find_modes(compile_model(loads_model(sampled), "run"), "run")
-    assert "nothing calls the sampled controllers here (c)" in modes.notes[-1]
+    assert "sampled controllers (c) are not called here" in modes.notes[-1]
 
 
 def test_a_reduced_system_keeps_its_controllers():
@@ -328,7 +328,7 @@ def test_a_reduced_system_keeps_its_controllers():
     np.testing.assert_allclose(found[0], found[1], rtol=2e-3)
     heard = "  force: {type: observation, channel: 'mesh_force[stage]'}\nloads:\n"
     system = compile_model(loads_model(PAIR.replace("loads:\n", heard)), "run")
-    with pytest.raises(SolverError, match=r"cannot keep sensors.force \(line 11\), which senses a load"):
+    with pytest.raises(SolverError, match=r"cannot include sensors.force \(line 11\), which senses a load"):
         reduce_system(system, "run", limit=200.0)
 
 

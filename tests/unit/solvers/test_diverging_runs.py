@@ -106,7 +106,7 @@ def test_a_run_that_diverges_ends_and_says_so(file, name, method, step):
     status, sentence, proper = found
     assert status in (UNBOUNDED, NOT_FINITE)
     assert proper
-    assert "take a smaller one" in sentence
+    assert "reduce `step`" in sentence
 
 
 def test_the_sentence_names_what_diverged_and_when_and_the_result_before_it_is_kept(tmp_path, capsys):

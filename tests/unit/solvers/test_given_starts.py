@@ -77,7 +77,7 @@ def test_loads_that_move_a_start_are_told() -> None:
     q, _, notes = begun("")
     assert q["crank.spin"] == pytest.approx(math.atan2(-0.04 - 0.8 * 0.06, -0.005), abs=1e-6)
     (note,) = [note for note in notes if note.startswith("joints.")]
-    assert note.startswith(f"joints.main.start (line {LINE + 1}): spin begins at -93.25 deg, not at 30 deg: ")
+    assert note.startswith(f"joints.main.start (line {LINE + 1}): spin starts at -93.25 deg, not at 30 deg: ")
     assert "start: assembled" in note
 
 
@@ -87,7 +87,7 @@ def test_loops_that_move_a_start_are_told() -> None:
     q, _, notes = begun("drive: {crank: {speed: 300 rpm}}, ", text)
     assert q["rod.spin"] == pytest.approx(0.0, abs=1e-9)
     (note,) = [note for note in notes if note.startswith("joints.crank_pin.start")]
-    assert "spin begins at 0 deg, not at 30 deg" in note
+    assert "spin starts at 0 deg, not at 30 deg" in note
 
 
 @pytest.mark.filterwarnings("default::pitchpoint.core.errors.ValidityWarning")
@@ -121,7 +121,9 @@ springs: {spring: {ends: [weight.eye, post.eye], stiffness: 1e3 N/m}}
 """
     q, _, notes = begun("", text, gravity=False)
     assert q["weight.z"] == pytest.approx(-0.02, abs=1e-9)  # m g / k
-    assert notes[0].startswith("joints.slide.start (line 6): z begins at -20 mm, not at -50 mm: loads")
+    assert notes[0].startswith(
+        "joints.slide.start (line 6): z starts at -20 mm, not at -50 mm: it follows from loads"
+    )
     q, _, notes = begun("start: assembled, ", text, gravity=False)
     assert q["weight.z"] == -0.05
     assert notes == ()

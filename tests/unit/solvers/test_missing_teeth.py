@@ -46,7 +46,9 @@ HELICAL = dict(
     two=", helix_angle: 20 deg, hand: left",
     distance=88.0,
 )
-WORDS = r"no pair of teeth carries in the mesh stage here, where gears\.g1\.faults\.gone \(line 7\)"
+WORDS = (
+    r"no tooth pair carries load in the mesh stage in this position, where gears\.g1\.faults\.gone \(line 7\)"
+)
 
 
 def model(kind, law="din3990"):
@@ -59,7 +61,7 @@ def test_a_roll_stops_where_only_the_missing_tooth_would_carry(law):
     machine = model(SPUR, law)
     system = compile_model(machine)
     roll = roll_through(system, "roll")
-    assert roll.status != 0 and "no pair of teeth carries" in roll.sentence and "(line 7)" in roll.sentence
+    assert roll.status != 0 and "no tooth pair carries load" in roll.sentence and "(line 7)" in roll.sentence
     assert "(after " in roll.sentence and 0 < len(roll.position) < 505
     angles = roll.rows[:, system.layout.channel("angle[driver]")]
     step = angles[1] - angles[0]
@@ -115,7 +117,7 @@ def test_the_command_keeps_the_part_and_exits_3(tmp_path: Path, capsys: pytest.C
     file, out = tmp_path / "gone.yaml", tmp_path / "out.h5"
     file.write_text(TEXT.format(**SPUR, law="din3990"), encoding="utf-8")
     assert run_command(["run", str(file), "-s", "roll", "-o", str(out), "--quiet"]) == 3
-    assert "no pair of teeth carries in the mesh stage" in capsys.readouterr().err
+    assert "no tooth pair carries load in the mesh stage" in capsys.readouterr().err
     with open_result(out) as data:
         assert 0 < data.sizes["mesh_phase_position"] < 505
         assert np.isfinite(data["deflection[stage]"].values).all()

@@ -394,5 +394,5 @@ def test_drag_of_a_turning_machine_loads_its_flanks():
 
 def test_a_model_of_fixed_bodies_has_no_modes():
     text = "bodies:\n  a: {motion: fixed, position: [0, 0, 0]}\n"
-    with pytest.raises(SolverError, match="all bodies are fixed, so nothing can vibrate; let a body move"):
+    with pytest.raises(SolverError, match="all bodies are fixed, so there are no modes; free a body"):
         find_modes(compiled(text)[1])

@@ -181,13 +181,17 @@ def test_a_mesh_that_turns_faster_than_the_rolled_one_has_a_partial_mean():
     ("torque", "words", "sign"),
     [
         ("balance", (), 1.0),
-        ("0 N m", ("nothing loads mesh first and second; 60 N m on input go into holding it",), 0.0),
-        ("-200 N m", ("the loads do not balance: 36.67 N m on input are left over",), 1.0),
+        (
+            "0 N m",
+            ("mesh first and second carries no load; 60 N m on input are balanced by holding torques",),
+            0.0,
+        ),
+        ("-200 N m", ("the loads do not balance: 36.67 N m on input are balanced by holding torques",), 1.0),
         (
             "514.3 N m",
             (
-                "the loads do not balance: 120 N m on input are left over",
-                "motor and brake turn the train the",
+                "the loads do not balance: 120 N m on input are balanced by holding torques",
+                "motor and brake drive the train in the same direction",
             ),
             -1.0,
         ),

@@ -190,4 +190,4 @@ def test_what_nothing_holds_is_kept():
     _, system = compiled(text, "run")
     reduced = reduce_system(system, limit=300.0)
     assert "arm" in reduced.kept
-    assert reduced.notes[-1] == "kept as no spring of their part holds them: arm"
+    assert reduced.notes[-1] == "kept because no spring of their part constrains them: arm"

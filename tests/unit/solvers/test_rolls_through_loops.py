@@ -140,7 +140,7 @@ def test_trains_go_on_through_a_universal_joint(mesh, drive, brake):
     other = "second" if mesh == "first" else "first"
     assert roll.meshes[other].repeats_after == 0
     assert roll.cycle_notes == (
-        f"mesh {other} turns through a closed loop; its numbers are those of this part of it",
+        f"mesh {other} is driven through a closed loop; its values hold for this part of the cycle",
     )
     assert np.isfinite(roll.meshes[other].unloaded).all()
 
@@ -149,5 +149,5 @@ def test_what_loops_hold_fast_is_not_rolled():
     text = UNIVERSAL.replace("MESH", "first").replace("DRIVE", "").replace("BRAKE", "-50 N m")
     text = text.replace("  cross:", "  weld: {type: fixed, bodies: [ground, two], cut: true}\n  cross:")
     system = compile_model(loads_model(text), "roll")
-    with pytest.raises(SolverError, match=r"one cannot be turned on: closed loops hold it fast"):
+    with pytest.raises(SolverError, match=r"one cannot be rotated further: closed loops lock it"):
         solve_quasistatic(system, "roll")

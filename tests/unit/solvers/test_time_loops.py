@@ -210,7 +210,7 @@ def test_a_redundant_constraint_row_is_flagged_and_harmless():
         assert np.abs(system.workspace.g).max() < 1e-12
     assert list(system.workspace.arrays["used"]) == [1, 0]
     assert redundant_rows(system) == ("ratio ratio1",)
-    assert "ratio1: prescribes what other" in row_notes(system)[0]
+    assert "ratio1: redundant with other" in row_notes(system)[0]
     np.testing.assert_allclose(finals[1], finals[0], rtol=1e-12)
 
 

@@ -53,6 +53,4 @@ def test_an_idler_train_without_load_vibrates_as_under_a_small_torque(order):
 
 def test_the_note_names_the_flanks():
     notes = " ".join(find_modes(compiled(train("[b, c]"))[1]).notes)
-    assert (
-        "touching at the front of ab and the back of bc, as a small torque through the train presses" in notes
-    )
+    assert "assumed at the front of ab and the back of bc, as for a small torque through the train" in notes

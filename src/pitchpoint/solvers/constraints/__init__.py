@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Constraint rows: initial conditions that fit them, directions that they leave free, notes."""
+"""Constraint rows: consistent initial conditions, free directions, notes."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Initial conditions that fit the constraints: loops closed, rates consistent, and a report of what is free.
+"""Consistent initial conditions: closed loops, consistent rates, degrees of freedom.
 
-Positions follow from Gauss-Newton steps of least weighted length, so that every loop closes with the smallest
-move from the drawn place; coordinates whose values were given stay. Rates follow from one linear solution:
-those given stay, the others change as little as possible from those of the start.
+Positions follow from Gauss-Newton steps of minimum weighted norm, so that every loop closes with the smallest
+displacement from the design position; given coordinates are fixed. Rates follow from one linear solution:
+given rates are fixed, the others change as little as possible.
 """
 
 from __future__ import annotations
@@ -26,31 +26,31 @@ Array = NDArray[np.float64]
 
 MOST_STEPS = 60
 CLOSED = 2e-15
-"""Largest residual of a closed row over the largest coordinate it holds [m/m, rad/rad]."""
+"""Largest residual of a closed row, relative to its coordinates [m/m, rad/rad]."""
 OPEN = 1e-8
-"""Residual from which a loop counts as open: beyond what rounding and double roots leave."""
+"""Residual from which a loop counts as open: above the residuals of rounding and double roots."""
 REDUNDANT = 1e-9
-"""Singular value over the largest below which rows repeat each other."""
+"""Singular value over the largest below which rows count as redundant."""
 STIFF = 1e4
-"""How much rather than by one modal coordinate of an elastic body a loop is closed by rigid motion."""
+"""Weight of modal coordinates of elastic bodies: loops are closed by rigid motion if possible."""
 MOST_TURN = 0.3
-"""Largest step of an angle [rad]: beyond that rows are not straight."""
+"""Largest step of an angle [rad]: the rows are too nonlinear beyond it."""
 
 
 @dataclass(frozen=True)
 class Assembly:
-    """A state that fits the constraints.
+    """A state that satisfies the constraints.
 
     Parameters
     ----------
     state
-        The state; accelerations and multipliers are those it came with.
+        The state; accelerations and multipliers are unchanged.
     freedoms
-        Degrees of freedom that the constraints leave.
+        Number of degrees of freedom.
     redundant
-        Names of rows that repeat others: their reactions cannot be distinguished.
+        Names of redundant rows: their reactions cannot be determined uniquely.
     moved
-        Largest change of a coordinate that closed the loops, and its name.
+        Largest change of a coordinate, and its name.
     unit
         Unit of this change, m or rad.
     """
@@ -62,7 +62,7 @@ class Assembly:
     unit: str
 
     def report(self) -> tuple[str, ...]:
-        """Notes in addition to those on repeated rows (`row_notes`), in sentences."""
+        """Notes in addition to those on redundant rows (`row_notes`)."""
         size, name = self.moved
         return (f"loops were closed by moving {name} by {size:.4g} {self.unit}",) if size > 1e-6 else ()
 
@@ -74,16 +74,16 @@ def assemble_state(
     keep: Collection[int] = (),
     keep_rates: Collection[int] = (),
 ) -> Assembly:
-    """Close all loops and make the rates fit.
+    """Close all loops and make the rates consistent.
 
     Parameters
     ----------
     system
         The compiled system.
     state
-        Where to begin; default the initial state.
+        Initial guess; default the initial state.
     keep, keep_rates
-        Coordinates whose place and whose rate must not change.
+        Coordinates whose value, and whose rate, must not change.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def assemble_state(
     _match_rates(system, found, G, gt, keep_rates)
     weighted = G / system.weight
     redundant = _repeated(weighted)
-    # a chart may have been started afresh; what moved is reported where it was not
+    # coordinates change, too, if a rotation chart is reset
     change = np.abs(found.q - begun)
     largest = int(np.argmax(change))
     return Assembly(
@@ -113,16 +113,16 @@ def assemble_state(
 
 
 def close_loops(system: System, state: State, keep: Collection[int] = (), *, drawn: bool = False) -> State:
-    """Close all loops near a state, its rates as they are; rows that prescribe motions are omitted.
+    """Close all loops near a state without changing its rates; rows of prescribed motions are omitted.
 
     Parameters
     ----------
     system, state
-        The system and where to begin.
+        The system and the initial guess.
     keep
-        Coordinates that stay.
+        Coordinates that must not change.
     drawn
-        Whether only what is kept is where it should be: loops that are open are closed as in the drawn place.
+        Close open loops by moving the coordinates `keep` from the design position in short steps.
 
     Raises
     ------
@@ -139,9 +139,10 @@ def close_loops(system: System, state: State, keep: Collection[int] = (), *, dra
 
 
 def _walk(system: System, state: State, keep: Collection[int]) -> None:
-    """Bring the other coordinates near, by moving those that are kept from the drawn place in short steps.
+    """Improve the guess of the other coordinates by moving those of `keep` from the design position in steps.
 
-    Closing loops from far away may fail, or close them the other way round; what was drawn decides.
+    From a distant guess loops may not close, or close in the other assembly configuration; the configuration
+    of the design position is retained.
     """
     kept = np.fromiter(keep, int, len(keep))
     turns = np.abs(state.q[kept]) / MOST_TURN
@@ -158,24 +159,24 @@ def _walk(system: System, state: State, keep: Collection[int]) -> None:
             here.q[kept] = share * target
             _close(system, here, keep, loop_rows(system))
     except SolverError:
-        return  # the drawn place is none, or the way leads through one that does not close
+        return  # the loops do not close in the design position or on the path
     others = np.setdiff1d(np.arange(state.q.size), kept)
     state.q[others], state.charts[:] = here.q[others], here.charts
 
 
 def loop_rows(system: System) -> list[int]:
-    """Rows that prescribe no motion."""
+    """Indices of all rows but those of prescribed motions."""
     return [r for r, name in enumerate(system.layout.rows) if not name.startswith("drive ")]
 
 
 def _rows(system: System, state: State) -> tuple[Array, Array]:
-    """Rows G and their partial time derivatives at a state; g stays in the workspace."""
+    """Rows G and their partial time derivatives at a state; g is stored in the workspace."""
     G = evaluate.constraint_jacobian(system, state)
     return G, system.workspace.gt.copy()
 
 
 def _close(system: System, state: State, keep: Collection[int], rows: list[int] | None = None) -> None:
-    """Move the coordinates until every row holds, or some of them."""
+    """Iterate the coordinates until all rows, or the chosen ones, are satisfied."""
     chosen = slice(None) if rows is None else rows
     if system.sizes["nc"] == 0 or rows == []:
         return
@@ -192,7 +193,7 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
             return
         step = -_least(G[:, free] / weight, g) / weight
         if size <= OPEN and size >= 0.5 * last:
-            return  # as near as rounding, or a double root, lets it come
+            return  # limited by rounding or a double root
         last = size
         longest = float(np.abs(step[turning]).max(initial=0.0))
         state.q[free] += step * min(1.0, MOST_TURN / longest if longest > 0.0 else 1.0)
@@ -207,7 +208,7 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
 
 
 def _approach(system: System, state: State, free: NDArray[np.intp], chosen: Any) -> None:
-    """Move the free coordinates to where the rows are nearest to holding: Newton does not stop there."""
+    """Minimise the residual of the rows over the free coordinates, for the error message."""
     from scipy.optimize import least_squares
 
     def off(q: Array) -> Array:
@@ -217,7 +218,7 @@ def _approach(system: System, state: State, free: NDArray[np.intp], chosen: Any)
         return system.workspace.g[chosen].copy()
 
     def slope(q: Array) -> Array:
-        """Derivative of the chosen rows by the free coordinates."""
+        """Derivative of the chosen rows with respect to the free coordinates."""
         state.q[free] = q
         return _rows(system, state)[0][chosen][:, free]
 
@@ -225,7 +226,7 @@ def _approach(system: System, state: State, free: NDArray[np.intp], chosen: Any)
 
 
 def _reluctance(system: System) -> Array:
-    """Weight of every coordinate in closing loops; elastic bodies bend only where nothing else helps."""
+    """Weights of the coordinates in closing loops; elastic bodies deform only if necessary."""
     found = system.weight.copy()
     body = system.program["body"]
     for hidden in modal_bodies(system):
@@ -235,13 +236,13 @@ def _reluctance(system: System) -> Array:
 
 
 def _off(system: System, g: Array) -> str:
-    """The rows that are furthest from holding, in words."""
+    """List of the rows with the largest residuals, as text."""
     worst = [r for r in np.argsort(-g)[:3] if g[r] > max(OPEN, 0.01 * g.max())]
     return "; ".join(f"{row_source(system, r)} is off by {g[r]:.3g}{row_unit(system, r)}" for r in worst)
 
 
 def _least(A: Array, b: Array) -> Array:
-    """Shortest solution of A x = b; rows that repeat others count once."""
+    """Minimum-norm solution of A x = b; rows may be redundant."""
     return np.asarray(np.linalg.lstsq(A, b, rcond=REDUNDANT)[0])
 
 
@@ -265,7 +266,7 @@ def _match_rates(system: System, state: State, G: Array, gt: Array, keep: Collec
 
 
 def _repeated(G: Array) -> list[int]:
-    """Rows that depend on those before them."""
+    """Indices of rows that depend linearly on the rows before them."""
     kept: list[Array] = []
     found = []
     scale = float(np.linalg.norm(G, axis=1).max(initial=0.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Directions that constraint rows leave free: what vibrates, and what damping is made for."""
+"""Free directions of constraint rows: basis of vibrations and of model damping."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 
 
 def free_directions(system: System, state: State, states: Sequence[int] = ()) -> Any:
-    """Columns that span what constraint rows leave free, without the states of elements, shape (nd, n).
+    """Basis of the null space of the constraint rows, without the states of elements, shape (nd, n).
 
-    Sparse if the system is large.
+    Sparse for large systems.
     """
     nd = system.sizes["nd"]
     mechanical = np.setdiff1d(np.arange(nd), np.array(states, np.int64))
@@ -29,7 +29,7 @@ def free_directions(system: System, state: State, states: Sequence[int] = ()) ->
     G = evaluate.constraint_jacobian(system, state)[:, mechanical]
     fixed = np.flatnonzero(np.abs(G).sum(axis=0) > 0.0)
     if np.count_nonzero(G) == fixed.size == np.linalg.matrix_rank(G):
-        return _unit_columns(nd, np.delete(mechanical, fixed))  # rows that each hold one coordinate
+        return _unit_columns(nd, np.delete(mechanical, fixed))  # each row fixes one coordinate
     weight = system.weight[mechanical]
     if nd >= LARGE:
         return _sparse_null_space(G / weight, mechanical, weight, nd)
@@ -41,7 +41,7 @@ def free_directions(system: System, state: State, states: Sequence[int] = ()) ->
 
 
 def _unit_columns(nd: int, places: NDArray[np.int64]) -> Any:
-    """Columns that each move one coordinate."""
+    """Unit vectors of some coordinates, as columns."""
     if nd < LARGE:
         return np.eye(nd)[:, places]
     from scipy.sparse import csc_array
@@ -51,10 +51,10 @@ def _unit_columns(nd: int, places: NDArray[np.int64]) -> Any:
 
 
 def _sparse_null_space(G: Array, places: NDArray[np.int64], weight: Array, nd: int) -> Any:
-    """What rows leave free: some coordinates follow the others, chosen as independently as can be.
+    """Sparse null space of the rows: dependent coordinates as functions of the independent ones.
 
-    Elimination by pivoted orthogonal factors of the columns that rows have; columns without entries are free
-    by themselves, so the basis is as sparse as the loops are local.
+    The dependent coordinates are chosen by a pivoted QR factorisation of the non-zero columns; columns
+    without entries are independent, so the basis is sparse if the loops are local.
     """
     from scipy.linalg import qr, solve_triangular
     from scipy.sparse import csc_array

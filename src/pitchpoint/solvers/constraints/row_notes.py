@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes on the constraint rows of a run: which repeat others, which contradict them."""
+"""Notes on redundant and contradictory constraint rows of a run."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from pitchpoint.system.system import System
 from pitchpoint.system.workspace import FACTORISATIONS
 
 ROW_TOLERANCE = 1e-5
-"""Residual of a repeated row [rad, m] from which it contradicts the rows that explicit methods hold."""
+"""Residual of a redundant row [rad, m] from which it contradicts the rows enforced by explicit methods."""
 
 
 def redundant_rows(system: System) -> tuple[str, ...]:
-    """Names of the rows that repeat others; none before the first factorisation in the workspace."""
+    """Names of the redundant rows; none before the first factorisation in the workspace."""
     w = system.workspace
     if system.sizes["nc"] == 0 or w.clock[FACTORISATIONS] == 0:
         return ()
@@ -25,7 +25,7 @@ def redundant_rows(system: System) -> tuple[str, ...]:
 
 
 def row_notes(system: System) -> tuple[Message, ...]:
-    """Notes on rows that repeat others."""
+    """Notes on redundant rows."""
     names = redundant_rows(system)
     loops = [name.removeprefix("closure ") for name in names if name.startswith("closure ")]
     others = [name for name in names if not name.startswith("closure ")]
@@ -33,20 +33,18 @@ def row_notes(system: System) -> tuple[Message, ...]:
     if loops:
         found.append(
             note(
-                "what other joints hold already; the motion is the same without, and loads are shared in one "
-                "of many possible ways",
+                "redundant with other joints; the motion is the same without, but the distribution of the "
+                "reactions is not unique",
                 ", ".join(loops),
             )
         )
     if others:
-        found.append(
-            note("prescribes what other constraints prescribe already; it takes no load", ", ".join(others))
-        )
+        found.append(note("redundant with other prescribed motions; it carries no load", ", ".join(others)))
     return tuple(found)
 
 
 def rows_agree(system: System, t: float) -> int:
-    """Status of the repeated rows at the state in the workspace: INCONSISTENT if one does not hold."""
+    """Status of the redundant rows at the state in the workspace: INCONSISTENT if one is violated."""
     w = system.workspace
     if not redundant_rows(system):
         return OK

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rest of a mechanism with closed loops: equilibrium in the directions that its constraints leave free.
+"""Equilibrium of a mechanism with closed loops, in the free directions of its constraints.
 
-Each step solves Z^T (K + M/tau^2) Z y = -Z^T R in a basis Z of those directions, closes the loops again and
-takes the multipliers that leave least over; K follows the turning of loads and reactions. With a short
-pseudo-time tau the bodies drift along their loads, with a growing one the step becomes Newton's (see
-`equilibrium`).
+Each step solves Z^T (K + M/tau^2) Z y = -Z^T R in a basis Z of the free directions, closes the loops again
+and determines the multipliers by least squares; K includes the geometric stiffness of loads and reactions.
+With a short pseudo-time tau the bodies move along their loads; with a growing tau the step becomes a Newton
+step (see `equilibrium.solve`).
 """
 
 from __future__ import annotations
@@ -27,25 +27,25 @@ Array = NDArray[np.float64]
 
 MOST_STEPS = 300
 FIRST = 1e2
-"""Factor of the masses in the first step [1/s^2]."""
+"""Mass factor 1/tau^2 of the first step [1/s^2]."""
 LONGEST = 0.3
 """Largest step of a coordinate [m, rad]."""
 LEFT_OVER = 1e-13
-"""Share of what acts that rounding leaves over."""
+"""Relative rounding error of the balance of forces."""
 
 
 @dataclass(frozen=True)
 class MechanismRest:
-    """A mechanism at rest.
+    """A mechanism in equilibrium.
 
     Parameters
     ----------
     state
         The state with its multipliers.
     residual
-        What is left over on every coordinate: the reactions of kept ones, shape (nd,).
+        Residual of every coordinate, shape (nd,); the reactions on the held ones.
     steps
-        Steps taken.
+        Number of steps.
     """
 
     state: State
@@ -54,21 +54,21 @@ class MechanismRest:
 
 
 def is_looped(system: System) -> bool:
-    """Whether rows other than prescribed motions tie the coordinates."""
+    """Whether the system has constraint rows other than prescribed motions."""
     return bool(loop_rows(system))
 
 
 def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], tolerance: float) -> MechanismRest:
-    """Find the state at rest near a start.
+    """Find the equilibrium near an initial state.
 
     Parameters
     ----------
     system
-        The system; rows of drives are omitted, their coordinates are kept.
+        The system; rows of drives are omitted, their coordinates are held.
     state
-        Where to begin; rates are kept as they are and may carry friction.
+        Initial state; its rates are retained and define the friction.
     kept
-        Coordinates that stay.
+        Coordinates to hold.
     tolerance
         Largest residual, relative to the loads.
 
@@ -86,7 +86,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]
         whole = slopes(system, here, EXACT)
-        # places are rounded like 1 m and 1 rad: smaller residuals than the forces of that cannot be reached
+        # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
         rounded = ROUNDING * (np.abs(whole) @ (np.abs(here.q) + 1.0))
         least = np.maximum(rounded[free], LEFT_OVER * acting[free].max(initial=0.0))
         goal = np.abs(Z).T @ np.maximum(tolerance * acting[free], least)
@@ -118,15 +118,15 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     unit = "N m" if system.weight[worst] != 1.0 else "N"
     where = coordinate_source(system, system.layout.coordinates[worst])
     raise SolverError(
-        f"no equilibrium found after {count} steps: {np.abs(left).max():.3g} {unit} are left over on "
-        f"{where}; check loads, springs and what holds the mechanism",
+        f"no equilibrium found after {count} steps: {np.abs(left).max():.3g} {unit} are unbalanced on "
+        f"{where}; check loads, springs and supports of the mechanism",
         SINGULAR if mu < 1.0 else DIVERGED,
         here,
     )
 
 
 def _closed(system: System, state: State, kept: tuple[int, ...], drawn: bool = False) -> State:
-    """The same state with its loops closed; rates stay as they are."""
+    """Copy of a state with closed loops; its rates are unchanged."""
     stopped = state.copy()
     stopped.v[:] = 0.0
     stopped.v[system.states] = state.v[system.states]
@@ -138,7 +138,7 @@ def _closed(system: System, state: State, kept: tuple[int, ...], drawn: bool = F
 def _balanced(
     system: System, state: State, free: NDArray[np.int64], holds: list[int]
 ) -> tuple[Array, Array, Array]:
-    """Rows, residual with the multipliers that leave least over, and the size of what acts."""
+    """Constraint rows, residual with least-squares multipliers, and the sum of the force magnitudes."""
     state.lam[:] = 0.0
     R = evaluate.residual(system, state)
     G = system.workspace.G[holds].copy()
@@ -150,16 +150,17 @@ def _balanced(
 
 
 def _directions(G: Array, weight: Array) -> Array:
-    """Orthonormal columns (in the weights of the coordinates) that span what rows leave free."""
+    """Orthonormal columns (in the weights of the coordinates) that span the null space of the rows."""
     _, sizes, rows = np.linalg.svd(G / weight)
     rank = int(np.sum(sizes > REDUNDANT * sizes.max(initial=0.0)))
     return np.asarray((rows[rank:] / weight).T)
 
 
 def _matched(basis: Array, other: Array) -> Array:
-    """The same directions as `basis`, turned to be as near as they can to the columns of another.
+    """Basis of the same space as `basis`, rotated to match the columns of another basis.
 
-    At a singular position of a mechanism the other has more: then its columns, as far as `basis` allows them.
+    At a singular position of a mechanism the other basis has more columns: then their projections onto
+    `basis`.
     """
     if basis.shape != other.shape:
         return np.asarray(basis @ (basis.T @ other))

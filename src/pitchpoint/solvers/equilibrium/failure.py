@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Why a system has no equilibrium: directions that loads push in and nothing holds, and broken teeth."""
+"""Reasons why a system has no equilibrium: loaded unconstrained directions, and broken teeth."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ if TYPE_CHECKING:
 
 
 HELD = 1e-12
-"""Stiffness over the largest, all weighted as lengths, up to which a direction counts as not held."""
+"""Stiffness over the largest, all weighted as lengths, up to which a direction counts as unconstrained."""
 LOADED = 1e-6
-"""Part of the loads in directions that nothing holds, from which they are what is wrong."""
+"""Share of the loads in unconstrained directions from which these are reported as the reason."""
 SHARE = 0.5
-"""Share of a coordinate in those directions, over the largest, from which it is named."""
+"""Share of a coordinate in those directions, over the largest, from which it is listed."""
 STIFFNESS = {"x": "radial", "y": "radial", "z": "axial", "rx": "tilt", "ry": "tilt", "spin": "torsion"}
 NAMES = {"alpha": "rx", "beta": "ry"}
-"""Coordinates under the names of model files and channels."""
+"""Names of coordinates in model files and channels."""
 
 
 def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tuple[str, ...]:
-    """Names of the coordinates that loads push and nothing holds, all flanks in contact.
+    """Names of the loaded, unconstrained coordinates, with all flanks in contact.
 
     Loads in the null space of the (symmetric) stiffness matrix have no equilibrium.
 
@@ -41,9 +41,9 @@ def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tupl
     system
         The system.
     state
-        Where nothing has moved away yet.
+        Initial state of the iteration.
     free
-        Coordinates that are not kept.
+        Coordinates that are not held.
     """
     own, at = system.copy(), state.copy()
     close_backlash(own, at)
@@ -59,13 +59,13 @@ def unconstrained(system: System, state: State, free: NDArray[np.int64]) -> tupl
     share = np.where(pushed > 1e-3 * pushed.max(), (null**2).sum(axis=0), 0.0)
     spins = np.array([name == "spin" for _, _, name in parts])
     if share[~spins].any():
-        share[spins] = 0.0  # a spin turns because its gear deflects
+        share[spins] = 0.0  # the spin only follows the displacement of its gear
     named = np.flatnonzero(share >= SHARE * share.max())
     return tuple(f"{parts[k][0]}.{NAMES.get(parts[k][2], parts[k][2])}" for k in named)
 
 
 def advice(names: tuple[str, ...]) -> str:
-    """Name what is not held and what would hold it.
+    """Message on unconstrained coordinates, with a remedy.
 
     Examples
     --------
@@ -79,19 +79,19 @@ def advice(names: tuple[str, ...]) -> str:
 
 
 def broken_tooth(system: System, state: State) -> str:
-    """Name the mesh that rests only far inside its flanks because a tooth is broken; '' if there is none.
+    """Message on a mesh whose only equilibrium has excessive penetration because of a broken tooth, or ''.
 
-    All pairs of a mesh have the same overlap along the line of action. Where a broken tooth leaves none in
-    contact, gears turn under their load until another pair comes onto the path of contact: some millimetres
-    deep, where it bears any load at once. Teeth would touch outside their path long before, which no flank
-    law here knows.
+    All pairs of a mesh have the same penetration along the line of action. If a broken tooth leaves no pair
+    in contact, the gears rotate under their load until another pair reaches the path of contact, at a
+    penetration of some millimetres, where it carries any load. Real teeth would touch outside the path of
+    contact long before, which no flank law here covers.
 
     Parameters
     ----------
     system
         The system.
     state
-        Where the search for rest has ended, well or not.
+        Last state of the iteration, converged or not.
     """
     model = system.model
     suspects = {} if model is None else _broken(model)
@@ -107,16 +107,16 @@ def broken_tooth(system: System, state: State) -> str:
         shape = (model.gears[first] if first in model.gears else model.bevel_gears[first]).geometry
         if depth > DEEPEST * shape.m_n:
             return (
-                f"no equilibrium: no pair of teeth carries in the mesh {mesh} here, where "
-                f"{' or '.join(faults)} leaves a gap (the next pair would be "
-                f"{format_quantity(depth, 'length', 3)} deep); run it over time, which goes through the gap "
-                "(with start: assembled to begin in it), break out less, or take more overlap"
+                f"no equilibrium: no tooth pair carries load in the mesh {mesh} in this position, where "
+                f"{' or '.join(faults)} leaves a gap (penetration of the next pair: "
+                f"{format_quantity(depth, 'length', 3)}); run a time response, which passes through the gap "
+                "(with start: assembled to begin in it), reduce the severity, or increase the contact ratio"
             )
     return ""
 
 
 def _broken(model: Model) -> dict[str, list[str]]:
-    """Faults that break something out of the gears of a mesh, by mesh, with their lines."""
+    """Broken-tooth faults of the gears of each mesh, with their lines in the model file."""
     found: dict[str, list[str]] = {}
     for name, mesh in model.every_mesh.items():
         for gear in mesh.gears:

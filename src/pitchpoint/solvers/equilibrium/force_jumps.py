@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rest at a jump: where a tooth pair without relief enters or leaves, a mesh force jumps with the position.
+"""Equilibrium at a force jump: mesh forces are discontinuous where tooth pairs without relief enter or exit.
 
-The load may lie between the forces of both sides. The machine then rests on the surface of the jump, and what
-acts there is a mean of both sides (A. F. Filippov, Differential Equations with Discontinuous Righthand Sides,
-1988). Unknown are the position on the surface and the share of the other side::
+If the load is between the forces on both sides, the equilibrium is on the surface of the jump, and the force
+there is a weighted mean of both sides (A. F. Filippov, Differential Equations with Discontinuous Righthand
+Sides, 1988). The unknowns are the position on the surface and the weight (share) of the other side::
 
     R(q) + share [R](q) = 0,    g(q) = 0,    0 <= share <= 1
 
-with the residual R, its jump [R] and the height g over the surface.
+with the residual R, its jump [R] and the distance g from the surface.
 
-A spur pair does so over its whole width at once, a helical one that is cut into slices slice by slice; with
-the exact width integral helical pairs do it smoothly. The heights over the surfaces follow from the event
-functions of the mesh, in base pitches.
+A spur pair enters over its whole width simultaneously, a sliced helical pair slice by slice; with the exact
+integral over the face width helical pairs enter smoothly. The distances from the surfaces follow from the
+event functions of the mesh, in base pitches.
 """
 
 from __future__ import annotations
@@ -35,24 +35,24 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 JUMPS = {"pair_entry": 1.0, "pair_exit": 1.0, "back_pair_entry": -1.0, "back_pair_exit": -1.0}
-"""Event functions at whose roots a stiffness without relief jumps, with the flank they belong to."""
+"""Event functions at whose roots the stiffness without relief jumps, with their flank."""
 PROBE = 1e-7
-"""Displacement [m] of the difference quotients of the heights, which are smooth."""
+"""Step [m] of the finite differences of the distances, which are smooth."""
 
 
 class Surface(NamedTuple):
-    """One surface: its event function, its mesh, and the slice by its tilt and its place."""
+    """Surface of a force jump: event function, mesh, and slope and position of the slice."""
 
     event: int
     mesh: int
     lean: float
-    """Base pitches by which a pair comes sooner per metre of the face width."""
+    """Advance of the contact per metre of face width [base pitches/m]."""
     place: float
-    """Where on the shared face width the slice lies, 0 to 1."""
+    """Position of the slice on the common face width, 0 to 1."""
 
 
 def all_surfaces(system: System) -> list[Surface]:
-    """Every surface at which a force of the system can jump."""
+    """All surfaces at which a force of the system can jump."""
     meshes: dict[str, int] = {}  # events are in the order of the meshes
     found = []
     for k, event in enumerate(system.layout.events):
@@ -79,7 +79,7 @@ def heights(system: System, state: State, surfaces: Sequence[Surface]) -> Array:
 
 
 def crossed(system: System, one: State, two: State) -> list[Surface]:
-    """Surfaces between two neighbouring states, of flanks that are in contact or near it."""
+    """Surfaces between two neighbouring states, for flanks in or near contact."""
     surfaces = all_surfaces(system)
     if not surfaces:
         return []
@@ -91,7 +91,7 @@ def crossed(system: System, one: State, two: State) -> list[Surface]:
 
 
 def slopes(system: System, state: State, surfaces: Sequence[Surface], free: Indices) -> Array:
-    """Slopes of the heights over the free coordinates, shape (n, free)."""
+    """Derivatives of the distances with respect to the free coordinates, shape (n, free)."""
     found = np.zeros((len(surfaces), len(free)))
     for column, k in enumerate(free):
         h = PROBE / system.weight[k]
@@ -105,32 +105,32 @@ def slopes(system: System, state: State, surfaces: Sequence[Surface], free: Indi
 
 
 BESIDE = 1e-10
-"""Distance of the states on both sides from the surface, in base pitches."""
+"""Distance of the states on both sides from the surface [base pitches]."""
 PARALLEL = 1e-6
-"""Sine of the angle between two surfaces up to which they are one, if they are nowhere apart."""
+"""Sine of the angle between two surfaces up to which they count as equal, if their distance is zero."""
 NOTHING = 1e-11
-"""Distance [m] of two states that are one place."""
+"""Distance [m] below which two states count as equal."""
 MOST_ITERATIONS = 40
 MOST_PROJECTIONS = 5
 MOST_BISECTIONS = 100
 FARTHEST = 1e-2
-"""Largest step [m] along a surface; an equilibrium on it is near."""
+"""Largest step [m] along a surface; a larger one means that no equilibrium is near."""
 
 
 @dataclass(frozen=True)
 class Rest:
-    """Where an iteration came to rest.
+    """Result of an equilibrium iteration.
 
     Parameters
     ----------
     state
         The state.
     residual
-        Residual with the shares of the other sides, shape (nd,).
+        Residual, weighted over both sides of the jumps, shape (nd,).
     other_sides
-        For every jump the state rests on: the state on its other side.
+        For every force jump at the equilibrium: the state on its other side.
     share
-        Share in which that other side acts, by jump.
+        Weight of the forces on that other side, by jump.
     """
 
     state: State
@@ -140,14 +140,14 @@ class Rest:
 
     @property
     def holds(self) -> bool:
-        """Whether every share is one of a mean."""
+        """Whether every share is between 0 and 1, as an equilibrium on the surface requires."""
         return bool(((self.share >= 0.0) & (self.share <= 1.0)).all())
 
 
 def rest_on_surfaces(
     system: System, state: State, surfaces: Sequence[Surface], free: Indices, goal: Array
 ) -> Rest | None:
-    """Rest on as many of some surfaces as possible, if there is one near a state; else where to continue.
+    """Equilibrium on as many of the given surfaces as possible, or a state from which to continue.
 
     Parameters
     ----------
@@ -158,13 +158,13 @@ def rest_on_surfaces(
     free
         Coordinates that may move.
     goal
-        Largest force that may be left over on each of them [N].
+        Largest residual force on each of them [N].
 
     Returns
     -------
     Rest or None
-        If it does not `Rest.holds`, its state is the one from which an iteration leaves the surface: no
-        mean of both sides keeps it there. None if the iteration fails.
+        If `Rest.holds` is false, its state is where the iteration leaves the surface: no mean of both sides
+        is in equilibrium there. None if the iteration fails.
     """
     different = _different(system, state, surfaces, free)
     aside = None
@@ -178,7 +178,7 @@ def rest_on_surfaces(
 
 
 def _different(system: System, state: State, surfaces: Sequence[Surface], free: Indices) -> list[Surface]:
-    """One of each group of surfaces that are one: equal meshes between the same bodies jump together."""
+    """The surfaces without duplicates: equal meshes between the same bodies jump simultaneously."""
     normal = slopes(system, state, surfaces, free) / system.weight[free]
     size = np.linalg.norm(normal, axis=1)
     unit = normal / size[:, None]
@@ -194,14 +194,14 @@ def _different(system: System, state: State, surfaces: Sequence[Surface], free: 
 
 
 def rest_between(system: System, one: State, two: State, free: Indices, goal: Array) -> Rest | None:
-    """Rest at a jump between two states that push towards each other.
+    """Equilibrium at a jump between two states whose forces point towards each other.
 
-    For jumps that no event function knows, as those of a law of the user: bisection along the step finds the
-    jump, its direction is taken for that of the step.
+    For jumps without an event function, such as those of a user-defined law: bisection along the step locates
+    the jump; its normal is assumed parallel to the step.
     """
     near, far = evaluate.residual(system, one), evaluate.residual(system, two)
     step = (two.q - one.q)[free]
-    for _ in range(MOST_BISECTIONS):  # of two states so far out no two numbers may be this close
+    for _ in range(MOST_BISECTIONS):  # far from the origin rounding may exceed NOTHING
         if float(np.abs((two.q - one.q) * system.weight)[free].max()) <= NOTHING:
             break
         middle = one.copy()
@@ -223,7 +223,7 @@ def _rest_on(
     system: System, state: State, chosen: Sequence[Surface], free: Indices, goal: Array
 ) -> Rest | None:
     """Newton's method for position and shares, from a state near the surfaces."""
-    size = 1.0 / system.weight[free]  # of one metre in every coordinate
+    size = 1.0 / system.weight[free]  # change of each coordinate per metre
     n = len(chosen)
     share = np.full(n, 0.5)
     try:
@@ -240,7 +240,7 @@ def _rest_on(
             K = np.tensordot(parts, stiffness, 1)
             scale = float(np.abs(K).max())
             jump = (residuals[free, 1:] - residuals[free, :1]) * size[:, None]
-            # on a surface a state is as exact as the distance between its sides
+            # the distance between the sides limits the accuracy of a state on a surface
             rounding = BESIDE * np.abs(stiffness @ back).max(axis=(0, 2))
             if (np.abs(rest[free] * size) <= np.maximum(goal, rounding)).all():
                 return _aside(
@@ -258,7 +258,7 @@ def _rest_on(
 
 
 def _onto(system: System, state: State, chosen: Sequence[Surface], free: Indices, back: Array) -> State:
-    """A state moved onto surfaces, which are curved, so closely that both sides lie on different sides."""
+    """Project a state onto (curved) surfaces, much closer than the distance of its two sides."""
     for _ in range(MOST_PROJECTIONS):
         height = heights(system, state, chosen)
         if np.abs(height).max() < 0.01 * BESIDE:
@@ -268,9 +268,10 @@ def _onto(system: System, state: State, chosen: Sequence[Surface], free: Indices
 
 
 def _aside(found: Rest, across: Array) -> Rest:
-    """A rest whose shares are not a mean, moved to the sides where the residual leads away.
+    """Move a result with shares outside 0 to 1 to the sides from which the residual leads away.
 
-    There that is the jump times the excess of the share; `across` is where a jump leads, shape (n, n).
+    The residual there is the jump times the excess of the share; `across` is the motion normal to the
+    surfaces caused by each jump, shape (n, n).
     """
     if found.holds:
         return found
@@ -282,21 +283,21 @@ def _aside(found: Rest, across: Array) -> Rest:
 
 
 def _stiffness(system: System, state: State, free: Indices, size: Array) -> Array:
-    """Stiffness of the free coordinates, all in metres."""
+    """Stiffness of the free coordinates, all scaled to metres."""
     K = evaluate.matrix(system, state, 0.0, 0.0, 1.0, NEWTON)
     scaled: Array = K[np.ix_(free, free)] * np.outer(size, size)
     return scaled
 
 
 def observe_mean(system: System, state: State, other_sides: Sequence[State], share: Array) -> Array:
-    """All observations of a state at jumps, the mean of both sides; plain numbers stay those of one side.
+    """All channels of a state at jumps as the mean of both sides; dimensionless channels are of one side.
 
     Parameters
     ----------
     system, state
         The system and its state on one side.
     other_sides, share
-        Per jump the state on the other side, and its share.
+        By jump: the state on the other side, and its weight.
     """
     row = evaluate.observe(system, state)
     mean = row.copy()
@@ -307,7 +308,7 @@ def observe_mean(system: System, state: State, other_sides: Sequence[State], sha
 
 
 def _moved(state: State, free: Indices, by: Array) -> State:
-    """A copy of a state with its free coordinates moved."""
+    """Copy of a state with displaced free coordinates."""
     new = state.copy()
     new.q[free] += by
     return new

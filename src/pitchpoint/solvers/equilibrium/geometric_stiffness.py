@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tangents at rest of bodies that swing far: weight and loads that turn with their joints count as well.
+"""Geometric stiffness of bodies with large joint rotations: weight, and loads that rotate with their joints.
 
-Tangents of integrators leave them out, which is cheap and does no harm where bodies stay nearly where they
-are. A pendulum has no stiffness but this one: without it each step goes down the slope of its energy, and a
-chain of ten takes hundreds of them.
+Integrators neglect it in their tangents, which is cheap and harmless for small motions. A pendulum has no
+other stiffness: without it the iteration is a gradient descent, and a chain of ten pendulums needs hundreds
+of steps.
 """
 
 from __future__ import annotations
@@ -19,26 +19,26 @@ from pitchpoint.system.residual import EXACT, NEWTON
 from pitchpoint.system.system import State, System
 
 FAR, PATIENCE = 0.1, 30
-"""Turn of a joint [rad] and steps from which on exact tangents are worth their cost."""
+"""Joint rotation [rad], and number of steps, from which exact tangents are used."""
 
 
 class Tangent:
-    """Derivative of what acts at rest, of the kind that suits the way so far.
+    """Tangent stiffness of the equilibrium, with geometric stiffness after large joint rotations.
 
     Parameters
     ----------
     system
         The system.
     begin
-        State that the search begins with.
+        Initial state of the iteration.
 
     Attributes
     ----------
     joints
-        Coordinates about which bodies may swing; none where elements have states of their own, or the joints
-        turn with a speed that is kept: forces that follow it have no energy behind them.
+        Rotation coordinates of the joints; empty if elements have states, or if the joints rotate at a given
+        speed: speed-dependent forces do not derive from an energy.
     exact
-        Whether the last matrix holds what turns with the joints.
+        Whether the last matrix includes the geometric stiffness.
     """
 
     def __init__(self, system: System, begin: State) -> None:
@@ -51,22 +51,22 @@ class Tangent:
         self._matrix: Any = None
 
     def at(self, state: State, count: int) -> Any:
-        """Matrix at a state after some steps; the same again where a step was refused and changed nothing."""
+        """Matrix at a state after `count` steps; reused if the last step was rejected."""
         if state is not self._state:
-            way = np.abs((state.q - self._begin)[self.joints]).max(initial=0.0)
-            self.exact = bool(self.joints.size) and (count >= PATIENCE or way > FAR)
+            rotation = np.abs((state.q - self._begin)[self.joints]).max(initial=0.0)
+            self.exact = bool(self.joints.size) and (count >= PATIENCE or rotation > FAR)
             self._matrix = rest_matrix(self.system, state, EXACT if self.exact else NEWTON, None)
             self._state = state
         return self._matrix
 
     def refuse(self) -> None:
-        """Use no exact tangents any more."""
+        """Disable exact tangents."""
         self.joints = self.joints[:0]
         self._state = None
 
 
 def turning_joints(system: System) -> NDArray[np.int64]:
-    """Coordinates of joints about which bodies swing far, as pendulums do: all but those of round bodies."""
+    """Rotation coordinates of joints that allow large rotations, as of pendulums; not those of rotors."""
     found = []
     for b, body in enumerate(system.bodies, start=1):
         record = system.program["body"][b]
@@ -77,7 +77,7 @@ def turning_joints(system: System) -> NDArray[np.int64]:
 
 
 def resists(A: Any) -> bool:
-    """Whether every step of a matrix goes down: whether its symmetric part is positive definite."""
+    """Whether the symmetric part of a matrix is positive definite, so that steps reduce the energy."""
     dense = A if isinstance(A, np.ndarray) else A.toarray()
     try:
         np.linalg.cholesky(0.5 * (dense + dense.T))

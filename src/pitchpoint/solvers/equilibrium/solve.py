@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Static equilibrium: the state of rest of a system under its loads, gears in contact or not.
+"""Static equilibrium of a system under its loads, with gears in contact or not.
 
-Newton's method cannot start inside the backlash, where nothing resists a turn. So each step solves
-(K + M/tau^2) dq = -R: with a short pseudo-time tau the bodies drift apart along their loads until flanks
-touch, with a growing one the step becomes Newton's. Spins that nothing holds (every rigid gear train has one)
-are kept at their angle; the torque that this takes is reported: it is zero if the loads balance.
+Newton's method cannot start inside the backlash, where rotation is unconstrained. So each step solves
+(K + M/tau^2) dq = -R: with a short pseudo-time tau the bodies move along their loads until flanks touch; with
+a growing tau the step becomes a Newton step. Free spins (every rigid gear train has one) are held at their
+angle; the holding torque is reported: it is zero if the loads balance.
 
-A step counts as progress by the step that would follow it with the same matrix, in the norm of the masses:
-residuals themselves may grow on the way (a gear train multiplies a torque before the next mesh has taken it).
+A step is accepted by the size of the step that would follow it with the same matrix, in the mass norm.
+Residuals do not measure progress: they may grow (a gear train multiplies a torque before the next mesh
+carries it).
 
-Sources of the ideas: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
+Sources: C. T. Kelley, D. E. Keyes, Convergence analysis of pseudo-transient continuation, SIAM
 Journal on Numerical Analysis 35 (1998) 508-523; P. Deuflhard, Newton Methods for Nonlinear Problems, 2004
 (natural monotonicity).
 """
@@ -61,22 +62,22 @@ if TYPE_CHECKING:
 LOAD = torque.KIND.name
 MOST_ITERATIONS = 400
 TOLERANCE = 1e-9
-"""Residual over the sum of what acts, at which a state counts as equilibrium."""
+"""Residual over the largest load, up to which a state counts as equilibrium."""
 FIRST = 1e4
-"""Factor of the masses in the first step [1/s^2]."""
+"""Mass factor 1/tau^2 of the first step [1/s^2]."""
 TINY = 1e-9
-"""Step [m] over which a force without a jump keeps its value."""
+"""Step [m] over which a continuous force is practically constant."""
 HEAVY = 1e8
-"""Factor of the masses [1/s^2] beyond which exact tangents that no step resists are given up: those of
-controllers need not, as they do not derive from an energy."""
+"""Mass factor [1/s^2] beyond which exact tangents that are not positive definite are abandoned: those of
+controllers need not be, as their forces do not derive from an energy."""
 LONGEST = 0.3
-"""Largest turn of a joint in one step then [rad]."""
+"""Largest joint rotation per step with exact tangents [rad]."""
 SLOW = 1.0
-"""Time [s] from which on a search reports its number of steps."""
+"""Time [s] after which the iteration reports its number of steps."""
 NOW = (np.zeros(1), np.ones(1))
-"""The instant of the start alone, with its weight."""
+"""Only the initial instant, with weight one."""
 SHORT = 1e-6
-"""Step [m] below which one that makes no progress is searched for the jump of a force."""
+"""Step [m] below which a rejected step is searched for a force jump."""
 
 
 @dataclass(frozen=True)
@@ -88,14 +89,14 @@ class Equilibrium:
     state
         The state; velocities are the given ones.
     held
-        Coordinates that were kept.
+        Coordinates that were held.
     reaction
-        Torque that keeps each of them [N m], shape (len(held),).
+        Holding torque of each of them [N m], shape (len(held),).
     iterations
-        Newton steps taken.
+        Number of Newton steps.
     other_sides, share
-        For every jump of a force the state rests on: the state on its other side, and the share in which
-        what acts is that of the other side.
+        For every force jump at the equilibrium: the state on its other side, and the weight of the forces on
+        that side.
     """
 
     state: State
@@ -106,7 +107,7 @@ class Equilibrium:
     share: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
 
     def observe(self, system: System) -> NDArray[np.float64]:
-        """All observations, in the order of ``system.layout.channels``; at a jump the mean that rests."""
+        """All channels, in the order of ``system.layout.channels``; at a jump the equilibrium mean."""
         return observe_mean(system, self.state, self.other_sides, self.share)
 
 
@@ -117,16 +118,16 @@ def find_equilibrium(
     *,
     tolerance: float = TOLERANCE,
 ) -> Equilibrium:
-    """Find the state at rest near a start.
+    """Find the equilibrium near an initial state.
 
     Parameters
     ----------
     system
-        The system; rows of drives are not taken into account (they prescribe motion, not rest).
+        The system; constraint rows of drives are ignored (they prescribe motion, not rest).
     start
-        Where to begin; velocities are kept as they are and may carry friction. Default: the initial state.
+        Initial state; its velocities are retained and define the friction. Default: the initial state.
     held
-        Coordinates to keep. Default: `free_spins`.
+        Coordinates to hold. Default: `free_spins`.
     tolerance
         Largest residual, relative to the loads.
 
@@ -137,7 +138,7 @@ def find_equilibrium(
     Raises
     ------
     SolverError
-        If no equilibrium is found: something moves without resistance, or the law has none.
+        If no equilibrium is found: a loaded direction is unconstrained, or a force law has no equilibrium.
     """
     state = (system.initial_state() if start is None else start).copy()
     state.a[:] = 0.0
@@ -162,7 +163,7 @@ def find_equilibrium(
         left = np.abs(found.residual / system.weight)[free]
         worst = system.layout.coordinates[int(free[np.argmax(left)])]
         raise SolverError(
-            f"no equilibrium found after {count} steps: {left.max():.3g} N are left over on "
+            f"no equilibrium found after {count} steps: {left.max():.3g} N are unbalanced on "
             f"{coordinate_source(system, worst)}; check loads and stiffness",
             failure,
             found.state,
@@ -175,7 +176,7 @@ def find_equilibrium(
 def _pseudo_time(
     system: System, state: State, free: NDArray[np.int64], tolerance: float
 ) -> tuple[Rest, int, int]:
-    """Iterate the free coordinates to rest; gives where it ended, steps, and 0 or the status of a failure."""
+    """Iterate the free coordinates to equilibrium; returns the result, step count and status (0: success)."""
     weight = 1.0 / system.weight  # residuals as forces
     R = evaluate.residual(system, state)
     mass, root, damping = None, np.zeros(0), np.zeros(R.size)
@@ -184,20 +185,20 @@ def _pseudo_time(
     wanted = tolerance * float(np.abs(R * weight).max(initial=0.0))
     tangent, started = Tangent(system, state), time.monotonic()
     swings = np.isin(free, tangent.joints)
-    passing: set[Surface] = set()  # surfaces that did not hold when they were tried last
+    passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
     mu = FIRST
     for count in range(MOST_ITERATIONS):
         whole = tangent.at(state, count)
-        # positions are rounded like 1 m and 1 rad: smaller residuals than the forces of that are out of reach
+        # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
         rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + 1.0) + damping)
         goal = np.maximum(rounded, wanted)[free]
         if (np.abs((R * weight)[free]) <= goal).all():
             return Rest(state, R), count, 0
-        if mass is None:  # a state that rests already has no use for it
+        if mass is None:  # not needed if the initial state is in equilibrium
             mass = rest_matrix(system, state, NEWTON, (1.0, 0.0, 0.0))[free][:, free]
             root = np.sqrt(mass.diagonal())
         pulled = whole[free][:, free] + mu * mass
-        if tangent.exact and not resists(pulled):  # Newton's step would go up, to an unstable equilibrium
+        if tangent.exact and not resists(pulled):  # the step would lead to an unstable equilibrium
             mu *= 8.0
             if mu > HEAVY:
                 tangent.refuse()
@@ -215,8 +216,8 @@ def _pseudo_time(
             mu *= 16.0
             continue
         left = float(np.linalg.norm(root * inverse(new[free])) / np.linalg.norm(root * step))
-        beyond = float(new[free] @ step) > 0.0  # the forces push back: the step went past the goal
-        # what swings down from above meets growing forces first
+        beyond = float(new[free] @ step) > 0.0  # the forces oppose the step: it went too far
+        # forces grow first on bodies that swing down from an unstable position
         if left < 0.9 or ((left <= GROWTH or tangent.exact) and not beyond):
             mu = max(mu * (0.1 if left < 0.5 else 0.5), 1e-3)
             state, R = trial, new
@@ -226,7 +227,7 @@ def _pseudo_time(
             rest = None if passing & {*surfaces} else rest_on_surfaces(system, state, surfaces, free, goal)
             if rest is not None and rest.holds:
                 return rest, count, 0
-            # a force across a jump does not measure the step that crosses it
+            # the residual beyond a jump does not measure the step across it
             state = trial if rest is None else rest.state
             R = evaluate.residual(system, state)
             passing = set() if rest is None else {*surfaces}
@@ -238,7 +239,7 @@ def _pseudo_time(
             and (found := rest_between(system, state, trial, free, goal)) is not None
         ):
             return found, count, 0
-        if length < TINY and not beyond:  # still more is left over: a jump that must be crossed
+        if length < TINY and not beyond:  # the residual still acts along the step: cross the jump
             state, R = trial, new
             continue
         mu *= 8.0
@@ -248,7 +249,7 @@ def _pseudo_time(
 
 
 def _wrapped(system: System, state: State) -> State:
-    """The same state with every spin as a remainder and whole turns."""
+    """Wrap every spin angle of a state into (-pi, pi] and whole turns; changes and returns the state."""
     for b in range(1, len(system.layout.bodies)):
         spin = int(system.program["body"][b]["spin"])
         if spin >= 0:
@@ -260,7 +261,7 @@ def _wrapped(system: System, state: State) -> State:
 
 
 def balancing_loads(system: System) -> list[int]:
-    """Records of the torques that the model leaves to balance all others."""
+    """Record indices of the balancing torques of the model."""
     loads = {} if system.model is None else system.model.loads
     torques = [load.torque for load in loads.values() if load.torque is not None]
     return [k for k, torque in enumerate(torques) if isinstance(torque, Balance)]
@@ -273,26 +274,26 @@ def balance_torques(
     driven: Sequence[int] = (),
     instants: tuple[NDArray[np.float64], NDArray[np.float64]] = NOW,
 ) -> tuple[System, tuple[int, ...], list[int]]:
-    """Fill in the torques that the model leaves to balance all others.
+    """Compute the balancing torques of the model.
 
-    Each is what holds its body at its angle in equilibrium, with the drives of its gear train let go.
+    Each is the holding torque of its body in equilibrium, with the drives of its gear train released.
 
     Parameters
     ----------
     system, state
-        The system and where to look for the equilibrium.
+        The system and the initial state of the iteration.
     held
-        Spins kept, one for every group of bodies that can turn freely.
+        Spins held, one for every group of bodies that can rotate freely.
     driven
-        Those of them whose motion is prescribed.
+        Spins among them whose motion is prescribed.
     instants
-        Instants [s] to which all spins turn at their speeds, and the weights of the torques found there.
+        Instants [s] to which all spins are advanced at their speeds, and the weights of the torques there.
 
     Returns
     -------
     tuple
-        The system with its torques, the spins of the balancing bodies, and the spins to keep from now on:
-        drives stay, other groups keep their balancing body.
+        The system with its torques, the spins of the balancing bodies, and the spins to hold afterwards:
+        drives, and the balancing body in the other groups.
 
     Raises
     ------
@@ -302,7 +303,7 @@ def balance_torques(
     wanted = balancing_loads(system)
     if not wanted:
         return system, (), list(held)
-    acting = system.records[LOAD]["i"]  # on a shaft it is the station where the torque acts
+    acting = system.records[LOAD]["i"]  # for a shaft: the station of the torque
     spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
     let_go = exchange_all(system, held, spins, state)
     found = find_equilibrium(system, state, let_go)
@@ -311,7 +312,7 @@ def balance_torques(
     for k, spin in zip(wanted, spins, strict=True):
         records["value"][k] = reaction[found.held.index(spin)]
     kept = list(complete(system, driven, let_go))
-    if is_looped(system):  # a train that continues through loops stays where its torques balance
+    if is_looped(system):  # trains joined through loops are held at their balancing bodies
         kept += [s for s in spins if s not in kept and is_independent(system, state, kept, s)]
     return system.with_params({LOAD: records}), tuple(spins), kept
 
@@ -319,9 +320,9 @@ def balance_torques(
 def _mean_reaction(
     system: System, found: Equilibrium, times: NDArray[np.float64], weights: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """Weighted mean of the reactions of an equilibrium whose spins turn on at their speeds.
+    """Weighted mean of the reactions over instants to which the spins are advanced at their speeds.
 
-    Instants without an equilibrium, such as those at a missing tooth, do not count.
+    Instants without an equilibrium, such as those at a missing tooth, are ignored.
     """
     if not times.any():
         return found.reaction
@@ -346,16 +347,16 @@ def solve_equilibrium(
     system
         The compiled model.
     angles
-        Spin angle at which bodies are held, by name [rad]; every group of bodies that could turn freely
-        needs one held body and takes its first otherwise.
+        Spin angle at which bodies are held, by name [rad]; every group of bodies that can rotate freely needs
+        one held body, by default its first.
     speeds
-        Speeds by body [rad/s] that friction and dampers see; default at rest.
+        Speeds by body [rad/s] for friction and dampers; default zero.
 
     Returns
     -------
     xarray.Dataset
-        All channels of the system (no dimension), the coordinates over `coordinate`, and the torque that
-        holds each kept spin over `held`.
+        All channels of the system (no dimension), the coordinates over `coordinate`, and the holding torque
+        of each held spin over `held`.
 
     Raises
     ------

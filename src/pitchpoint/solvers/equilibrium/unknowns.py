@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is unknown at rest: places of bodies, and the states of elements, which are among the rates.
+"""Unknowns of an equilibrium: positions of bodies, and states of elements, which are stored as rates.
 
-Large systems have sparse matrices here, small ones dense ones; both are used alike.
+Matrices are sparse for large systems and dense for small ones.
 """
 
 from __future__ import annotations
@@ -21,27 +21,27 @@ from pitchpoint.system.system import State, System
 Array = NDArray[np.float64]
 
 STATE = "state."
-"""How the names of the hidden bodies of signals begin."""
+"""Prefix of the names of the hidden bodies of signals."""
 SLIGHT = 1e-3
-"""Influence of a place on the rate of a state, over that of the speeds, up to which it is neglected: the axis
-of a shaft that bends is sensed at a small tilt."""
+"""Influence of a position on the rate of a state, relative to that of the speeds, up to which it is
+neglected: sensors on a bending shaft measure along a slightly tilted axis."""
 ROUNDING = 8 * 2.2e-16
-"""Rounding of a force relative to its terms, also of one caused by a place: as many add up at a body."""
+"""Relative rounding error of a force, from forces or positions, for about eight terms per body."""
 GROWTH = 1.01
-"""Factor by which the step that would follow may grow over an accepted one: in the gap nothing gets less."""
+"""Factor by which the next step may exceed an accepted one: within backlash steps do not decrease."""
 LARGE = 300
-"""Coordinates from which matrices are sparse (SciPy, which takes a fifth of a second to import)."""
+"""Number of coordinates from which matrices are sparse (importing SciPy takes a fifth of a second)."""
 REGULAR = 1e13
-"""Condition number up to which a matrix is inverted as it is; beyond it singular parts are excluded."""
+"""Condition number up to which a matrix is inverted; beyond it the pseudo-inverse is used."""
 
 
 def slopes(system: System, state: State, jac: int) -> Array:
-    """Derivative of the residual at rest by places and states, shape (nd, nd).
+    """Derivative of the static residual with respect to positions and states, shape (nd, nd).
 
     Parameters
     ----------
     system, state
-        Where.
+        The system and the state to evaluate.
     jac
         `residual.NEWTON` or `residual.EXACT`.
     """
@@ -69,7 +69,7 @@ def rest_matrix(system: System, state: State, jac: int, factors: tuple[float, fl
 
 
 def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
-    """Function that solves A x = b in the scale of the masses; directions that nothing resists stay at zero.
+    """Function that solves A x = b in mass scaling; components in singular directions are zero.
 
     Parameters
     ----------
@@ -94,7 +94,7 @@ def inverse_of(A: Any, root: Array) -> Callable[[Array], Array]:
 
 
 def _sparse_inverse(A: Any, root: Array) -> Callable[[Array], Array] | None:
-    """The same by sparse elimination; none if the matrix is singular."""
+    """`inverse_of` by sparse factorisation; None if the matrix is singular."""
     from scipy.sparse import diags_array
     from scipy.sparse.linalg import splu
 
@@ -110,7 +110,7 @@ def _sparse_inverse(A: Any, root: Array) -> Callable[[Array], Array] | None:
 
 
 def signal_states(system: System) -> NDArray[np.int64]:
-    """Coordinates whose rates are states of signals: those of filters, integrals, transfer functions."""
+    """Coordinates whose rates are states of signals: filters, integrators, transfer functions."""
     if not system.kinds(SIGNAL):
         return np.zeros(0, np.int64)
     found = [k for k in system.states if system.layout.coordinates[int(k)].startswith(STATE)]
@@ -120,13 +120,13 @@ def signal_states(system: System) -> NDArray[np.int64]:
 def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> NDArray[np.int64]:
     """States of signals whose rates do not depend on free coordinates, such as the integral of a speed error.
 
-    They cannot be brought to rest and keep their values. Limits do not count: an integral that comes to rest
-    only because a controller tracks its limit has not found anything.
+    They have no equilibrium and retain their values. Limits are ignored: an integrator that is constant only
+    because its controller is saturated (anti-windup) is not in equilibrium.
 
     Parameters
     ----------
     system, state
-        Where.
+        The system and the state to evaluate.
     free
         Coordinates that may change.
     """
@@ -141,7 +141,7 @@ def unsettled_states(system: System, state: State, free: NDArray[np.int64]) -> N
 
 
 def _without_limits(system: System) -> System:
-    """The same system with signals that no limits keep."""
+    """Copy of the system without signal limits."""
     kind = system.kinds(SIGNAL)[0]
     records = system.records[kind].copy()
     kept = records["op"] == SATURATION
@@ -150,7 +150,7 @@ def _without_limits(system: System) -> System:
 
 
 def step_on(system: System, state: State, free: NDArray[np.int64], step: NDArray[np.float64]) -> State:
-    """The state with some coordinates moved; those that hold states change their rates."""
+    """Copy of a state after a step of the free coordinates; for element states the rates change."""
     found = state.copy()
     holds = np.isin(free, system.states)
     found.q[free[~holds]] += step[~holds]

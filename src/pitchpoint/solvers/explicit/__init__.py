@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Explicit methods: equal steps of fourth order, Dormand-Prince with step control."""
+"""Explicit methods: fixed-step methods of fourth order, and Dormand-Prince methods with step control."""

@@ -17,17 +17,17 @@ Array = NDArray[np.float64]
 
 
 class Pair(NamedTuple):
-    """One embedded pair; the derivative at the end of a step is the last stage that `E` weighs.
+    """Coefficients of an embedded pair; the last stage weighted in `E` is the derivative at the new state.
 
     Parameters
     ----------
     A
-        Weights of the stages, one row each; the row of the last stage makes the new state. Further rows are
+        Weights of the stages, one row each; the row of the last stage gives the new state. Further rows are
         stages of the dense output only.
     C
-        Times of the stages as shares of the step.
+        Times of the stages as fractions of the step.
     E
-        Weights of the error; a second row belongs to the error of third order (all zero: not used).
+        Weights of the error estimate; the second row is the third-order error (all zero: not used).
     D
         Weights of the higher coefficients of the dense output.
     order

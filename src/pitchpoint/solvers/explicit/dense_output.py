@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where within a step of an adaptive method events lie: its dense output, and the search for sign changes."""
+"""Dense output of adaptive methods, and location of events (sign changes) within a step."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pitchpoint.system.workspace import MACH
 
 @kernel
 def interpolate(at, x, n):
-    """Put the state at the share x of the step into the workspace; n coefficients."""
+    """Interpolate the state at the fraction x of the step into the workspace; n coefficients."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
@@ -33,10 +33,11 @@ def interpolate(at, x, n):
 
 @kernel
 def _estimate(a, b, low, high, most):
-    """Where to look next for a sign change between a and b, at most `most` from the middle (the ITP method).
+    """Next trial point for a sign change between a and b, at most `most` from the middle (ITP method).
 
-    The chord, moved a little towards the middle, so that the far end follows: I. F. D. Oliveira,
-    R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2020), no. 5, with kappa_1 0.2, kappa_2 2.
+    The secant point, shifted slightly towards the middle so that both ends of the bracket move:
+    I. F. D. Oliveira, R. H. C. Takahashi, ACM Trans. Math. Softw. 47 (2020), no. 5, with kappa_1 0.2,
+    kappa_2 2.
     """
     middle = 0.5 * (a + b)
     chord = b - high * (b - a) / (high - low)
@@ -48,9 +49,9 @@ def _estimate(a, b, low, high, most):
 
 @kernel
 def _locate(at, t, h, n, k, low, high):
-    """Share of the step, just behind the sign change of event function k, to rounding of the time.
+    """Fraction of the step just after the sign change of event function k, to rounding of the time.
 
-    Takes one evaluation more than halving would, at most, whatever the function: contact may jump.
+    Needs at most one evaluation more than bisection, even for discontinuous functions such as contact.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -58,7 +59,7 @@ def _locate(at, t, h, n, k, low, high):
     a = 0.0
     b = 1.0
     close = 1e-13 * max(abs(t), abs(h)) / abs(h)
-    room = 0.5 * close  # half the largest bracket from which halving ends in time
+    room = 0.5 * close  # half of the largest bracket for which the remaining bisections suffice
     while room < 1.0:
         room *= 2.0
     while b - a > close and room > 0.1 * close:
@@ -81,9 +82,9 @@ def _locate(at, t, h, n, k, low, high):
 
 @kernel
 def find_events(at, t, h, dense, found, n, wanted):
-    """Find all sign changes of the step, in order of the functions; returns count and the earliest share.
+    """Find all sign changes in the step, by function; returns their count and the earliest step fraction.
 
-    wanted: address of a flag per function, 0: it does not count; 0 if all do.
+    wanted: address of one flag per function (0: ignored), or 0 if all functions count.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -117,9 +118,10 @@ def find_events(at, t, h, dense, found, n, wanted):
 
 @kernel
 def events_up_to(at, end, share, dense, found, before, n):
-    """Drop the events of a step that have not happened where it is cut; returns the number of records.
+    """Discard the events after the time at which a step is cut; returns the number of records.
 
-    Several functions may change sign at one instant, located a little apart: all that have changed count.
+    Several functions may change sign simultaneously, with slightly different located times: all functions
+    that have changed sign at the cut are retained.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]

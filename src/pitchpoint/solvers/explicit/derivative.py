@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What explicit methods share: the derivative of the state, stages in the workspace."""
+"""Common parts of the explicit methods: derivative of the state, stages in the workspace."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from pitchpoint.system.linear import solve, solve_acceleration
 from pitchpoint.system.residual import FORCES, residual
 from pitchpoint.system.workspace import EVALUATIONS, MACH, STAGE_ROWS, VALID
 
-#: Rows of `stage`: 16 stages, state before and after the step, coefficients of the dense output; all in all.
+#: Rows of `stage` after the 16 stages: state before and after the step, dense output; number of rows.
 OLD, NEW, DENSE, ROWS = 16, 17, 18, STAGE_ROWS
-#: Slot of `real` with the time whose slope is in the first row of the stages; it outlives a call.
+#: Slot of `real` with the time of the derivative in the first row of the stages; valid across calls.
 SLOPE_AT = 5
 
 
 @kernel
 def slope(at, t, k, rate):
-    """Derivative of the state in the workspace into row k of the stages."""
+    """Store the derivative of the state in the workspace in row k of the stages."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]

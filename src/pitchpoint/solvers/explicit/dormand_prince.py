@@ -32,15 +32,15 @@ from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.residual import evaluate_events, wrap
 from pitchpoint.system.workspace import MACH, REJECTED, STEPS, VALID
 
-# slots of `real` that outlive a call
+# slots of `real` that are retained between calls
 STEP_SIZE, LAST_ERROR, TIME = 2, 3, 4
-# places in the tolerances: relative, of positions, of rates; pull on constraint drift, largest step
+# indices of the tolerances: relative, positions, rates; Baumgarte rate, largest step
 RTOL, ATOL, ATOL_RATE, RATE, LARGEST = range(5)
 
 
 @kernel
 def _stages(at, t, h, rate, A, C, begin, end, last):
-    """Stages `begin` to `end` - 1 from the ones before; stage `last` is at the new state, row NEW."""
+    """Compute stages `begin` to `end` - 1; stage `last` is at the new state, which is stored in row NEW."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
@@ -65,9 +65,10 @@ def _stages(at, t, h, rate, A, C, begin, end, last):
 
 @kernel
 def _error(at, h, E, rtol, atol, atol_rate):
-    """Error of the step in units of the tolerance, root mean square over all coordinates and rates.
+    """Error of the step in units of the tolerance, rms over all coordinates and rates.
 
-    With two rows of E the errors e of fifth and d of third order make |e|^2 / sqrt(|e|^2 + 0.01 |d|^2).
+    With two rows of E, from the fifth-order error e and the third-order error d:
+    |e|^2 / sqrt(|e|^2 + 0.01 |d|^2).
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -99,7 +100,7 @@ def _error(at, h, E, rtol, atol, atol_rate):
 
 @kernel
 def _prepare_dense(at, h, D, last):
-    """Coefficients of the interpolant of the step just made; returns their number."""
+    """Compute the dense output coefficients of the step; returns their number."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
@@ -119,19 +120,19 @@ def _prepare_dense(at, h, D, last):
 
 @kernel
 def _stop(at, status):
-    """Go back to the state before a step that cannot be finished."""
+    """Restore the state before a failed step; returns the status."""
     bring_state(at, OLD)
     return status
 
 
 @kernel(inline=True)
 def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, recorder):
-    """Go from t to t_end with step control; `pair` holds the coefficients (`explicit.coefficients.Pair`).
+    """Integrate from t to t_end with step control; `pair`: coefficients (`explicit.coefficients.Pair`).
 
-    tol: see the places above. grid: time of sample 0, distance of samples (0: none); rows are stored and
-    statistics fed at grid times. ends: whether to begin anew at every event (0: no), and the address of a
-    flag per event function, 0: it does not count; 0 if all do. The time reached and the next step size stay
-    in `real`.
+    tol: see the indices above. grid: time of sample 0, sample period (0: none); rows are stored and
+    statistics updated at grid times. ends: restart at every event (0: no), and the address of one flag per
+    event function (0: ignored), or 0 if all functions count. The time reached and the next step size are
+    stored in `real`.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -150,7 +151,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, recorder):
     watch = ne > 0 and found.shape[0] > 0
     restart = ends[0]
     real[TIME] = t
-    if real[SLOPE_AT] != t:  # else it is still there: a run cut into chunks has the same bits
+    if real[SLOPE_AT] != t:  # reuse it across chunks: chunked runs are bitwise identical
         status = slope(at, t, 0, rate)
         if status != OK:
             return status
@@ -180,7 +181,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, recorder):
             bring_state(at, OLD)
             if not real[STEP_SIZE] > 1e-14 * max(abs(t), 1e-9):
                 return STEP_UNDERFLOW if status == OK else status
-            c["bad"] = -1  # a shorter step may do without what this one met
+            c["bad"] = -1  # the retry with a shorter step may succeed
             c["badkind"] = -1
             continue
         end = t_end if last else t + h
@@ -227,7 +228,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, recorder):
         wrap(at)
         clock[STEPS] += 1
         done[0] += 1
-        # the exponents of DOPRI5 damp the change of the step, those of DOP853 do not
+        # PI step size control, beta = 0.04 as in DOPRI5; DOP853 uses beta = 0
         damped = 0.04 if pair.order < 8.0 else 0.0
         growth = (
             max(error, 1e-10) ** (0.75 * damped - 1.0 / pair.order) * max(real[LAST_ERROR], 1e-4) ** damped
@@ -241,7 +242,7 @@ def advance_adaptive(at, t, t_end, pair, tol, grid, most, ends, recorder):
     return status
 
 
-#: Arguments of `advance_adaptive` from Python: times, order of the method, addresses and sizes of its arrays.
+#: Arguments of `advance_adaptive` from Python: times, method order, addresses and sizes of the arrays.
 ORDER = np.dtype(
     [
         *((name, "f8") for name in ("t", "t_end", "sample_zero", "sample", "order")),
@@ -254,7 +255,7 @@ ORDER = np.dtype(
 
 @kernel
 def entry(at, order, recorder):
-    """Carry out an ORDER; both arguments are addresses of records."""
+    """Execute an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     n = o["stages"]
     pair = Pair(
@@ -277,12 +278,12 @@ def adaptive_order(
     most: int,
     ends: tuple[bool, int],
 ) -> NDArray[np.void]:
-    """ORDER record, shape (1,); it holds addresses of the arrays given here.
+    """ORDER record, shape (1,), with addresses of the given arrays: they must outlive it.
 
     Parameters
     ----------
     times
-        Present time, end, time of sample 0, distance of samples [s].
+        Present time, end time, time of sample 0, sample period [s].
     pair, tolerances, most, ends
         As in `advance_adaptive`.
     """

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Equal explicit steps of fourth order: the classical method with four evaluations a step, Adams' with one.
+"""Fixed-step explicit methods of fourth order: Runge-Kutta with four evaluations per step, Adams with one.
 
-Both know the slope at the state they begin with, and end with that of the state they reach, so that what is
-observed there costs no evaluation of its own. Adams' method takes places from a parabola through the last
-three accelerations, integrated twice, and forces at the place reached and at rates foretold; the rates then
-follow from a cubic through the new acceleration as well. Its first steps are classical. On a linear
-oscillator the roots of its difference equation lie within the unit circle up to h omega = 1.414 without
-damping, 0.896 at a tenth of critical damping.
+Both start from the derivative at the old state and end with the derivative at the new state, so that channels
+at the new state need no extra evaluation. The Adams method integrates a parabola through the last three
+accelerations twice for the positions, and evaluates the forces at the new positions and predicted rates; the
+rates are then corrected with a cubic that includes the new acceleration. Its first steps are Runge-Kutta
+steps. For a linear oscillator the roots of its difference equation are within the unit circle up to
+h omega = 1.414 without damping, and up to 0.896 with a damping ratio of 0.1.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from pitchpoint.system.residual import ALL, SOONER, observe, observe_bodies, obs
 from pitchpoint.system.workspace import MACH, RECHARTED, STEPS
 
 CLASSICAL, ADAMS = 0, 1
-#: Rows of the stages with the accelerations of the state before the step, and of the two before that.
+#: Rows of the stages with the accelerations of the last three states.
 LAST, FORMER, FIRST = 4, 5, 6
-#: Slot of `real`: of how many states of the past, a step apart, accelerations are known; how many it takes.
+#: Slot of `real` with the number of past accelerations, one step apart; number required by the Adams method.
 PAST = 6
 NEEDED = 2
 
@@ -38,7 +38,7 @@ ORDER = np.dtype(
 
 @kernel
 def _classical(at, t, h, rate):
-    """One step of the classical method from the state and slope in the workspace to the state at t + h."""
+    """One Runge-Kutta step from the state and derivative in the workspace to the state at t + h."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
@@ -62,7 +62,7 @@ def _classical(at, t, h, rate):
 
 @kernel
 def _predict(at, h):
-    """Places of the next state for good, and its rates as far as forces need them, from three accelerations.
+    """Final positions and predicted rates of the next state from three accelerations.
 
     The parabola through them gives q + h v + h^2 (19 a_n - 10 a_n-1 + 3 a_n-2) / 24 and
     v + h (23 a_n - 16 a_n-1 + 5 a_n-2) / 12 (Adams and Bashforth).
@@ -80,7 +80,7 @@ def _predict(at, h):
 
 @kernel
 def _correct(at, h):
-    """Rates of the state reached: v + h (9 a_n+1 + 19 a_n - 5 a_n-1 + a_n-2) / 24 (Adams and Moulton)."""
+    """Corrected rates: v + h (9 a_n+1 + 19 a_n - 5 a_n-1 + a_n-2) / 24 (Adams and Moulton)."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
@@ -93,7 +93,7 @@ def _correct(at, h):
 
 @kernel
 def _age(at):
-    """The acceleration of the state at hand becomes one of the past."""
+    """Shift the acceleration history by one step."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     stage = view(view(c["mach"], 1, MACH)[0]["stage"], (ROWS, 2 * nd), F8)
@@ -105,10 +105,10 @@ def _age(at):
 
 @kernel(inline=True)
 def advance_equal(at, t0, first, n, h, rate, method, recorder):
-    """Take n equal steps; arguments as in `generalized_alpha.advance`, rate pulls constraint drift back.
+    """Take n fixed steps; arguments as in `generalized_alpha.advance`, and the Baumgarte rate.
 
-    Where a row is due, elements write their observations while their forces are summed for the next slope:
-    with the rates and accelerations that belong together.
+    If a row is due, elements write their channels while their forces are summed for the next derivative, so
+    that the rates and accelerations of the channels are consistent.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -118,7 +118,7 @@ def advance_equal(at, t0, first, n, h, rate, method, recorder):
         before = t0 + (first + k - 1) * h
         t = t0 + (first + k) * h
         status = OK
-        if real[SLOPE_AT] != before:  # else it is still there: a run cut into chunks has the same bits
+        if real[SLOPE_AT] != before:  # reuse it across chunks: chunked runs are bitwise identical
             status = slope(at, before, 0, rate)
             real[PAST] = 0.0
         several = method == ADAMS and real[PAST] >= NEEDED
@@ -151,7 +151,7 @@ def advance_equal(at, t0, first, n, h, rate, method, recorder):
         if several:
             _correct(at, h)
             wrap(at)
-        if clock[RECHARTED] != charts:  # accelerations of the past are those of other coordinates
+        if clock[RECHARTED] != charts:  # the history refers to the old rotation chart
             real[PAST] = 0.0
             if several:
                 real[SLOPE_AT] = math.nan
@@ -168,7 +168,7 @@ def advance_equal(at, t0, first, n, h, rate, method, recorder):
 
 @kernel
 def entry(at, order, recorder):
-    """Take the steps of an ORDER; both are addresses of records."""
+    """Execute an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     found = recorder_at(recorder)
     return advance_equal(at, o["t0"], o["first"], o["n"], o["h"], o["rate"], o["method"], found)

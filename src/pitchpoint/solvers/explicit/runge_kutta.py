@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Explicit runs on the same residual: `explicit.equal_steps`, and `explicit.dormand_prince`.
+"""Explicit integration of a system with `explicit.equal_steps` and `explicit.dormand_prince`.
 
-Constraint rows are kept on the level of accelerations; their drift is pulled back (Baumgarte).
+Constraints are enforced at acceleration level with Baumgarte stabilization against drift.
 """
 
 from __future__ import annotations
@@ -36,23 +36,22 @@ from pitchpoint.system.workspace import VALID
 
 @dataclass
 class ExplicitRun:
-    """An explicit integration under way. Made by `start_classical` or `start_adaptive`.
+    """Running explicit integration. Created by `start_classical`, `start_adams` or `start_adaptive`.
 
     Parameters
     ----------
     system
-        The system; its workspace holds the state.
+        The system; its workspace contains the state.
     h
-        Step [s] of a method with equal steps; 0 for the adaptive one.
+        Step [s] of a fixed-step method; 0 for the adaptive one.
     tolerances
-        rtol [-], atol [m], atol_rate [m/s], rate at which constraint drift is pulled back [1/s], largest step
-        [s].
+        rtol [-], atol [m], atol_rate [m/s], Baumgarte rate [1/s], largest step [s].
     pair
         Coefficients of the adaptive method.
     counts
-        Flags of `watch`; none: all events count.
+        Flags of `watch`; empty: all events count.
     method
-        Number of a method with equal steps.
+        Code of the fixed-step method.
     """
 
     system: System
@@ -80,9 +79,9 @@ class ExplicitRun:
         events: int = 0,
         picked: NDArray[np.int64] | None = None,
     ) -> Chunk:
-        """Take n equal steps; arguments as in `generalized_alpha.Run.advance`.
+        """Take n fixed steps; arguments as in `generalized_alpha.Run.advance`.
 
-        The samples hold the channels `picked` alone, if any are.
+        Samples contain the channels `picked`, or all channels if none are picked.
         """
         room = n // every + 1 if every else 0
         recorder = new_recorder(
@@ -103,15 +102,12 @@ class ExplicitRun:
         return self._checked(done)
 
     def change_step(self, h: float) -> None:
-        """Continue with another equal step from here."""
+        """Change the step from the present time on."""
         self.t0, self.steps, self.h = self.t, 0, h
-        self.system.workspace.arrays["real"][PAST] = 0.0  # which lies one old step apart
+        self.system.workspace.arrays["real"][PAST] = 0.0  # the history is spaced at the old step
 
     def watch(self, functions: NDArray[np.int64]) -> None:
-        """Let events of the adaptive method count of functions with a flag only, shape (ne,).
-
-        All count without it.
-        """
+        """Restrict the events of the adaptive method to the flagged functions, shape (ne,); default all."""
         self.counts = functions
 
     def advance_to(
@@ -124,16 +120,16 @@ class ExplicitRun:
         restart: bool = False,
         most: int = 1_000_000_000,
     ) -> Chunk:
-        """Go to a time with step control.
+        """Integrate to a time with step control.
 
         Parameters
         ----------
         sample
-            Distance of samples [s], counted from the start of the run; statistics are fed at the same times.
+            Sample period [s], from the start of the run; statistics are updated at the same times.
         events
-            Most events to record; their times are located on the dense output.
+            Maximum number of events to record; their times are located on the dense output.
         restart
-            Begin a new step at every event.
+            Start a new step at every event.
         most
             Maximum number of steps of this call; `t` is the time reached.
         """
@@ -151,7 +147,7 @@ class ExplicitRun:
         return self._checked(done)
 
     def _checked(self, done: Chunk) -> Chunk:
-        """The chunk, its status INCONSISTENT if a repeated row contradicts the others."""
+        """The chunk, with status INCONSISTENT if a redundant constraint row contradicts the others."""
         return replace(done, status=rows_agree(self.system, self.t)) if done.status == OK else done
 
     def state(self) -> State:
@@ -173,24 +169,24 @@ def _start(system: System, state: State, rate: float) -> None:
 
 
 def start_classical(system: System, state: State, h: float, *, rate: float = 200.0) -> ExplicitRun:
-    """Begin a run of the classical fourth-order method; parameters as in `start_adams`."""
+    """Start a run of the classical fourth-order Runge-Kutta method; parameters as in `start_adams`."""
     return _start_equal(system, state, h, rate, CLASSICAL)
 
 
 def start_adams(system: System, state: State, h: float, *, rate: float = 200.0) -> ExplicitRun:
-    """Begin a run of Adams' method for places and rates: fourth order, one evaluation of the forces per step.
+    """Start a run of the fourth-order Adams method, with one force evaluation per step.
 
-    The first two steps, and two after every jump of the forces that a controller makes, are classical ones.
+    The first two steps, and two after every jump of the forces by a controller, are Runge-Kutta steps.
 
     Parameters
     ----------
     system, state
-        What to integrate and from where.
+        The system and its initial state.
     h
-        Step [s], > 0; stable up to 1.4 over the largest natural frequency [rad/s], 0.9 with a tenth of
-        critical damping there.
+        Step [s], > 0. Stability limit: 1.4 / omega_max [rad/s] without damping, 0.9 / omega_max with a
+        damping ratio of 0.1.
     rate
-        Rate at which drift of constraints is pulled back [1/s].
+        Baumgarte rate of the constraint stabilization [1/s].
     """
     return _start_equal(system, state, h, rate, ADAMS)
 
@@ -215,23 +211,22 @@ def start_adaptive(
     rate: float = 200.0,
     order: int | None = None,
 ) -> ExplicitRun:
-    """Begin a run of Dormand-Prince 5(4) or 8(5,3) with step control.
+    """Start a run of Dormand-Prince 5(4) or 8(5,3) with step control.
 
     Parameters
     ----------
     system, state
-        What to integrate and from where.
+        The system and its initial state.
     rtol
         Relative tolerance of rates and displacements (not of spins).
     atol, atol_rate
-        Absolute tolerances as lengths [m] and velocities [m/s]; angles count with the weight of the system.
+        Absolute tolerances as lengths [m] and velocities [m/s]; angles are scaled by the system weights.
     first_step
         First trial step [s].
     largest_step
-        Longest step [s]: a load that comes and goes within a step, or an event that happens twice, is not
-        seen.
+        Longest step [s]: a load pulse within one step, or two events of one function, may be missed.
     rate
-        Rate at which drift of constraints is pulled back [1/s].
+        Baumgarte rate of the constraint stabilization [1/s].
     order
         5 or 8; default 8 for rtol up to 1e-7, where it needs half the evaluations.
     """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Implicit steps: Newton iterations, and the generalised-alpha method."""
+"""Implicit methods: Newton iterations and the generalised-alpha method."""

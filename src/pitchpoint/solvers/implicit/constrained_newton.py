@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Newton iteration of an implicit step that may hold constraints on positions and on rates.
+"""Newton iteration of an implicit step with constraints at position level, or at position and velocity level.
 
-A correction x moves coordinates, rates and accelerations by x, cd x and cm x; it solves A x + G^T y = -R with
-A = cm M + cd D + K. With constraints on positions alone (form I3) G x = -g. The stabilised form of Gear,
-Gupta and Leimkuhler has q' = v + G^T mu in addition, so positions and rates are corrected separately:
+A correction x changes coordinates, rates and accelerations by x, cd x and cm x; it solves A x + G^T y = -R
+with A = cm M + cd D + K. With constraints at position level only (form I3), G x = -g. The stabilised form of
+Gear, Gupta and Leimkuhler has q' = v + G^T mu in addition, so positions and rates are corrected separately:
 
     G x = -(G v + gt) / cd,   dq = x + G^T m,   G G^T m = -g + (G v + gt) / cd,   mu = cd m
 
-m is mu over cd, and y goes with A: both multipliers are scaled by the step (mu by h, lambda by h^2) without a
-scaling of rows, because the two Schur complements G G^T and G A^-1 G^T are solved one after the other.
-Neither takes part in the test of convergence: mu is round-off over h, and lambda what the forces need.
+m is mu over cd, and y scales with A: both multipliers are scaled by the step (mu by h, lambda by h^2) without
+row scaling, because the two Schur complements G G^T and G A^-1 G^T are solved in sequence. The multipliers
+are not part of the convergence test: mu is round-off over h, and lambda follows from the forces.
 
 Sources: C. W. Gear, B. Leimkuhler, G. K. Gupta, J. Comp. Appl. Math. 12-13 (1985) 77-90; scaling:
 L. R. Petzold, P. Lotstedt, SIAM J. Sci. Stat. Comput. 7 (1986) 720-733; stopping by the rate of contraction:
@@ -44,18 +44,18 @@ from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, VALID
 
 MOST_ITERATIONS = 8
 DRIFT = 0.1
-"""Relative change of cd up to which a matrix is kept."""
+"""Relative change of cd up to which a matrix is reused."""
 AGED = 0.25
-"""Contraction rate from which the next step is not left to the matrix of this one."""
+"""Contraction rate from which the next step needs a new matrix."""
 SMALL = 0.5
-"""Share of the tolerance below which a correction is taken whatever the rate: it may be round-off."""
+"""Fraction of the tolerance below which a correction is accepted at any rate: it may be round-off."""
 STUCK = 10.0
-"""Multiple of the tolerance that is taken when not even a new matrix makes corrections smaller."""
+"""Multiple of the tolerance up to which a correction is accepted that a new matrix does not reduce."""
 
 _ARRAYS: tuple[tuple[str, str, tuple[str, ...]], ...] = (
-    ("per_q", "f8", ("nd",)),  # one over the tolerance of each coordinate
-    ("per_v", "f8", ("nd",)),  # and of each rate; zero: not looked at
-    ("e", "f8", ("nd",)),  # what the position rows add to a correction
+    ("per_q", "f8", ("nd",)),  # reciprocal tolerance of each coordinate
+    ("per_v", "f8", ("nd",)),  # and of each rate; zero: not tested
+    ("e", "f8", ("nd",)),  # contribution of the position rows to a correction
     ("Y", "f8", ("nc", "nd")),
     ("S", "f8", ("nc", "nc")),
     ("diag", "f8", ("nc",)),
@@ -73,9 +73,9 @@ ITERATION = np.dtype(
         ("t", "f8"),
         ("cm", "f8"),
         ("cd", "f8"),
-        ("kept", "f8"),  # cd of the matrix at hand
-        ("stabilised", "i8"),  # 0: rows hold on positions, 1: on positions and rates
-        ("patience", "i8"),  # iterations of Newton's own method, with a matrix each, before it gives up
+        ("kept", "f8"),  # cd of the present matrix
+        ("stabilised", "i8"),  # 0: rows at position level, 1: at position and velocity level
+        ("patience", "i8"),  # maximum number of full Newton iterations, with a new matrix each
         *((name, "i8") for name, _, _ in _ARRAYS),
     ],
     align=True,
@@ -83,16 +83,16 @@ ITERATION = np.dtype(
 
 
 def new_iteration(nd: int, nc: int, stabilised: bool, patience: int) -> tuple[NDArray[np.void], list[Any]]:
-    """ITERATION record, shape (1,), and the arrays it points to, which must live as long.
+    """ITERATION record, shape (1,), and the arrays it refers to, which must outlive it.
 
     Parameters
     ----------
     nd, nc
         Number of coordinates and of constraint rows.
     stabilised
-        Whether rates obey the rows, too.
+        Whether the constraints hold at velocity level, too.
     patience
-        Iterations with a matrix each that a step may take.
+        Maximum number of full Newton iterations per step.
     """
     sizes = {"nd": nd, "nc": nc}
     arrays = {name: np.zeros([sizes[d] for d in shape], dtype) for name, dtype, shape in _ARRAYS}
@@ -105,7 +105,7 @@ def new_iteration(nd: int, nc: int, stabilised: bool, patience: int) -> tuple[ND
 
 @kernel
 def _factor_rows(at, where):
-    """Factor G G^T, with the same care for rows that repeat others."""
+    """Factorise G G^T with detection of redundant rows."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     n = view(where, 1, ITERATION)[0]
@@ -125,7 +125,7 @@ def _factor_rows(at, where):
 
 @kernel
 def _split_rows(at, where):
-    """Correction e of the positions by their rows; leaves the rows of the rates as right-hand side."""
+    """Compute the correction e of the positions; sets the velocity-level rows as right-hand side."""
     c = view(at, 1, CTL)[0]
     n = view(where, 1, ITERATION)[0]
     nd = c["nd"]
@@ -160,7 +160,7 @@ def _split_rows(at, where):
     mu = view(n["mu"], nc, F8)
     for r in range(nc):
         mu[r] += n["cd"] * y[r]
-    for i in range(nd):  # along the rows of here: those of the matrix would push the state along its motion
+    for i in range(nd):  # use the present rows: those of an old matrix would shift the state along its motion
         s = 0.0
         for r in range(nc):
             s += G[r, i] * y[r]
@@ -202,7 +202,7 @@ def _move(at, where):
 
 @kernel
 def iterate(at, where, spare):
-    """Iterate one step to acceptance; q, v, a, lam hold the prediction and become the solution."""
+    """Iterate one step to convergence; q, v, a, lam contain the prediction and become the solution."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     n = view(where, 1, ITERATION)[0]
@@ -234,7 +234,7 @@ def iterate(at, where, spare):
                 _factor_rows(at, where)
             clock[VALID] = 1
             n["kept"] = n["cd"]
-            real[0] = min(real[0], 0.1)  # a fresh matrix earns new trust
+            real[0] = min(real[0], 0.1)  # reset the rate for the new matrix
             last = -1.0
             count = 0
         if n["stabilised"] != 0:
@@ -249,13 +249,13 @@ def iterate(at, where, spare):
         if last > 0.0:
             real[0] = max(size / last, 1e-4)
         theta = real[0]
-        known = last > 0.0 or size <= 1.0  # a large correction shows its rate by the next one
+        known = last > 0.0 or size <= 1.0  # the rate of a large correction must be measured
         if theta > TRUSTED and last < 0.0 and stale(at, n["cm"], theta):
             last = size
             continue
         if size <= SMALL or (known and theta < 1.0 and size * theta <= 1.0 - theta):
             if count > 3 or (last > 0.0 and theta > AGED):
-                clock[VALID] = 0  # the next step gets a matrix of its own
+                clock[VALID] = 0  # the next step needs a new matrix
             return OK
         if full > 1 and size <= STUCK and size > SLOW_RATE * last:
             return OK
@@ -276,5 +276,5 @@ def iterate(at, where, spare):
 
 @kernel
 def constrained_step(at, where, iteration):
-    """Iterate through the address of `iterate`: its code is compiled once and not again in every driver."""
+    """Call `iterate` through its address, so that it is not compiled again in every driver."""
     return call(iteration, at, where, 0)

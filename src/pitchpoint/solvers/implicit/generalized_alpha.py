@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Implicit time loop: generalised-alpha of Arnold and Bruels with a modified Newton iteration.
+"""Implicit time loop: generalised-alpha method of Arnold and Bruels with a modified Newton iteration.
 
-Constraints hold on positions (index 3), multipliers are unknowns of the step; `newton` has the iteration.
-In the stabilised form (index 2) they hold on rates, too: q' = v + G^T mu, by the iteration of
-`constrained_newton`, which is reached through an address and compiled only where it is used.
+Constraints are enforced at position level (index 3) with the multipliers as unknowns of the step; the
+iteration is in `newton`. The stabilised form (index 2) enforces them at velocity level, too, with
+q' = v + G^T mu; its iteration in `constrained_newton` is called through an address and compiled on demand.
 
 Source: M. Arnold, O. Bruels, Convergence of the generalized-alpha scheme for constrained mechanical systems,
 Multibody System Dynamics 18 (2007) 185-202. Second order; damping of high frequencies is set by rho_inf.
@@ -32,19 +32,20 @@ from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
 
 MOST_MATRICES = 12
-"""Iterations of the stabilised form with a matrix each."""
+"""Maximum number of full Newton iterations of the stabilised form."""
 ROUND_OFF = 4e-15
-"""Least tolerance over the size of the machine [m], and of angles [rad]: some units of rounding."""
+"""Smallest tolerance relative to the size of the machine [m], and for angles [rad]: a few rounding units."""
 JOLT = 2e-3
-"""Acceleration that the iteration may leave over where there are rows [m/s^2]: a length that is nothing in a
-position is a force in the multipliers, over the square of a short step, and adds up in the rates."""
+"""Largest acceleration error of the iteration in systems with constraints [m/s^2]: a negligible position
+error, divided by the square of a short step, is a significant force in the multipliers and accumulates in the
+rates."""
 
 
 @kernel(inline=True)
 def advance(at, t0, first, n, h, rho, tol, iteration, code, recorder):
-    """Take n steps; t of step k is t0 + (first + k) h; a step that fails leaves the state before it.
+    """Take n steps; step k ends at t0 + (first + k) h. A failed step restores the state before it.
 
-    Where Newton's iteration fails the step is divided; nothing is recorded in between.
+    If the Newton iteration fails, the step is divided; the parts are not recorded.
 
     iteration, code: record and address of the iteration of the stabilised form, 0 for index 3.
     """
@@ -54,7 +55,7 @@ def advance(at, t0, first, n, h, rho, tol, iteration, code, recorder):
         t = t0 + (first + k) * h
         status = alpha_step(at, t, h, rho, tol, iteration, code, 1)
         if status == SLOW or status == DIVERGED or status == BAD_CENTRE or status == UNBOUNDED:
-            # an iterate has gone astray
+            # the iteration diverged
             status = divided_step(at, t, h, rho, tol, iteration, code)
         if status != OK:
             bring_step(at)
@@ -68,7 +69,7 @@ def advance(at, t0, first, n, h, rho, tol, iteration, code, recorder):
     return OK
 
 
-#: Arguments of `advance` from Python, under their names.
+#: Arguments of `advance` from Python, by name.
 ORDER = np.dtype(
     [
         *((name, "f8") for name in ("t0", "h", "rho", "tol")),
@@ -80,7 +81,7 @@ ORDER = np.dtype(
 
 @kernel
 def entry(at, order, recorder):
-    """Take the steps of an ORDER; both are addresses of records."""
+    """Execute an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     return advance(
         at,
@@ -98,18 +99,18 @@ def entry(at, order, recorder):
 
 @dataclass
 class Run:
-    """An integration under way: a system, its step, how far it got. Made by `start`.
+    """Running integration: system, step and time reached. Created by `start`.
 
     Parameters
     ----------
     system
-        The system; its workspace holds the state until the next `start`.
+        The system; its workspace contains the state until the next `start`.
     h
         Step [s].
     rho_inf
         Spectral radius at infinite frequency, 0 ... 1 (1: no numerical damping).
     tolerance
-        Error left in the Newton iteration, weighted as a length [m]; with rows and short steps less is left.
+        Tolerance of the Newton iteration, weighted as a length [m]; tighter with constraints and short steps.
     iteration
         Record and arrays of the stabilised iteration; None for index 3.
     """
@@ -136,16 +137,16 @@ class Run:
         stride: int = 1,
         events: int = 0,
     ) -> Chunk:
-        """Take n steps, or fewer if something fails.
+        """Take n steps, or fewer if a step fails.
 
         Parameters
         ----------
         every
-            Sample all observations at every n-th step of the run; 0 for none.
+            Sample all channels at every n-th step of the run; 0 for none.
         statistics
             Accumulators of `sampling.new_statistics`, updated in place at every `stride`-th step.
         events
-            Most events to record.
+            Maximum number of events to record.
         """
         room = n // every + 1 if every else 0
         recorder = new_recorder(
@@ -161,18 +162,17 @@ class Run:
         return done
 
     def left(self) -> float:
-        """Error that the iteration may leave at this step, weighted as a length [m]."""
+        """Newton tolerance at the present step, weighted as a length [m]."""
         if not self.system.sizes["nc"]:
             return self.tolerance
         size = max(1.0, float(np.abs(self.system.workspace.fr["r"]).max(initial=0.0)))
         return max(ROUND_OFF * size, min(self.tolerance, 0.25 * self.h**2 * JOLT))
 
     def go_on(self) -> int:
-        """Begin at the state in the workspace, whose forces may have jumped; returns the status.
+        """Start or restart at the state in the workspace, after a jump of the forces; returns the status.
 
-        The algorithmic accelerations are those of the time (alpha_m - alpha_f) h later, or the multipliers of
-        index 3 and the accelerations would be off by something of the order of h for many steps: see
-        `implicit.start_values`.
+        The algorithmic accelerations are set to the time (alpha_m - alpha_f) h later. Otherwise accelerations
+        and index 3 multipliers would have first-order errors over many steps: see `implicit.start_values`.
         """
         system, t = self.system, self.t
         w = system.workspace
@@ -196,14 +196,14 @@ class Run:
         return OK
 
     def change_step(self, h: float) -> None:
-        """Continue with another step from here."""
+        """Change the step from the present time on."""
         w = self.system.workspace
-        # what is a share of a step ahead or behind moves with the step
+        # rescale the values that are a fraction of a step ahead or behind
         for name, now in (("al", w.a), ("ap", w.a), ("lp", w.lam)):
             w.arrays[name][:] = now + (w.arrays[name] - now) * (h / self.h)
         self.t0, self.steps, self.h = self.t, 0, h
         w.clock[VALID] = 0
-        if self.iteration is None and len(w.lam):  # rates of index 3 are off their rows by a multiple of h^2
+        if self.iteration is None and len(w.lam):  # the row residual of index 3 rates is proportional to h^2
             self.go_on()
 
     def state(self) -> State:
@@ -220,12 +220,12 @@ def start(
     tolerance: float = 1e-11,
     form: str = "I3",
 ) -> Run:
-    """Begin an integration from a state; its accelerations are computed afresh.
+    """Start an integration from a state; its accelerations are computed.
 
     Parameters
     ----------
     system, state
-        What to integrate and from where.
+        The system and its initial state.
     h
         Step [s], > 0.
     rho_inf
@@ -233,12 +233,12 @@ def start(
     tolerance
         Newton tolerance as a length [m].
     form
-        "I3": constraints hold on positions; "SI2": on positions and rates.
+        "I3": constraints at position level; "SI2": at position and velocity level.
 
     Raises
     ------
     SolverError
-        If the state has no finite acceleration, or the form is none of these.
+        If the state has no finite acceleration, or the form is unknown.
     """
     if not (h > 0.0 and math.isfinite(h)):
         raise SolverError(f"the step must be positive and finite, not {h!r}", NOT_FINITE)

@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The modified Newton iteration of an implicit step.
+"""Modified Newton iteration of an implicit step.
 
-The matrix is kept over steps and factored again when the iteration slows down, in the end at every iterate:
-long steps through a stiff contact need that. An iterate is accepted when
-the error that is left, |dq| theta / (1 - theta) with the last measured contraction rate theta, is below the
-tolerance.
+The matrix is reused over steps and refactored when convergence is slow, finally at every iterate: long steps
+through a stiff contact need this. An iterate is accepted when the remaining error,
+|dq| theta / (1 - theta) with the last measured contraction rate theta, is below the tolerance.
 
-Where a force jumps, as when a tooth pair enters a mesh whose stiffness is a rectangular wave, a step may end
-so close to the jump that neither side has a solution: the force of one side pushes the state to the other,
-and the iteration swings between both. The step then has a solution *at* the jump, with a force between those
-of the two sides (A. F. Filippov, Differential Equations with Discontinuous Righthand Sides, 1988). `_at_jump`
-bisects to it and accepts it only if a mean of both forces leaves nothing over; else the step has failed.
+At a force jump, such as the entry of a tooth pair with a rectangular stiffness curve, a step may end so close
+to the jump that neither side has a solution: the force of each side pushes the state to the other side, and
+the iteration alternates. The step then has a solution *at* the jump, with a force between those of the two
+sides (A. F. Filippov, Differential Equations with Discontinuous Righthand Sides, 1988). `_at_jump` locates it
+by bisection and accepts it only if a mean of both forces is in balance; otherwise the step fails.
 """
 
 from __future__ import annotations
@@ -28,25 +27,25 @@ MOST_ITERATIONS = 12
 MOST_REFRESHES = 3
 SLOW_RATE = 0.5
 FADING = 1.2
-"""Growth of the contraction rate from step to step while it is not measured: the matrix ages meanwhile."""
+"""Growth of the contraction rate per step without measurement, as the matrix becomes outdated."""
 
 TRUSTED = 0.1
-"""Contraction rate up to which one iteration makes a step where the mass matrix turns with the machine. What
-a step leaves over enters the prediction of the next one threefold: from a third on it would grow."""
+"""Contraction rate up to which one iteration per step is enough if the mass matrix changes with the rotation.
+The remaining error enters the next prediction threefold: from a rate of one third it would grow."""
 QUIET = 1e-7
-"""Change of the accelerations [m/s^2] that is left to rounding whatever the rate."""
+"""Change of the accelerations [m/s^2] that counts as rounding at any rate."""
 
 ROW_TOLERANCE = 1e-7
 ROW_GOAL = 1e-13
-"""Residual of a row [m, rad] that may stay: closing 1 um in a step of 10 us takes 1e4 m/s^2."""
+"""Residual of a row [m, rad] that may remain: closing 1 um in a step of 10 us takes 1e4 m/s^2."""
 ROW_SHARE = 100.0
 ASTRAY = 0.75
-"""Ratio of corrections with a matrix of another place from which they are taken back."""
+"""Ratio of successive corrections with an old matrix from which they are undone."""
 GUESS = 2
-"""First of two rows of the stages that keep the prediction."""
+"""First of two rows of the stages that store the prediction."""
 MOST_BISECTIONS = 60
 MOST_TRIES = 6
-"""Bisections towards a jump; each leaves the share over that the kept matrix is wrong by."""
+"""Number of bisections towards a jump; the error of each is the relative error of the reused matrix."""
 
 
 @kernel
@@ -64,7 +63,7 @@ def largest_entry(x, weight):
 
 @kernel
 def _move(q, v, a, e, share, cm, cd):
-    """Move by a share of a correction."""
+    """Apply a fraction of a correction."""
     for i in range(q.size):
         q[i] += share * e[i]
         v[i] += share * cd * e[i]
@@ -73,9 +72,9 @@ def _move(q, v, a, e, share, cm, cd):
 
 @kernel
 def _correction(at, t, cm, cd, e, fresh):
-    """Newton's correction here into the workspace, with the matrix of this place (fresh 1) or that at hand.
+    """Compute the Newton correction in the workspace, with a new (fresh 1) or the present matrix.
 
-    Returns status and share: the correction along e over e itself, in the error norm.
+    Returns status and share: the component of the correction along e, relative to e, in the error norm.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -96,17 +95,17 @@ def _correction(at, t, cm, cd, e, fresh):
         w = weight[i] * weight[i] * e[i]
         along += w * x[i]
         size += w * e[i]
-    share = along / size if size != 0.0 else 0.0  # nothing is left to correct
+    share = along / size if size != 0.0 else 0.0  # no correction left
     return (OK if math.isfinite(share) else NOT_FINITE), share
 
 
 @kernel
 def _at_jump(at, t, cm, cd, tol, failure):
-    """Find the state at which a force jumps past the solution; `failure` if there is no such state.
+    """Find the solution at a force jump; returns `failure` if there is none.
 
     From the last iterate the correction e leads to the other side of the jump, where the correction must
-    point back. Bisection brings both sides together; the mean of both corrections that has nothing left along
-    e is what a force between the two sides leaves over.
+    point back. Bisection narrows the bracket. The weighted mean of both corrections without component along e
+    is the correction for a force between the two sides.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -121,7 +120,7 @@ def _at_jump(at, t, cm, cd, tol, failure):
     stage = view(m["stage"], (STAGE_ROWS, 2 * nd), F8)
     e = stage[0, :nd]
     beyond = stage[1, :nd]
-    view(m["clock"], 16, I8)[VALID] = 0  # whatever comes of it, the next step starts afresh
+    view(m["clock"], 16, I8)[VALID] = 0  # the next step needs a new matrix in any case
     for _ in range(MOST_TRIES):
         status, _ = _correction(at, t, cm, cd, x, True)
         if status != OK:
@@ -131,9 +130,9 @@ def _at_jump(at, t, cm, cd, tol, failure):
         size = abs(largest_entry(e, weight))
         if size <= 1e-3 * tol:
             return OK
-        here = 1.0  # correction on this side and on the other, as shares of e
+        here = 1.0  # correction on this side and on the other, relative to e
         there = 1.0
-        width = 1.0  # share of e between both sides
+        width = 1.0  # distance of both sides, relative to e
         for k in range(MOST_BISECTIONS):
             _move(q, v, a, e, width, cm, cd)
             status, share = _correction(at, t, cm, cd, e, False)
@@ -161,7 +160,7 @@ def _at_jump(at, t, cm, cd, tol, failure):
         near = there / (there - here)
         for i in range(nd):
             x[i] = near * x[i] + (1.0 - near) * beyond[i]
-        for r in range(lam.size):  # they are those of the other side, and y leads from there to this one
+        for r in range(lam.size):  # lam is of the other side, and y is the change to this one
             lam[r] += near * y[r]
         _move(q, v, a, x, 1.0, cm, cd)
         if abs(largest_entry(x, weight)) <= tol:
@@ -171,7 +170,7 @@ def _at_jump(at, t, cm, cd, tol, failure):
 
 @kernel
 def keep_guess(at):
-    """Copy the prediction to where an iteration that goes astray finds it."""
+    """Save the prediction, for iterations that diverge."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -191,10 +190,10 @@ def keep_guess(at):
 
 @kernel
 def back_to_guess(at):
-    """Bring the prediction back, for Newton's method with the matrix of there.
+    """Restore the prediction, for a restart of Newton's method with a new matrix there.
 
-    Where rows lose rank the kept matrix may have them on their other side: its corrections lead away, to
-    another branch of the mechanism in the end.
+    Near positions where rows lose rank the reused matrix may be of the other side: its corrections diverge,
+    and may lead to another branch of the mechanism.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -215,7 +214,7 @@ def back_to_guess(at):
 
 @kernel
 def _open(at):
-    """How far the rows were open before the last correction, without those that repeat others."""
+    """Largest residual of the non-redundant rows before the last correction."""
     c = view(at, 1, CTL)[0]
     g = view(c["g"], c["nc"], F8)
     used = view(view(c["mach"], 1, MACH)[0]["used"], c["nc"], I8)
@@ -228,10 +227,10 @@ def _open(at):
 
 @kernel
 def stale(at, cm, theta):
-    """Whether the rate of a kept matrix must be measured before what is left over may stay in a step.
+    """Whether the contraction rate of a reused matrix must be measured before a step is accepted.
 
-    A mass matrix that turns with the machine ages at any length of step: without a look at the rate now and
-    then, very short steps would leave the whole tolerance, as a position, in every acceleration.
+    A mass matrix that changes with the rotation becomes outdated at any step size: without measurement of the
+    rate, very short steps would leave an error of the whole position tolerance in every acceleration.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -242,7 +241,7 @@ def stale(at, cm, theta):
 
 @kernel
 def newton_step(at, t, cm, cd, tol):
-    """Iterate one step to acceptance; q, v, a, lam hold the prediction and become the solution."""
+    """Iterate one step to convergence; q, v, a, lam contain the prediction and become the solution."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -256,14 +255,14 @@ def newton_step(at, t, cm, cd, tol):
     weight = view(m["weight"], nd, F8)
     clock = view(m["clock"], 16, I8)
     real = view(m["real"], 16, F8)
-    # a rate measured some steps ago is trusted less and less, until it is measured again
+    # increase an old contraction rate until it is measured again
     real[0] = min(FADING * real[0], SLOW_RATE)
     last = -1.0
     before = 0.0
     count = 0
     refreshes = 0
-    full = 0  # iterations of Newton's own method, with a matrix each
-    aged = clock[VALID] != 0 and nc > 0  # rows with a matrix of another place
+    full = 0  # full Newton iterations, with a new matrix each
+    aged = clock[VALID] != 0 and nc > 0  # rows with an old matrix
     if aged:
         keep_guess(at)
     for _ in range(MOST_ITERATIONS * (2 + MOST_REFRESHES)):
@@ -277,7 +276,7 @@ def newton_step(at, t, cm, cd, tol):
             if status != OK:
                 return status
             clock[VALID] = 1
-            real[0] = min(real[0], 0.1)  # a fresh matrix earns new trust
+            real[0] = min(real[0], 0.1)  # reset the rate for the new matrix
             last = -1.0
             count = 0
         solve(at)
@@ -296,8 +295,8 @@ def newton_step(at, t, cm, cd, tol):
             lam[r] += y[r]
         theta = real[0]
         outdated = False
-        # rows turn with the state: with them the rate of the last step does not predict a large correction,
-        # and what they leave open comes back as a jump of the multipliers when the matrix is made anew
+        # rows change with the state: the rate of the last step does not hold for large corrections, and the
+        # remaining residual of the rows would cause a jump of the multipliers with the next new matrix
         known = nc == 0 or size <= tol or (last > 0.0 and _open(at) * theta <= ROW_GOAL)
         if theta > TRUSTED and stale(at, cm, theta):
             if last < 0.0:
@@ -315,7 +314,7 @@ def newton_step(at, t, cm, cd, tol):
             if full >= MOST_ITERATIONS:
                 return _at_jump(at, t, cm, cd, tol, DIVERGED if size >= before else SLOW)
             if refreshes >= MOST_REFRESHES:
-                full += 1  # a stiff flank met within the step: the matrix of no one place serves all
+                full += 1  # stiff contact within the step: the matrix changes with every iterate
             refreshes += 1
             clock[VALID] = 0
             if aged and size > ASTRAY * last:
@@ -328,9 +327,9 @@ def newton_step(at, t, cm, cd, tol):
 
 @kernel
 def rows_hold(at, t):
-    """Check that rows flagged as redundant are satisfied by the others at the accepted state.
+    """Check that the redundant rows are satisfied at the accepted state.
 
-    They may be off by as much as the tolerance leaves over in the others.
+    Their residual may be as large as the tolerance allows in the other rows.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Start values of generalised-alpha that let multipliers be of second order from the first step on.
+"""Start values of generalised-alpha for second-order multipliers from the first step.
 
-The algorithmic acceleration belongs to the time (alpha_m - alpha_f) h after that of the state, and rates of a
-run with the rows on positions (index 3) are off by C h^2 q''' along the rows, C = (1 - 6 beta - 3 (alpha_m -
-alpha_f))/6. A start without both has an error of the order of h in multipliers and accelerations, which fades
-over many steps, and never with rho_inf = 1.
+The algorithmic acceleration refers to the time (alpha_m - alpha_f) h after that of the state, and in index 3
+runs the rates deviate by C h^2 q''' along the rows, C = (1 - 6 beta - 3 (alpha_m - alpha_f))/6. Start values
+without both corrections cause first-order errors of multipliers and accelerations, which decay over many
+steps, and not at all with rho_inf = 1.
 
 Source: M. Arnold, O. Bruels, A. Cardona, Error analysis of generalized-alpha Lie group time integration
 methods for constrained mechanical systems, Numerische Mathematik 129 (2015) 149-179, section 4.
@@ -24,18 +24,18 @@ from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
 
-_derivatives = plain(forward_derivatives)  # of whole arrays
+_derivatives = plain(forward_derivatives)  # for arrays
 
 
 def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | None:
-    """Derivatives of accelerations and multipliers of the state in the workspace, which are known.
+    """Derivatives of the accelerations and multipliers at the state in the workspace.
 
-    None where modes are so stiff that two differences disagree: forces that begin or end within a step.
+    None if two difference quotients disagree: very stiff modes, or forces that start or end within a step.
 
     Parameters
     ----------
     system
-        Its workspace holds state, accelerations and multipliers.
+        Its workspace contains state, accelerations and multipliers.
     t
         Time of the state [s].
     h
@@ -59,10 +59,10 @@ def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | No
         return None
     (soon, soon_lam), (later, later_lam) = found
     weight = w.arrays["weight"]
-    with np.errstate(over="ignore", invalid="ignore"):  # what grows without bound ends as a status, not here
+    with np.errstate(over="ignore", invalid="ignore"):  # divergence is reported by a status
         jerk, snap = _derivatives(a, soon, later, d)
         size = float(np.linalg.norm(weight * (soon - a))) / d
-        change = float(np.linalg.norm(weight * snap)) * 0.5 * d  # of the jerk between both distances
+        change = float(np.linalg.norm(weight * snap)) * 0.5 * d  # difference of the two jerk estimates
         if not change <= DISAGREEMENT * size < np.inf:
             return None
         rise, _ = _derivatives(lam, soon_lam, later_lam, d)
@@ -70,15 +70,15 @@ def first_slopes(system: System, t: float, h: float) -> tuple[Array, Array] | No
 
 
 def shift_rates(system: System, change: Array) -> None:
-    """Move the rates in the workspace as little as possible, until their rows are off by G change.
+    """Change the rates in the workspace as little as possible so that the row residual becomes G change.
 
     Parameters
     ----------
     system
-        Its workspace holds the factors of the mass matrix and of the rows at the state, as `first_slopes`
-        leaves them.
+        Its workspace contains the factors of the mass matrix and of the rows at the state, as after
+        `first_slopes`.
     change
-        Rates whose part along the rows counts, shape (nd,).
+        Change of the rates; only its component along the rows has an effect, shape (nd,).
     """
     w = system.workspace
     w.R[:] = 0.0

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One step of generalised-alpha, and the same way in shorter steps where Newton's iteration fails.
+"""One generalised-alpha step, and its division into shorter steps if the Newton iteration fails.
 
-Friction that falls with speed, or flanks that meet at speed, may leave the equations of a long step without a
-solution, or with several of which Newton's iteration finds none. The equations of a short step are governed
-by the mass matrix and have one. So a step that fails is taken in 4, 16, 64 parts; the run continues with
-its own step afterwards.
+With friction that falls with speed, or with impacts of flanks, the equations of a long step may have no
+solution, or several ones to none of which the Newton iteration converges. The equations of a short step are
+dominated by the mass matrix and have a solution. So a failed step is divided into 4, 16, 64 parts; the run
+then continues with its normal step.
 """
 
 from __future__ import annotations
@@ -18,18 +18,17 @@ from pitchpoint.solvers.implicit.newton import newton_step, rows_hold
 from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, VALID
 
 DIVISION = 4
-"""Parts of a divided step, and of those again."""
+"""Factor between successive divisions of a step."""
 MOST_PARTS = 64
 KEPT = OLD + 2
-"""First of the rows of the stages that keep what a step changes: both accelerations, a, multipliers."""
+"""First row of the stages with saved values of a step: both accelerations, a, multipliers."""
 
 
 @kernel
 def _predict(q, v, a, al, ap, h, method):
-    """First guess of a step: linear extrapolation of the acceleration.
+    """Prediction of a step: linear extrapolation of the acceleration.
 
-    A guess that merely kept the last acceleration would leave an error of first order in h behind whenever
-    one iteration is enough.
+    Constant extrapolation would cause a first-order error in h in steps with one iteration.
     """
     beta, gamma, alpha_m, alpha_f = method
     for i in range(q.size):
@@ -45,10 +44,10 @@ def _predict(q, v, a, al, ap, h, method):
 
 @kernel
 def _predict_multipliers(at):
-    """Linear extrapolation of the multipliers, where friction depends on them.
+    """Linear extrapolation of the multipliers, for friction that depends on them.
 
-    One iteration makes a step, so friction works with the guess; the last one would leave an error of first
-    order behind.
+    In steps with one iteration friction is computed from the prediction; constant extrapolation would cause a
+    first-order error.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -62,7 +61,7 @@ def _predict_multipliers(at):
 
 @kernel
 def _stabilised_step(at, t, cm, cd, iteration, code):
-    """One step with the rows on positions and rates."""
+    """One step with constraints at position and velocity level."""
     n = view(iteration, 1, ITERATION)[0]
     n["t"] = t
     n["cm"] = cm
@@ -72,10 +71,10 @@ def _stabilised_step(at, t, cm, cd, iteration, code):
 
 @kernel
 def alpha_step(at, t, h, rho, tol, iteration, code, keep):
-    """One step of length h to the time t; one that fails leaves its last iterate.
+    """One step of length h to the time t; a failed step leaves its last iterate.
 
-    rho spectral radius at infinity, tol of `newton_step`; iteration, code as in
-    `generalized_alpha.advance`; keep 1: `bring_step` can undo it.
+    rho: spectral radius at infinity; tol: as in `newton_step`; iteration, code: as in
+    `generalized_alpha.advance`; keep 1: save the state so that `bring_step` can undo the step.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -104,7 +103,7 @@ def alpha_step(at, t, h, rho, tol, iteration, code, keep):
             _keep_multipliers(c, m, stage)
     _predict(q, v, a, al, ap, h, (beta, gamma, alpha_m, alpha_f))
     for i in range(nd):
-        al[i] -= share * a[i]  # completed below with the solved acceleration
+        al[i] -= share * a[i]  # the solved acceleration is added below
     if m["settles"] != 0:
         _predict_multipliers(at)
     if iteration != 0:
@@ -121,17 +120,17 @@ def alpha_step(at, t, h, rho, tol, iteration, code, keep):
 
 @kernel
 def _keep_multipliers(c, m, stage):
-    """Keep the multipliers before a step."""
+    """Save the multipliers before a step."""
     lam = view(c["lam"], c["nc"], F8)
     lp = view(m["lp"], c["nc"], F8)
-    for r in range(min(lam.size, stage.shape[1])):  # more rows than that repeat each other
+    for r in range(min(lam.size, stage.shape[1])):  # further rows are redundant
         stage[KEPT + 2, r] = lam[r]
         stage[KEPT + 3, r] = lp[r]
 
 
 @kernel
 def bring_step(at):
-    """Bring back what `implicit.step` has kept."""
+    """Restore the values saved by `alpha_step`."""
     bring_state(at, OLD)
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -155,7 +154,7 @@ def bring_step(at):
 
 @kernel
 def _other_step(at, ratio):
-    """Continue with steps of `ratio` times the length: what lies a share of a step ahead or behind moves."""
+    """Rescale the values a fraction of a step ahead or behind, for steps of `ratio` times the length."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     nd = c["nd"]
@@ -175,7 +174,7 @@ def _other_step(at, ratio):
 
 @kernel
 def divided_step(at, t, h, rho, tol, iteration, code):
-    """The step of `implicit.step` in parts, from what it has kept."""
+    """Repeat a failed `alpha_step` in parts, from its saved values."""
     view(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["clock"], 16, I8)[REJECTED] += 1
     status = DIVERGED
     parts = DIVISION

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The state a scenario starts from: bodies, filters and integrals, clutches."""
+"""Initial state of a scenario: bodies, filters and integrators, clutches."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Clutches and brakes at the start of a run: bristles that carry the load already.
+"""Initial bristle deflections of sticking clutches and brakes, so that they carry the load from the start.
 
-At rest a bristle may have any deflection that holds. Which one it has follows from the torques of the trains
-on both sides: each train that nothing drives is in balance, by what its clutches carry and its balancing
-torque. Where both could do it the balancing torque does. (A clutch that slips has one deflection only, which
-`find_equilibrium` finds.)
+The bristle deflection of a sticking clutch is not determined by its own equilibrium. It follows from the
+torques of the trains on both sides: each train without drive is balanced by its clutches and its balancing
+torque; if both can balance it, the balancing torque does. (A slipping clutch has a unique deflection, which
+`find_equilibrium` computes.)
 """
 
 from __future__ import annotations
@@ -25,18 +25,18 @@ from pitchpoint.system.system import State, System
 
 CLUTCH, LOAD = friction_clutch.KIND.name, torque.KIND.name
 STICKS = 1e-9
-"""Slip over the speeds around it up to which a clutch sticks."""
+"""Relative slip up to which a clutch sticks."""
 BALANCED = 1e-9
-"""Torque left over, over the largest, at which trains count as balanced."""
+"""Residual torque over the largest torque up to which trains count as balanced."""
 MOST_PASSES = 4
 UNWANTED = 1e-6
-"""How much rather a balancing torque changes than a clutch that could do it, too."""
+"""Weight of clutch torques relative to balancing torques in the balance of a train."""
 
 
 def settle_clutches(
     system: System, found: Equilibrium, driven: Sequence[int], balanced: Sequence[int]
 ) -> tuple[System, Equilibrium, tuple[str, ...]]:
-    """Bend the bristles of clutches that stick, and change balancing torques, until trains are in balance.
+    """Adjust bristle deflections of sticking clutches and balancing torques until the trains are balanced.
 
     Parameters
     ----------
@@ -45,14 +45,14 @@ def settle_clutches(
     found
         Its equilibrium, with a spin of every train held.
     driven
-        Coordinates whose motion is prescribed: what holds them is their drive.
+        Coordinates with prescribed motion, whose reactions are carried by their drives.
     balanced
         Spins of the bodies with a balancing torque.
 
     Returns
     -------
     tuple
-        The system with its torques, its equilibrium, and sentences on clutches that cannot hold.
+        The system with its torques, its equilibrium, and notes on overloaded clutches.
     """
     held = list(found.held)
     rows = [k for k, spin in enumerate(held) if spin not in set(driven)]
@@ -85,7 +85,7 @@ def settle_clutches(
         found = find_equilibrium(system, state, held)
     notes = tuple(
         f"the clutch between {names[int(record['i'])]} and {names[int(record['j'])]} cannot hold its load "
-        "and begins to slip; raise its capacity if that is not wanted"
+        "and begins to slip; increase its capacity if this is not intended"
         for (_, record), place, limit in zip(clutches, places, limits, strict=True)
         if abs(found.state.v[place]) >= limit
     )
@@ -93,7 +93,7 @@ def settle_clutches(
 
 
 def _bristles(system: System) -> list[tuple[int, np.void]]:
-    """Number and record of every clutch with bristles."""
+    """Index and record of every clutch with bristles."""
     records = system.records.get(CLUTCH, ())
     return [(k, r) for k, r in enumerate(records) if int(r["sticking"]) == BRISTLE]
 
@@ -109,7 +109,7 @@ def _spin(system: System, record: np.void) -> int:
 
 
 def _slip(system: System, state: State, record: np.void) -> float:
-    """Speed of the first body of a clutch against the second [rad/s]."""
+    """Speed of the first body of a clutch relative to the second [rad/s]."""
     return float(evaluate.observe(system, state)[int(record["out"]) + 1])
 
 
@@ -118,5 +118,5 @@ def _speed(state: State) -> float:
 
 
 def _largest(system: System) -> float:
-    """Largest torque that acts [N m]."""
+    """Largest applied torque [N m]."""
     return max((abs(float(record["value"])) for record in system.records.get(LOAD, ())), default=0.0)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where filters, integrals and transfer functions begin: at rest with what they follow.
+"""Initial states of filters, integrators and transfer functions: steady state if there is one.
 
-Filters and stable transfer functions begin at what their inputs give. An integral whose input is zero may
-have any value: it begins where the loads of the machine balance, as in a drive that has been running at its
-speed. One whose input is not zero cannot rest: it begins at its start value.
+Filters and stable transfer functions start at the steady state of their inputs. An integrator with zero input
+may have any value: it starts at the value that balances the loads of the machine, as in a drive that has been
+running at its speed. An integrator with non-zero input has no steady state: it starts at its initial value.
 """
 
 from __future__ import annotations
@@ -25,38 +25,40 @@ Array = NDArray[np.float64]
 
 MOST_STEPS = 20
 MOST_TURNS = 50
-"""Most turns between a machine and the states that follow its loads."""
+"""Maximum number of alternations between the machine and the states that depend on its loads."""
 AT_REST = 1e-9
-"""Rate of a state over the terms it is made of, and torque left over, that count as none."""
+"""Relative rate of a state, and relative residual torque, that count as zero."""
 
 
 def rest_of_controls(
     system: System, state: State, held: Sequence[int], known: Collection[int]
 ) -> tuple[Equilibrium, tuple[str, ...]]:
-    """Equilibrium with the states of signals, and notes on them.
+    """Equilibrium including the states of signals, and notes on them.
 
     Parameters
     ----------
     system, state
-        Where to begin.
+        The system and its initial guess.
     held
-        Coordinates to keep.
+        Coordinates to hold.
     known
-        Those of them that may need a torque: driven ones, and bodies of balancing torques.
+        Held coordinates that may have a reaction: driven ones, and bodies of balancing torques.
     """
     if not signal_states(system).size:
         return find_equilibrium(system, state, held), ()
     found = _rest(system, state, held)
     if found is None:
-        found = _with_states_kept(system, state, held)  # its own error, if the machine has no rest either
-        return found, ("no rest of machine and controllers: states of signals begin at their start values",)
+        found = _with_states_kept(system, state, held)  # raises its error if the machine has no equilibrium
+        return found, (
+            "no equilibrium of machine and controllers: states of signals start at their initial values",
+        )
     found, notes = _balanced(system, found, held, known)
-    # states count little next to forces in what ends an equilibrium
+    # the tolerance of the equilibrium is set by the forces: refine the states
     return replace(found, state=states_of_inputs(system, found.state)), notes
 
 
 def _rest(system: System, state: State, held: Sequence[int]) -> Equilibrium | None:
-    """Equilibrium of machine and states together, or in turns: tangents of sensed loads are not known."""
+    """Equilibrium of machine and states, simultaneously or alternating (sensed loads have no tangents)."""
     try:
         return find_equilibrium(system, state, held)
     except SolverError:
@@ -86,12 +88,12 @@ def _with_states_kept(system: System, state: State, held: Sequence[int]) -> Equi
 def _balanced(
     system: System, found: Equilibrium, held: Sequence[int], known: Collection[int]
 ) -> tuple[Equilibrium, tuple[str, ...]]:
-    """Let integrals that may have any value take the loads that are left over on spins."""
+    """Balance the residual torques of spins by integrators with arbitrary steady state."""
     free = np.setdiff1d(np.arange(system.sizes["nd"]), held)
     idle = unsettled_states(system, found.state, free)
     moving = _moving(system, found.state, idle)
     notes = tuple(
-        f"{_name(system, k)} is not at rest: it begins at {found.state.v[k]:.6g}" for k in idle[moving]
+        f"{_name(system, k)} has no steady state: it starts at {found.state.v[k]:.6g}" for k in idle[moving]
     )
     idle = idle[~moving]
     open_ = [n for n, spin in enumerate(held) if spin not in known]
@@ -116,7 +118,7 @@ def _balanced(
 
 
 def _acting(system: System, state: State) -> Array:
-    """Size of the torques that signals put on every coordinate, for what is negligible next to it."""
+    """Magnitude of the torques of signals on every coordinate, as reference for the residuals."""
     whole = np.abs(evaluate.matrix(system, state, 0.0, 1.0, 0.0, EXACT))
     return np.asarray(whole @ np.abs(state.v) + 1.0)
 
@@ -126,7 +128,7 @@ def _unit(state: State, at: NDArray[np.int64]) -> Array:
 
 
 def _answer(system: System, found: Equilibrium, held: Sequence[int], k: int) -> Array | None:
-    """Reactions with one state changed by its unit."""
+    """Reactions after a unit change of one state; None if there is no equilibrium."""
     trial = found.state.copy()
     trial.v[k] += float(_unit(trial, np.array([k]))[0])
     answer = _rest(system, trial, held)
@@ -134,7 +136,7 @@ def _answer(system: System, found: Equilibrium, held: Sequence[int], k: int) -> 
 
 
 def _moving(system: System, state: State, idle: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Which of some states have a rate."""
+    """Flags of the states with a non-zero rate."""
     if not idle.size:
         return np.zeros(0, bool)
     rate = np.abs(evaluate.residual(system, state)[idle])
@@ -143,24 +145,24 @@ def _moving(system: System, state: State, idle: NDArray[np.int64]) -> NDArray[np
 
 
 def _name(system: System, k: int) -> str:
-    """Signal that a coordinate holds the state of."""
+    """Name of the signal to which a state coordinate belongs."""
     return f"signal[{system.layout.coordinates[k].removeprefix(STATE).rsplit('.', 1)[0]}]"
 
 
 def states_of_inputs(system: System, state: State) -> State:
-    """The same state of the machine, with filters and transfer functions at rest if they can be.
+    """Copy of a state with filters and transfer functions in steady state, if there is one.
 
     Parameters
     ----------
     system, state
-        Places and rates of the machine stay.
+        The system and its state; positions and rates of the machine are unchanged.
     """
     found = _settled(system, state)
     return state if found is None else found
 
 
 def _settled(system: System, state: State) -> State | None:
-    """The same; None if the states do not come to rest with their inputs as they are."""
+    """As `states_of_inputs`; None if the states have no steady state for their present inputs."""
     states = signal_states(system)
     free = np.setdiff1d(states, unsettled_states(system, state, states))
     found = state.copy()

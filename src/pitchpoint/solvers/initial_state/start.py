@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The state a scenario starts from: speeds through the ratios, flanks loaded, balancing torques found."""
+"""Initial state of a scenario: speeds by the gear ratios, loaded flanks, balancing torques."""
 
 from __future__ import annotations
 
@@ -44,22 +44,22 @@ if TYPE_CHECKING:
 
 
 SAME = 1e-6
-"""Difference from a given value up to which it counts as held [m, rad, m/s, rad/s], as in closing loops."""
+"""Deviation from a given value up to which it counts as equal [m, rad, m/s, rad/s], as in closing loops."""
 WHY = {
-    "start": "loads, loops and drives decide; start: assembled in the scenario keeps what joints give",
-    "speed": "speeds of the scenario and ratios of teeth decide",
+    "start": "it follows from loads, loops and drives; start: assembled in the scenario uses given values",
+    "speed": "it follows from the speeds of the scenario and the gear ratios",
 }
 
 
 def given_starts(model: Model, key: str) -> Iterator[tuple[str, str, str, float]]:
-    """Joint, its coordinate, the name that the system gives it, and the value, for all that joints give.
+    """Yield joint, its coordinate, the coordinate name in the system, and the value of all given starts.
 
     Parameters
     ----------
     model
         The model.
     key
-        "start" for values of coordinates, "speed" for their rates.
+        "start" for coordinates, "speed" for their rates.
     """
     for seat in model.mechanism.seats.values():
         if seat.joint is None:
@@ -72,17 +72,17 @@ def given_starts(model: Model, key: str) -> Iterator[tuple[str, str, str, float]
 
 
 def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[Message, ...]:
-    """A note on every start value or rate of a joint that the run does not begin with.
+    """Notes on start values or rates of joints from which the initial state deviates.
 
     Parameters
     ----------
     system
         The system.
     state
-        Where the run begins.
+        Initial state of the run.
     driven
-        Coordinates whose motion is prescribed; what they cannot begin with is known without a run
-        (`model.remarks.keys_without_effect`).
+        Coordinates with prescribed motion; they are reported without a run by
+        `model.remarks.keys_without_effect`.
     """
     model = system.model
     if model is None:
@@ -104,7 +104,7 @@ def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[
             found.append(
                 Message(
                     f"joints.{joint}.{key}",
-                    f"{word} begins {now}, not at {format_quantity(value, unit, 4)}: {WHY[key]}",
+                    f"{word} starts {now}, not at {format_quantity(value, unit, 4)}: {WHY[key]}",
                     line=model.line(("joints", joint, key)),
                     kind="note",
                 )
@@ -113,30 +113,30 @@ def start_notes(system: System, state: State, driven: Collection[int]) -> tuple[
 
 
 def _tumbled(system: System, state: State, name: str) -> bool:
-    """Whether the turns of a body count from another attitude than that of the file."""
+    """Whether the rotation chart of a body refers to another attitude than that of the model file."""
     number = system.layout.bodies.index(name.rpartition(".")[0])
     chart = int(system.program["body"]["chart"][number])
     return chart >= 0 and not np.allclose(state.charts[chart], np.eye(3))
 
 
 UNBALANCED = "the loads do not balance"
-"""How the remark begins that the speed will drift."""
+"""Start of the note that the speed will change."""
 IMBALANCE = 1e-6
-"""Net torque over the largest torque from which a run notes that its loads do not balance."""
+"""Net torque over the largest torque above which a run notes that its loads do not balance."""
 
 
 @dataclass(frozen=True)
 class Start:
-    """Where a scenario begins.
+    """Start of a scenario.
 
     Parameters
     ----------
     system
-        The system with balancing torques and damping filled in.
+        The system with balancing torques and damping.
     state
         State at t = 0.
     notes
-        What the user should know about it, in sentences.
+        Notes for the user.
     """
 
     system: System
@@ -154,7 +154,7 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
         if place_of(record, "i") != int(record["spin_i"]):
             continue
         known[name] = drive_element.target_of(record, 0.0)[1]
-    # a drive need not fit the ratio of the teeth: the gap takes up the rest
+    # drives may deviate from the gear ratio within the backlash
     found = {**model.start_speeds(replace(scenario, speed=known)), **known}
     for name, places in model.stations.items():
         found |= dict.fromkeys(station_names(name, len(places)), found[name])
@@ -162,7 +162,7 @@ def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
 
 
 def highest_speeds(system: System, scenario: Scenario) -> dict[str, float]:
-    """Speeds that a scenario gives bodies [rad/s]; of drives the highest, with its sign."""
+    """Given speeds of bodies in a scenario [rad/s]; for drives the highest one, with its sign."""
     found = dict(scenario.speed)
     times = np.linspace(0.0, scenario.duration or 1.0, 401)
     for name, record in drive_records(system):
@@ -172,10 +172,10 @@ def highest_speeds(system: System, scenario: Scenario) -> dict[str, float]:
 
 
 def body_rates(system: System, body: str, scenario: Scenario | None = None) -> NDArray[np.float64]:
-    """Rates of all coordinates, shape (nd,), as one body turns at 1 rad/s and its train with it.
+    """Rates of all coordinates, shape (nd,), for one body at 1 rad/s together with its train.
 
-    What this leaves open, as in a planet set of three free members, turns in the ratio of the speeds that the
-    scenario gives, and rests where it drives or holds a body at rest.
+    Speeds that this does not determine, as in a planetary gear set with three free members, have the ratio of
+    the speeds of the scenario; bodies that it drives or holds at zero speed are at rest.
     """
     model = system.model
     if model is None:
@@ -202,14 +202,14 @@ def drive_records(system: System) -> list[tuple[str, np.void]]:
 
 
 def prepare_start(system: System, scenario: Scenario) -> Start:
-    """Put a system into the state its scenario starts from.
+    """Compute the initial state of a scenario.
 
     Parameters
     ----------
     system
         Compiled with the same scenario.
     scenario
-        Its speeds and drives count.
+        Gives speeds and drives.
 
     Raises
     ------
@@ -244,9 +244,9 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
 def _at_rest(
     system: System, state: State, held: Sequence[int], driven: Sequence[int]
 ) -> tuple[System, Equilibrium, tuple[str, ...]]:
-    """The system with its balancing torques, and its equilibrium with notes on it.
+    """The system with its balancing torques, its equilibrium, and notes.
 
-    Torques balance the mean of what pulsates; the equilibrium is that under the loads of the start.
+    Torques balance the mean of pulsating loads; the equilibrium is that under the initial loads.
     """
     balancing = balancing_loads(system)
     mean = with_mean_loads(system, state) if balancing else system
@@ -265,7 +265,7 @@ def _at_rest(
 
 
 def _turn_to(system: System, state: State, body: str, angle: float) -> None:
-    """Give a body an angle [rad] as a remainder and whole turns; all stations of a shaft turn with it."""
+    """Set the angle of a body [rad] as remainder and whole turns, for a shaft at all stations."""
     places = system.model.stations.get(body, (0.0,)) if system.model is not None else (0.0,)
     for name in station_names(body, len(places)):
         number, turns = system.layout.bodies.index(name), round(angle / (2.0 * np.pi))
@@ -274,9 +274,9 @@ def _turn_to(system: System, state: State, body: str, angle: float) -> None:
 
 
 def _from_given(system: System, state: State, driven: Sequence[int]) -> State:
-    """The state at which the search for rest begins: loops closed at the start values of the joints.
+    """Initial guess of the equilibrium: loops closed at the start values of the joints.
 
-    What the loads do not move stays there. Loops that do not close so are closed by the search.
+    Coordinates without load retain these values. Loops that do not close there are closed by the equilibrium.
     """
     model = system.model
     if model is None or not is_looped(system):
@@ -293,9 +293,9 @@ def _from_given(system: System, state: State, driven: Sequence[int]) -> State:
 def _closed(
     system: System, scenario: Scenario, state: State, driven: Sequence[int], rest: bool = False
 ) -> tuple[State, tuple[str, ...]]:
-    """Close the loops from the start values of the joints, which stay; with notes on it.
+    """Close the loops with the start values of the joints fixed; returns state and notes.
 
-    A mechanism at rest (`rest`) has closed loops; its rates have to fit them still.
+    With `rest`, the loops are closed by the equilibrium already, and only the rates are made consistent.
     """
     model = system.model
     if model is None or not is_looped(system):
@@ -315,7 +315,7 @@ def _closed(
 
 
 def _passed_on(system: System, state: State, keep: Collection[int], rates: Collection[int]) -> State:
-    """The state whose trains beyond closed loops turn too: loops know no teeth, and teeth no loops."""
+    """Make the rates consistent with gear trains and closed loops, where trains are joined through loops."""
     if not system.kinds(MESH) or not rates:
         return state
     state.v[:] = rates_through_loops(system, state, rates)
@@ -323,13 +323,13 @@ def _passed_on(system: System, state: State, keep: Collection[int], rates: Colle
 
 
 def _rounding(system: System, state: State) -> float:
-    """Largest rounding of a force or torque at a state [N, N m]: of stiffness times 1 m and 1 rad."""
+    """Largest rounding error of a force or torque at a state [N, N m]: of stiffness times 1 m and 1 rad."""
     K = rest_matrix(system, state, NEWTON, (0.0, 0.0, 1.0))
     return ROUNDING * float((abs(K) @ (np.abs(state.q) + 1.0)).max(initial=0.0))
 
 
 def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[Message, ...]:
-    """Notes on loads that do not balance: the speed will then drift."""
+    """Notes on loads that do not balance, so that the speed will change."""
     largest = max((abs(float(r["value"])) for r in system.rows(TORQUE)), default=0.0)
     notes = []
     least = max(IMBALANCE * largest, 1e-9)
@@ -341,8 +341,8 @@ def _notes(system: System, found: Equilibrium, known: set[int]) -> tuple[Message
         if spin not in known and abs(reaction) > least:
             notes.append(
                 note(
-                    f"{UNBALANCED}: {-reaction:.4g} N m are left over on {body}, so the speed will change",
-                    remedy="set one torque to `balance` or drive a body if that is not wanted",
+                    f"{UNBALANCED}: net torque of {-reaction:.4g} N m on {body}, so the speed will change",
+                    remedy="set one torque to `balance` or drive a body if this is not intended",
                 )
             )
     return tuple(notes)

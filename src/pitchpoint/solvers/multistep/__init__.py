@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Backward differentiation formulas: step, order control, history, events, restarts."""
+"""Backward differentiation formulas (BDF): step, order control, history, events, restarts."""

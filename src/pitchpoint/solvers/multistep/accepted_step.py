@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a step of a multistep method leaves behind: samples, statistics and events on its polynomial."""
+"""Output of an accepted multistep step: samples, statistics and events on its polynomial."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def view_past(at, where):
 
 @kernel
 def keep_accelerations(at):
-    """Copy the accelerations of the workspace to where a step that fails finds them."""
+    """Save the accelerations of the workspace, for a failed step."""
     c = view(at, 1, CTL)[0]
     a = view(c["a"], c["nd"], F8)
     ap = view(view(c["mach"], 1, MACH)[0]["ap"], c["nd"], F8)
@@ -41,7 +41,7 @@ def keep_accelerations(at):
 
 @kernel
 def go_back(at, where):
-    """Bring the state before the step back; its accelerations wait in a row of their own."""
+    """Restore the state before the step, with its saved accelerations."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
@@ -63,7 +63,7 @@ def go_back(at, where):
 
 @kernel
 def _look_back(at, where, s, n):
-    """Put the state at the offset s, within the last step, into the workspace."""
+    """Interpolate the state at the offset s, within the last step, into the workspace."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     nc = c["nc"]
@@ -94,7 +94,7 @@ def _look_back(at, where, s, n):
 
 @kernel
 def prepare_events(at, where, h, n):
-    """Coefficients of the last step where the search for events wants them."""
+    """Store the dense output coefficients of the last step for the event search; returns their degree."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     rows, times, w, W = view_past(at, where)
@@ -111,7 +111,7 @@ def prepare_events(at, where, h, n):
 
 @kernel
 def leave_behind(at, where, grid, watch, recorder):
-    """Samples, statistics and events of the last step; the state after it is in the workspace again."""
+    """Record samples, statistics and events of the last step; restores the state after it."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]

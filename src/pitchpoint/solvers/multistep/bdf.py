@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiff runs: backward differentiation formulas of four kinds and three forms, on the same residual.
+"""Stiff integration by backward differentiation formulas of four kinds and three constraint formulations.
 
 Kinds: *gstiff* (fixed coefficients), *wstiff* (variable coefficients), *dassl* (fixed leading coefficient),
-*constant_bdf* (order and step are given). Forms: *I3* (constraints on positions), *SI2* (on positions and
-rates, q' = v + G^T mu), *SI1* (SI2 with lambda = eta', mu = xi'). Without constraint rows they are one.
+*constant_bdf* (given order and step). Forms: *I3* (constraints at position level), *SI2* (at position and
+velocity level, q' = v + G^T mu), *SI1* (SI2 with lambda = eta', mu = xi'). Without constraints all forms are
+equal.
 """
 
 from __future__ import annotations
@@ -34,28 +35,29 @@ KINDS = {"gstiff": FIXED, "wstiff": VARIABLE, "dassl": LEADING, "constant_bdf": 
 FORMS = ("I3", "SI2", "SI1")
 MOST_ORDER = 6
 LASTING = 12
-"""Newton iterations with a matrix each of a step that cannot be shortened without loss, and of others:"""
+"""Maximum number of full Newton iterations of constant_bdf, whose step should not be shortened."""
 HASTY = 3
+"""The same for methods with step control."""
 
 
 @dataclass
 class StiffRun:
-    """An integration under way. Made by `start`.
+    """Running integration. Created by `start`.
 
     Parameters
     ----------
     system
-        The system; its workspace holds the state.
+        The system; its workspace contains the state.
     past
         Memory of the method, PAST record, shape (1,).
     tolerances
         rtol [-], atol [m], atol_rate [m/s], longest step [s].
     t0
-        Time of the start: samples count from it [s].
+        Start time, from which samples count [s].
     steps
         Accepted steps.
     keep
-        Arrays whose addresses the memory holds.
+        Arrays referenced by address in the memory.
     """
 
     system: System
@@ -90,11 +92,11 @@ class StiffRun:
         restart: bool = False,
         most: int = 1_000_000_000,
     ) -> Chunk:
-        """Go to a time; arguments as in `explicit.runge_kutta.ExplicitRun.advance_to`.
+        """Integrate to a time; arguments as in `explicit.runge_kutta.ExplicitRun.advance_to`.
 
-        With `restart` steps end at events, and what comes behind begins anew: no step and no past goes over a
-        jump or a bend of the forces. Else an event is located on the polynomial of its step, and what it does
-        to the solution is left to the error of the step.
+        With `restart`, steps end at events and the method restarts there: no step and no history crosses a
+        jump or a kink of the forces. Otherwise events are located on the polynomial of the step, and their
+        effect on the solution is left to the error control.
         """
         reach = min(t_end - self.t, most * self.longest)
         room = int(reach / sample) + 2 if sample > 0.0 else 0
@@ -105,19 +107,19 @@ class StiffRun:
         return replace(done, status=rows_agree(self.system, self.t)) if done.status == OK else done
 
     def watch(self, functions: NDArray[np.int64]) -> None:
-        """Let events count of functions with a flag only, shape (ne,); all count without."""
+        """Restrict events to the flagged functions, shape (ne,); default all."""
         self.keep.append(functions)
         self.past[0]["wanted"] = functions.ctypes.data
 
     @property
     def restarts(self) -> int:
-        """Steps that ended at an event, from which the method continued with a new history."""
+        """Number of restarts at events."""
         return int(self.past[0]["events"])
 
     def go_on(self) -> int:
-        """Continue from the state in the workspace after a jump of the forces; returns the status.
+        """Restart from the state in the workspace after a jump of the forces; returns the status.
 
-        At order 3, by derivatives of the new side, or at order 1 where these are unreliable.
+        At order 3 with derivatives after the jump, or at order 1 if these are unreliable.
         """
         status = evaluate.accelerations(self.system, self.t)
         if status == OK and self.past[0]["k"] > 0:
@@ -141,33 +143,33 @@ def start(
     order: int | None = None,
     largest_step: float = math.inf,
 ) -> StiffRun:
-    """Begin a stiff run from a state; its accelerations and multipliers are computed afresh.
+    """Start a stiff integration from a state; its accelerations and multipliers are computed.
 
     Parameters
     ----------
     system, state
-        What to integrate and from where.
+        The system and its initial state.
     kind
         One of `KINDS`.
     form
-        One of `FORMS`. I3 judges the error of positions only where there are constraints: the rates follow,
-        but an estimate of their error is unreliable after a change of step.
+        One of `FORMS`. With constraints, I3 controls the error of the positions only, because error estimates
+        of the rates are unreliable after a change of step.
     rtol
         Relative tolerance of rates and displacements (not of spins) per step, default 1e-6. constant_bdf has
-        no error control: its tolerance, default 1e-11, is that of its Newton iteration alone.
+        no error control: its tolerance, default 1e-11, is that of the Newton iteration.
     atol, atol_rate
-        Absolute tolerances as lengths [m] and velocities [m/s]; angles count with the weight of the system.
+        Absolute tolerances as lengths [m] and velocities [m/s]; angles are scaled by the system weights.
         Default 1e-4 rtol and rtol.
     order
         Highest order 1 ... 6 (default 5), or the order of constant_bdf (default 2).
     largest_step
-        Longest step [s]; the step of constant_bdf, which is shorter only at the start, at the end, and where
-        the iteration fails.
+        Longest step [s]; the step of constant_bdf, which is shorter only at the start, at the end, and if the
+        iteration fails.
 
     Raises
     ------
     SolverError
-        If the state has no finite acceleration, or an argument is none of those above.
+        If the state has no finite acceleration, or an argument is invalid.
     """
     constant = kind == "constant_bdf"
     order = order or (2 if constant else 5)
@@ -217,9 +219,9 @@ def start(
 
 def _check(kind: str, form: str, order: int, largest_step: float) -> None:
     if kind not in KINDS:
-        raise SolverError(f"the kind {kind!r} is none of {', '.join(KINDS)}", NOT_FINITE)
+        raise SolverError(f"unknown kind {kind!r}; choose one of {', '.join(KINDS)}", NOT_FINITE)
     if form not in FORMS:
-        raise SolverError(f"the form {form!r} is none of {', '.join(FORMS)}", NOT_FINITE)
+        raise SolverError(f"unknown form {form!r}; choose one of {', '.join(FORMS)}", NOT_FINITE)
     if not 1 <= order <= MOST_ORDER:
         raise SolverError(f"the order must be 1 ... {MOST_ORDER}, not {order!r}", NOT_FINITE)
     if not largest_step > 0.0 or (kind == "constant_bdf" and not math.isfinite(largest_step)):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Steps of a multistep method that end at events, where forces jump or bend.
+"""Multistep steps that end at events, where forces have a jump or a kink.
 
-A polynomial over the bend is not a solution, so a step ends there. First guess: where the polynomial through
-the past, all of it before the event, meets it; then where that of the shortened step does, until it ends
-behind the event by no more than `LOCATED` of the step tried. `multistep.restart` continues from there.
+A polynomial across a kink is not a solution, so the step must end there. The first guess is the event time on
+the extrapolated polynomial of the history; it is refined with the polynomial of the shortened step, until the
+step ends after the event by `LOCATED` of the trial step or less. `multistep.restart` continues from there.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from pitchpoint.solvers.multistep.order_control import LARGEST, PAST
 from pitchpoint.system.workspace import MACH
 
 LOCATED = 1e-5
-"""How far behind an event a step may end, over the step tried."""
+"""Largest distance of the end of a step after its event, relative to the trial step."""
 MOST_TRIES = 10
 ROOM = 5
-"""Events of one step that are looked at to find its first one."""
+"""Size of the event buffer in the search for the first event of a step."""
 
 
 @kernel
 def _first_event(at, where, h, n):
-    """Where in the step of length h that ends now its first event lies, 0 to 1; 2 if none, < 0 if it died."""
+    """Fraction of the last step of length h at its first event; 2 if there is none, < 0 on failure."""
     b = view(where, 1, PAST)[0]
     found = view(b["p"], (ROOM, 3), F8)
     dense = prepare_events(at, where, h, n)
@@ -35,7 +35,7 @@ def _first_event(at, where, h, n):
 
 @kernel
 def _guess(at, where, h):
-    """Share of a step of length h to come at which the polynomial through the past meets an event."""
+    """Fraction of the next step of length h at its first event, on the polynomial of the history."""
     b = view(where, 1, PAST)[0]
     _, times, _, _ = view_past(at, where)
     n = min(b["points"], b["k"] + 1)
@@ -51,7 +51,7 @@ def _guess(at, where, h):
 
 @kernel
 def _copy_past(at, source, target):
-    """Copy a past: its rows, their times, and what decides on the next step."""
+    """Copy a history: rows, times and step control data."""
     a = view(source, 1, PAST)[0]
     b = view(target, 1, PAST)[0]
     rows, times, _, _ = view_past(at, source)
@@ -77,7 +77,7 @@ def _copy_past(at, source, target):
 
 @kernel
 def keep_past(at, where):
-    """Put the past and the accelerations where a step that is taken back finds them."""
+    """Save history and accelerations, for a step that may be undone."""
     c = view(at, 1, CTL)[0]
     _copy_past(at, where, view(where, 1, PAST)[0]["kept"])
     a = view(c["a"], c["nd"], F8)
@@ -88,7 +88,7 @@ def keep_past(at, where):
 
 @kernel
 def take_back(at, where):
-    """Be where `keep_past` was: a step may have moved the past to its own grid, and dropped some of it."""
+    """Restore the history and state of `keep_past`: a step may have regridded or shortened the history."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     _copy_past(at, view(where, 1, PAST)[0]["kept"], where)
@@ -101,7 +101,7 @@ def take_back(at, where):
 
 @kernel
 def _pass_on(at):
-    """Let the event functions at the end of the step be those at the start of the next."""
+    """Copy the event functions at the end of the step to the start of the next."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     ev0 = view(m["ev0"], c["ne"], F8)
@@ -143,8 +143,8 @@ def step_to_event(at, where, spare):
         if share > 1.0:
             if tries == 0 or tries == MOST_TRIES - 1 or used < 0.9 * reach or extra > h:
                 _pass_on(at)
-                return OK  # nothing here, or the step became too short to get there
-            extra *= 8.0  # just before it
+                return OK  # no event, or the step became too short to reach it
+            extra *= 8.0  # the step ended just before the event
             reach = used + extra
         else:
             if (1.0 - share) * used <= room or tries == MOST_TRIES - 1:

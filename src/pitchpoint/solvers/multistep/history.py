@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The past of a multistep method: values at earlier times, and the polynomials through them.
+"""History of a multistep method: values at earlier times, and the polynomials through them.
 
-Row j of the history holds the state at the offset times[j] <= 0 from the newest one (times[0] = 0). Backward
-differences, Nordsieck arrays and divided differences of the literature are all combinations of these rows;
-what a method needs of them are weights of a few points, worked out once per step for all coordinates.
+Row j of the history is the state at the offset times[j] <= 0 from the latest one (times[0] = 0). The backward
+differences, Nordsieck arrays and divided differences of the literature are all linear combinations of these
+rows; their weights are computed once per step for all coordinates.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from __future__ import annotations
 from pitchpoint.core.kernel import kernel
 
 DEPTH = 8
-"""Rows of the history: order 6 needs 7 for its predictor and one more to judge order 7 against it."""
+"""Rows of the history: order 6 needs 7 for its predictor and one more for the error estimate of order 7."""
 
 
 @kernel
 def weights_at(times, n, s, w):
-    """Weights of n values for the polynomial through them, at the offset s."""
+    """Weights of n values for their interpolation polynomial at the offset s."""
     for j in range(n):
         p = 1.0
         for i in range(n):
@@ -27,7 +27,7 @@ def weights_at(times, n, s, w):
 
 @kernel
 def slopes_at(times, n, s, w):
-    """Weights of n values for the derivative of the polynomial through them, at the offset s."""
+    """Weights of n values for the derivative of their interpolation polynomial at the offset s."""
     for j in range(n):
         total = 0.0
         for k in range(n):
@@ -42,7 +42,7 @@ def slopes_at(times, n, s, w):
 
 @kernel
 def difference_weights(times, n, h, w):
-    """Weights of a value at the offset h (first) and n earlier ones for h^n times the n-th derivative."""
+    """Weights of a value at the offset h (first) and n earlier values for h^n times the n-th derivative."""
     for j in range(n + 1):
         mine = h if j == 0 else times[j - 1]
         p = 1.0
@@ -59,7 +59,7 @@ def difference_weights(times, n, h, w):
 
 @kernel
 def combine(rows, n, w, out):
-    """Sum of n rows by their weights."""
+    """Weighted sum of n rows."""
     for i in range(out.size):
         s = 0.0
         for j in range(n):
@@ -69,7 +69,7 @@ def combine(rows, n, w, out):
 
 @kernel
 def regrid(rows, times, n, h, W):
-    """Values of the polynomial through n rows at the offsets 0, -h, -2h ...: the past of an equal step."""
+    """Interpolate n rows to the offsets 0, -h, -2h ...: the history of a constant step h."""
     for m in range(1, n):
         weights_at(times, n, -m * h, W[m])
     for i in range(rows.shape[1]):
@@ -86,7 +86,7 @@ def regrid(rows, times, n, h, W):
 
 @kernel
 def push(rows, times, n, h):
-    """Make room for a new row at the offset h, which becomes the origin; n rows stay behind it."""
+    """Shift n rows to make room for a new row at the offset h, which becomes the origin."""
     for j in range(n, 0, -1):
         for i in range(rows.shape[1]):
             rows[j, i] = rows[j - 1, i]
@@ -105,7 +105,7 @@ def _multiply(p, degree, root, scale):
 
 @kernel
 def dense_weights(times, n, h, W, p):
-    """Weights W[r, j] of value j for coefficient r of the last step, in the form that finds events.
+    """Weights W[r, j] of value j for the dense output coefficient r of the last step.
 
     y = c0 + x (c1 + (1 - x) (c2 + x (c3 + ...))) with x from 0 to 1 over the step of length h that ended at
     the offset 0; see `explicit.dense_output.interpolate`.

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Memory of a multistep method, its error, and the choice of order and step.
+"""Memory of a multistep method, its error estimate, and the control of order and step.
 
-The rows of the history are q, v, lambda, eta, xi: 2 nd + 3 nc numbers. The error of a step of order k is a
-multiple of the difference of order k + 1 of the values it leads to; differences of neighbouring orders
-give theirs. Rules of L. R. Petzold's DASSL: K. E. Brenan, S. L. Campbell, L. R. Petzold, Numerical
-Solution of Initial-Value Problems in Differential-Algebraic Equations, SIAM 1996, 5.2.
+The rows of the history are q, v, lambda, eta, xi: 2 nd + 3 nc numbers. The error of a step of order k is
+proportional to the difference of order k + 1, and likewise for the neighbouring orders. Rules of
+L. R. Petzold's DASSL: K. E. Brenan, S. L. Campbell, L. R. Petzold, Numerical Solution of Initial-Value
+Problems in Differential-Algebraic Equations, SIAM 1996, 5.2.
 
-Multipliers are not part of the error. Of form SI1 their integrals are: an error of eta counts as the change
+Multipliers are not part of the error. In form SI1 their integrals are: an error of eta counts as the change
 of rates M^-1 G^T that it causes, one of xi as the change of positions G^T.
 """
 
@@ -22,46 +22,45 @@ from pitchpoint.solvers.implicit.constrained_newton import ITERATION
 from pitchpoint.solvers.multistep.history import DEPTH, difference_weights
 from pitchpoint.system.workspace import MACH
 
-#: Kinds of coefficients: leading one fixed, as many earlier values as the order at their own times (DASSL
-#: kind); all variable (WSTIFF kind); all fixed, the past moved to the new grid (GSTIFF kind); fixed step and
-#: order.
+#: Kinds of coefficients: fixed leading coefficient (DASSL); variable (WSTIFF); fixed, with the history
+#: interpolated to the new step (GSTIFF); fixed step and order.
 LEADING, VARIABLE, FIXED, CONSTANT = range(4)
 
-# places in the tolerances: relative, of positions, of rates; largest step
+# indices of the tolerances: relative, positions, rates; largest step
 RTOL, ATOL, ATOL_RATE, LARGEST = range(4)
 
 PAST = np.dtype(
     [
         ("t", "f8"),  # time reached
-        ("h", "f8"),  # step to try next
+        ("h", "f8"),  # next trial step
         ("gridded", "f8"),  # step of the grid of the history, 0: none
         ("used", "f8"),  # length of the last step
-        ("limit", "f8"),  # time that no step passes
-        ("origin", "f8"),  # time from which the grid of equal steps counts
-        ("error", "f8"),  # of the step under way, in units of the tolerance
-        ("estimate", "f8"),  # of the order that is chosen next
+        ("limit", "f8"),  # time that no step may exceed
+        ("origin", "f8"),  # origin of the grid of constant steps
+        ("error", "f8"),  # error of the present step, in units of the tolerance
+        ("estimate", "f8"),  # error estimate of the order chosen next
         ("kind", "i8"),
         ("k", "i8"),  # order
         ("next_k", "i8"),  # order of the next step
-        ("points", "i8"),  # rows of the history that are filled
-        ("steady", "i8"),  # steps in a row with this step and order
-        ("rising", "i8"),  # 1: order and step still go up from the start, 2: the order, after a jump
-        ("failures", "i8"),  # in a row
-        ("most_k", "i8"),
-        ("rates", "i8"),  # 1: rates are judged too
+        ("points", "i8"),  # number of filled rows of the history
+        ("steady", "i8"),  # consecutive steps with the same step and order
+        ("rising", "i8"),  # start-up phase, 1: raise order and step, 2: raise the order, after a jump
+        ("failures", "i8"),  # consecutive failures
+        ("most_k", "i8"),  # highest order
+        ("rates", "i8"),  # 1: error control includes the rates
         ("integrals", "i8"),  # 1: multipliers are rates of eta and xi
         *(
             (name, "i8")
             for name in ("rows", "times", "new", "ahead", "slope", "allowed", "W", "p", "tol", "iteration")
         ),
-        ("wanted", "i8"),  # address of a flag per event function, 0: it ends no steps; 0 if all do
-        ("iterate", "i8"),  # addresses of the Newton iteration
-        ("step", "i8"),  # of one whole step,
-        ("seek", "i8"),  # of one that ends at an event,
-        ("resume", "i8"),  # and of what continues from there
-        ("kept", "i8"),  # address of another such record: what was before a step that may be taken back
+        ("wanted", "i8"),  # address of one flag per event function (0: ignored), or 0 if all count
+        ("iterate", "i8"),  # address of the Newton iteration
+        ("step", "i8"),  # address of `step.step`
+        ("seek", "i8"),  # address of `events.step_to_event`
+        ("resume", "i8"),  # address of `restart.resume`
+        ("kept", "i8"),  # address of the record saved before a step that may be undone
         ("event", "i8"),  # 1: the last step ended at an event
-        ("events", "i8"),  # so many steps did
+        ("events", "i8"),  # number of steps that ended at an event
     ],
     align=True,
 )
@@ -69,7 +68,7 @@ PAST = np.dtype(
 
 @kernel
 def set_allowed(at, where):
-    """Tolerance of every coordinate and rate, from the newest row of the history."""
+    """Set the tolerance of every coordinate and rate, from the latest row of the history."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
@@ -86,7 +85,7 @@ def set_allowed(at, where):
 
 @kernel
 def _norm(at, where, x):
-    """Root mean square of a vector like the rows of the history, in units of the tolerance."""
+    """RMS norm of a vector in the layout of a history row, in units of the tolerance."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
@@ -113,7 +112,7 @@ def _norm(at, where, x):
 
 @kernel
 def _difference(at, where, n, h):
-    """Size of h^n times the n-th derivative at the new state, from n earlier values."""
+    """Norm of h^n times the n-th derivative at the new state, from n earlier values."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     size = 2 * c["nd"] + 3 * c["nc"]
@@ -132,7 +131,7 @@ def _difference(at, where, n, h):
 
 @kernel
 def _miss(at, where, h):
-    """Error of the step: a multiple of how far the solution lies from the prediction."""
+    """Error of the step, from the difference of solution and prediction."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     size = 2 * c["nd"] + 3 * c["nc"]
@@ -154,7 +153,7 @@ def _miss(at, where, h):
 
 @kernel
 def judge(at, where, h):
-    """Error of the step under way, and whether one order less would have done as well."""
+    """Estimate the error of the present step, and whether a lower order is sufficient."""
     b = view(where, 1, PAST)[0]
     k = b["k"]
     b["next_k"] = k
@@ -176,7 +175,7 @@ def judge(at, where, h):
 
 @kernel
 def shrink(where, h, solved):
-    """Order and step after a step that failed: by its error if it was solved, else a quarter."""
+    """Set order and step after a failed step: from its error if it was solved, otherwise a quarter."""
     b = view(where, 1, PAST)[0]
     b["failures"] += 1
     b["rising"] = 0
@@ -194,7 +193,7 @@ def shrink(where, h, solved):
 
 @kernel
 def _next_order(at, where, h):
-    """Whether the order goes up, down or stays, by the differences of the neighbouring orders."""
+    """Raise, lower or retain the order, by the differences of the neighbouring orders."""
     b = view(where, 1, PAST)[0]
     k = b["k"]
     if b["next_k"] < k or k == b["most_k"] or b["steady"] <= k + 1 or b["points"] < k + 2:
@@ -211,20 +210,20 @@ def _next_order(at, where, h):
 
 @kernel
 def _growth(estimate, k):
-    """Next step over this one: twice it, the same, or less."""
+    """Ratio of the next step to the present one: 2, 1 or less."""
     share = (2.0 * estimate + 1e-4) ** (-1.0 / (k + 1))
     return 2.0 if share >= 2.0 else 1.0 if share > 1.0 else max(0.5, min(0.9, share))
 
 
 @kernel
 def choose(at, where, h, cut, nominal):
-    """Order and step after a step that was accepted; `cut`: it was shortened to end at a given time."""
+    """Set order and step after an accepted step; `cut`: it was shortened to end at a given time."""
     b = view(where, 1, PAST)[0]
     k = b["k"]
     b["failures"] = 0
     b["steady"] += 1
     if b["kind"] == CONSTANT:
-        # a doubled step wakes the roots that do not belong to the solution; those of high orders fade slowly
+        # doubling the step excites parasitic roots, which decay slowly at high orders
         if b["steady"] >= (k + 2 if k < 4 else 2 ** (k - 1)) and not cut:
             x = (b["t"] + h - b["origin"]) / (2.0 * h)
             if k < b["most_k"]:
@@ -234,7 +233,7 @@ def choose(at, where, h, cut, nominal):
         share = 1.0
     elif b["rising"] != 0 and b["next_k"] == k:
         share = 2.0
-        if b["rising"] == 2:  # the error of the order above is some part of it
+        if b["rising"] == 2:  # the error of the next higher order is a fraction of the estimate
             share = max(0.5, min(2.0, (0.8 * b["estimate"] + 1e-4) ** (-1.0 / (k + 2))))
         if k < b["most_k"]:
             b["next_k"] = k + 1

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Restart of a multistep method where forces jump or bend: at order 3, from derivatives of the new side.
+"""Restart of a multistep method at a force jump or kink: at order 3, from derivatives after the event.
 
-The past of the other side is of no use any more. Accelerations a little later give jerk and its derivative
-(differences at two points, twice: the second time with the states that the first pass leads to); their Taylor
-series is the past of the new side. That costs five solutions for accelerations, a start at order 1 some ten
-steps with a matrix each. Where a mode is too stiff for differences the two passes disagree, and
-the method starts at order 1 after all.
+The history before the event is invalid. Accelerations slightly later give jerk and its derivative (finite
+differences with two points, in two passes, the second one with the states of the first); their Taylor series
+gives a history for the time after the event. This costs five evaluations of the accelerations, while a start
+at order 1 takes about ten steps with a new matrix each. If a mode is too stiff for finite differences, the
+two passes disagree, and the method starts at order 1.
 """
 
 from __future__ import annotations
@@ -22,18 +22,18 @@ from pitchpoint.system.linear import solve_acceleration
 from pitchpoint.system.workspace import MACH, VALID
 
 ORDER_AFTER = 3
-"""Order of the first step: as many derivatives of the rates are known."""
+"""Order of the first step, equal to the number of known derivatives of the rates."""
 MOST_TRIES = 3
-"""Distances tried, each an eighth of the one before: the new side may be faster than the old one."""
+"""Number of trial spacings, each an eighth of the previous one: the motion may be faster after the event."""
 FIRST_SHARE = 0.25
-"""Error of the first step aimed at, over the tolerance."""
+"""Target error of the first step over the tolerance."""
 NOW, SOON, LATER, SERIES = 4, 5, 6, 7
-"""Rows of the history that hold accelerations at three times and the derivatives meanwhile."""
+"""Rows of the history used as temporary storage of accelerations at three times and derivatives."""
 
 
 @kernel
 def _look(at, where, s, row):
-    """Accelerations and multipliers at the offset s, on the Taylor series as far as it is known."""
+    """Compute accelerations and multipliers at the offset s on the present Taylor series."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     nd = c["nd"]
@@ -81,7 +81,7 @@ def _differences(at, where, d):
 
 @kernel
 def _derive(at, where, h):
-    """Find the derivatives; 1 if they are worth something, and the state is back in the workspace."""
+    """Compute the derivatives and restore the state; returns 1 if they are reliable."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     nd = c["nd"]
@@ -126,7 +126,7 @@ def _derive(at, where, h):
 
 @kernel
 def _first_step(at, where, h):
-    """Step of the wanted error of order 3, at most h."""
+    """Step for the target error at order 3, at most h."""
     c = view(at, 1, CTL)[0]
     nd = c["nd"]
     rows, _, _, _ = view_past(at, where)
@@ -142,7 +142,7 @@ def _first_step(at, where, h):
         )
         positions += (rows[SERIES, nd + i] / allowed[i]) ** 2
     last = math.sqrt(squares[2])
-    # frequency as that of a vibration, whatever its phase
+    # frequency of an equivalent vibration, independent of its phase
     among = math.sqrt(squares[1] + math.sqrt(squares[0]) * last)
     pace = last / among if among > 0.0 else 0.0
     fourth = math.sqrt((positions + (last * pace) ** 2) / max(2 * nd, 1))
@@ -154,7 +154,7 @@ def _first_step(at, where, h):
 
 @kernel
 def resume(at, where, spare):
-    """Continue from the state in the workspace with a new history; 0 if only a start at order 1 is left."""
+    """Create a new history from the state in the workspace; returns 0 if a start at order 1 is needed."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     nd = c["nd"]

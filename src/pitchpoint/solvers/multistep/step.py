@@ -5,15 +5,15 @@ A step predicts state and derivative at t + h by the polynomial through the last
 
     y' = y'_p + alpha / h (y - y_p),   alpha = sum 1/i  or  sum h / (t + h - t_i)
 
-for the state: with this the rates are v = q'_p + alpha/h (q - q_p) and their derivative follows in the same
-way. The kinds differ in alpha and in what the past is: LEADING keeps the leading coefficient at its value for
-equal steps; VARIABLE passes through the last k values at their own times; FIXED has the coefficients of equal
-steps, and when the step changes the past is moved to the new grid along its polynomial, as a Nordsieck array
-does (C. W. Gear, Numerical Initial Value Problems in Ordinary Differential Equations, 1971, 9.2); CONSTANT
-has a step and an order that are given, and no control of errors. Forms: `constrained_newton`.
+for the state: the rates are then v = q'_p + alpha/h (q - q_p), and their derivative follows in the same way.
+The kinds differ in alpha and in the history: LEADING has the leading coefficient of constant steps; VARIABLE
+uses the last k values at their actual times; FIXED has the coefficients of constant steps, and interpolates
+the history to the new grid when the step changes, like a Nordsieck array (C. W. Gear, Numerical Initial Value
+Problems in Ordinary Differential Equations, 1971, 9.2); CONSTANT has a given step and order, and no error
+control. Forms: `constrained_newton`.
 
-After whole turns the past of a spin is moved by them; when a body that tumbles starts its turns afresh, and
-after an event, the method continues with a new history (`multistep.restart`).
+When a spin angle is wrapped, its history is shifted by the whole turns. After a reset of a rotation chart,
+and after an event, the method continues with a new history (`multistep.restart`).
 """
 
 from __future__ import annotations
@@ -52,25 +52,25 @@ from pitchpoint.system.residual import wrap
 from pitchpoint.system.workspace import MACH, RECHARTED, REJECTED, STEPS, VALID
 
 NEWTON_SHARE = 0.02
-"""Error that the Newton iteration may leave, as a share of the tolerance of the step."""
+"""Tolerance of the Newton iteration relative to that of the step."""
 ROUND_OFF = 2e-15
-"""Least tolerance over the size of what is iterated: some units of rounding."""
+"""Smallest relative tolerance of the iterated values: some units of rounding."""
 RADIUS = 0.1
-"""Size at which forces round [m, rad] without rows: a travel of teeth is an angle times a radius. Tolerances
-of methods with control of errors cover it, those of constant steps do not."""
+"""Reference size of rounding [m, rad] without constraints: the travel of teeth is an angle times a radius.
+The tolerances of methods with error control are above this rounding, those of constant steps are not."""
 FIRST_SHARE = 0.5
-"""Error of the first step of order 1 as a share of the tolerance."""
+"""Error of the first step at order 1 over the tolerance."""
 LADDER = 1.0 / 1024.0
-"""First step of the method with constant step: it starts at order 1, whose error must not be seen later."""
+"""First step over the constant step: it starts at order 1, whose error must remain negligible."""
 SAME = 1e-9
-"""Relative difference up to which two steps are equal."""
+"""Relative difference up to which two steps count as equal."""
 ANEW = 1e-10
-"""Least distance of two starts at order 1 because the search for events found no step, over the time."""
+"""Smallest relative time between two restarts at order 1 after a failed event search."""
 
 
 @kernel
 def begin(at, where, nominal, reach):
-    """Begin at order 1 with the state in the workspace; a second row is made from its derivatives."""
+    """Start at order 1 with the state in the workspace; the second row follows from its derivatives."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     nd = c["nd"]
@@ -85,7 +85,7 @@ def begin(at, where, nominal, reach):
         rows[0, nd + i] = v[i]
     for r in range(nc):
         rows[0, 2 * nd + r] = lam[r]
-        for j in range(2):  # integrals count from here
+        for j in range(2):  # integrals start at zero
             rows[j, 2 * nd + nc + r] = 0.0
             rows[j, 2 * nd + 2 * nc + r] = 0.0
     set_allowed(at, where)
@@ -116,7 +116,7 @@ def begin(at, where, nominal, reach):
     b["steady"] = 0
     b["failures"] = 0
     b["rising"] = 1
-    view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)[VALID] = 0  # the matrix may be of other coordinates
+    view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)[VALID] = 0  # the rotation chart may have changed
 
 
 @kernel
@@ -131,7 +131,7 @@ def _leading(where, times, h):
 
 @kernel
 def _predict(at, where, h):
-    """Put the prediction into the workspace and set factors and tolerances of the Newton iteration."""
+    """Write the prediction to the workspace and set the factors and tolerances of the Newton iteration."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     n = view(b["iteration"], 1, ITERATION)[0]
@@ -165,7 +165,7 @@ def _predict(at, where, h):
         q[i] = ahead[i]
         v[i] = slope[i]
         a[i] = slope[nd + i] + cd * (slope[i] - ahead[nd + i])
-        # rows round at the size of the machine, forces at that of gears
+        # constraint rows are rounded at the size of the machine, forces at the size of gears
         size = 1.0 if nc > 0 else RADIUS if b["kind"] == CONSTANT else 0.0
         floor = ROUND_OFF * (abs(q[i]) + size)
         per_q[i] = 1.0 / max(NEWTON_SHARE * allowed[i], floor)
@@ -178,7 +178,7 @@ def _predict(at, where, h):
 
 @kernel
 def _collect(at, where):
-    """Write the state in the workspace as a row of the history."""
+    """Store the state in the workspace as a new row of the history."""
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
     n = view(b["iteration"], 1, ITERATION)[0]
@@ -205,7 +205,7 @@ def _collect(at, where):
 
 @kernel
 def _time_after(where, h, limit, nominal):
-    """Time at the end of a step: the limit if only rounding parts them, or a place of the grid."""
+    """Time at the end of a step, rounded to the limit or to the grid of constant steps."""
     b = view(where, 1, PAST)[0]
     t = b["t"] + h
     if abs(limit - t) <= SAME * h + ROUND_OFF * abs(limit):
@@ -218,9 +218,9 @@ def _time_after(where, h, limit, nominal):
 
 @kernel
 def step(at, where, spare):
-    """One accepted step that ends at the limit at the latest; the history has its row then.
+    """Take one accepted step that ends at the limit or before, and append it to the history.
 
-    Reached through its address, so that it is compiled once and not again inside the driver.
+    Called through its address, so that it is not compiled again in the driver.
     """
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
@@ -266,7 +266,7 @@ def step(at, where, spare):
         go_back(at, where)
         if not b["h"] > 1e-14 * max(abs(b["t"]), 1e-9):
             return STEP_UNDERFLOW if status == OK else status
-        c["bad"] = -1  # a shorter step may do without what this one met
+        c["bad"] = -1  # the retry with a shorter step may succeed
         c["badkind"] = -1
     choose(at, where, h, cut, nominal)
     push(rows, times, min(b["points"], DEPTH - 1), h)
@@ -282,14 +282,14 @@ def step(at, where, spare):
 
 @kernel
 def _go_on(at, where, nominal, reach):
-    """Continue from the state in the workspace with a new history, at order 1 without usable derivatives."""
+    """Restart from the state in the workspace, at order 1 if its derivatives are unreliable."""
     if call(view(where, 1, PAST)[0]["resume"], at, where, 0) != OK:
         begin(at, where, nominal, reach)
 
 
 @kernel
 def _follow_turns(at, where, nominal, reach):
-    """Count whole turns and move the past along; begin anew where a body starts its turns afresh."""
+    """Wrap spin angles and shift their history; restart after a reset of a rotation chart."""
     c = view(at, 1, CTL)[0]
     m = view(c["mach"], 1, MACH)[0]
     b = view(where, 1, PAST)[0]
@@ -312,9 +312,9 @@ def _follow_turns(at, where, nominal, reach):
 
 @kernel(inline=True)
 def advance_multistep(at, where, t_end, grid, most, restart, recorder):
-    """Continue to t_end, at most `most` steps; grid: time of sample 0, distance of samples (0: none).
+    """Integrate to t_end, with at most `most` steps; grid: time of sample 0, sample period (0: none).
 
-    restart != 0: steps end at events, and the method continues from there with a new history.
+    restart != 0: steps end at events, and the method restarts there with a new history.
     """
     c = view(at, 1, CTL)[0]
     b = view(where, 1, PAST)[0]
@@ -332,7 +332,7 @@ def advance_multistep(at, where, t_end, grid, most, restart, recorder):
         status = call(b["seek"] if seek else b["step"], at, where, 0)
         lost = status == STEP_UNDERFLOW or status == DIVERGED or status == SLOW
         if seek and lost and b["t"] >= anew:
-            # very short steps to events round off the past: without it, and whatever happens within the step
+            # very short steps to events make the history inaccurate: restart, and step over events
             anew = b["t"] + ANEW * max(abs(b["t"]), 1e-9)
             c["bad"] = -1
             c["badkind"] = -1
@@ -365,7 +365,7 @@ ORDER = np.dtype(
 
 @kernel
 def entry(at, order, recorder):
-    """Carry out an ORDER; both arguments are addresses of records."""
+    """Execute an ORDER; both arguments are addresses of records."""
     o = view(order, 1, ORDER)[0]
     grid = (o["sample_zero"], o["sample"])
     return advance_multistep(at, o["past"], o["t_end"], grid, o["most"], o["restart"], recorder_at(recorder))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a user should know of the loads of a slow roll: meshes that carry nothing, loads that do not balance.
+"""Notes on the loads of a slow roll: unloaded meshes, loads that do not balance, neglected friction.
 
-A roll holds the body that it turns, so loads that do not balance change no speed: what is left over is taken
-up there, and a mesh may carry nothing, or carry on its other flank.
+The rotated body is held in a slow roll, so unbalanced loads do not change a speed: the holding torque
+balances them, and a mesh may be unloaded or loaded on its other flank.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ if TYPE_CHECKING:
 
 
 def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array) -> tuple[Message, ...]:
-    """Name the meshes without load, and the torques that only held bodies take up.
+    """Notes on meshes without load, and on torques that are balanced by held bodies only.
 
     Parameters
     ----------
     system
-        As it was rolled.
+        The system of the roll.
     held
-        Spins that were held; the first one is that of the body that was turned.
+        Held spins; the first one is that of the rotated body.
     reaction
-        Torques that held them [N m], shape (n, len(held)).
+        Holding torques [N m], shape (n, len(held)).
     rows
-        All observations, shape (n, no).
+        All channels, shape (n, no).
     """
     if not len(rows) or system.model is None or not system.model.loads:
-        return ()  # without loads only the flanks are of interest
+        return ()  # a roll without loads is for the flank geometry only
     torques = load_torques(system, rows[0])
     least = max(IMBALANCE * max(map(abs, torques.values()), default=0.0), 1e-9)
     driven = driven_coordinates(system)
@@ -56,25 +56,25 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
     ]
     found = []
     if empty:
-        why = f"; {' and '.join(over)} go into holding it" if over else ""
+        why = f"; {' and '.join(over)} are balanced by holding torques" if over else ""
         found.append(
             note(
-                f"nothing loads mesh {' and '.join(empty)}{why}: load the bodies on both sides of a mesh, "
+                f"mesh {' and '.join(empty)} carries no load{why}: load the bodies on both sides of a mesh, "
                 "one of them with torque: balance"
             )
         )
     elif over:
         found.append(
             note(
-                f"the loads do not balance: {' and '.join(over)} are left over and go into holding it",
-                remedy="set one torque to `balance` if that is not wanted",
+                f"the loads do not balance: {' and '.join(over)} are balanced by holding torques",
+                remedy="set one torque to `balance` if this is not intended",
             )
         )
     return (*found, *(same for spin in left if (same := _same_way(system, spin, torques))))
 
 
 def friction_notes(system: System) -> tuple[str, ...]:
-    """A sentence if meshes or joints have friction: at zero speed, the limit of a slow roll, it vanishes."""
+    """Note if meshes or joints have friction: at zero speed, the limit of a slow roll, it vanishes."""
     rubbing = [
         name
         for name, record in zip(mesh_names(system), mesh_records(system), strict=True)
@@ -93,14 +93,14 @@ def friction_notes(system: System) -> tuple[str, ...]:
 
 
 def load_torques(system: System, row: Array) -> dict[str, float]:
-    """Torque of every load that is one [N m], by its name, from a row of observations."""
+    """Torque of every torque load [N m], by name, from a row of channel values."""
     known = {c.name: k for k, c in enumerate(system.layout.channels)}
     loads = system.model.loads if system.model is not None else {}
     return {name: float(row[known[f"torque[{name}]"]]) for name in loads if f"torque[{name}]" in known}
 
 
 def _same_way(system: System, spin: int, torques: dict[str, float]) -> Message | None:
-    """A note if all torques on a train turn it the same way: the teeth then meet on the other flank."""
+    """Note if all torques on a train act in the same direction: the other flanks are then loaded."""
     rates = rotations(system, (spin,))[:, 0]
     loads = system.model.loads if system.model is not None else {}
     powers = {
@@ -115,7 +115,7 @@ def _same_way(system: System, spin: int, torques: dict[str, float]) -> Message |
         return None
     first, *others = powers
     return note(
-        f"{first} and {' and '.join(others)} turn the train the same way round, so the teeth meet on the "
-        f"other flank than where {first} alone would press them",
-        remedy="change a sign if one of them is to brake",
+        f"{first} and {' and '.join(others)} drive the train in the same direction, so the working flank is "
+        f"not the one that {first} alone would load",
+        remedy="change the sign of the braking torque",
     )

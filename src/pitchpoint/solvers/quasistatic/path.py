@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a machine is rolled by hand: which gear is turned, what turns with it, where all loads are gone."""
+"""Path of a slow roll: the rotated gear, the motion of the other bodies, the undeformed state."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from pitchpoint.system.system import State, System
 
 
 def turned_gear(system: System, mesh: int) -> tuple[int, int]:
-    """Spin of the gear that rolls a mesh, and the number of its teeth: the first of both that can turn."""
+    """Spin and number of teeth of the rotated gear of a mesh: the first of both that can rotate."""
     record = mesh_record(system, mesh)
     body = next(int(record[e]) for e in ("i", "j") if spin_of(system.program["body"], record[e]) >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
@@ -27,16 +27,16 @@ def turned_gear(system: System, mesh: int) -> tuple[int, int]:
 
 
 def periods_per_turn(system: System, mesh: int, rates: Array) -> float:
-    """Periods of a mesh per revolution of the gear that rolls it; a carrier that turns along takes some away.
+    """Periods of a mesh per revolution of its rotated gear, reduced by the rotation of a carrier.
 
-    Through closed loops, whose ratios change, the gear is taken against its base.
+    In systems with closed loops, whose ratios vary, the rotation relative to the base of the gear counts.
 
     Parameters
     ----------
     system, mesh
-        The mesh.
+        The system and the index of the mesh.
     rates
-        Rates of all coordinates as that gear turns at 1 rad/s, shape (nd,).
+        Rates of all coordinates with that gear at 1 rad/s, shape (nd,).
 
     Raises
     ------
@@ -48,28 +48,28 @@ def periods_per_turn(system: System, mesh: int, rates: Array) -> float:
     name = mesh_names(system)[mesh]
     found = mesh_orders(system, rates)[name]
     if not found > 0.0:
-        raise SolverError(f"mesh {name} cannot be rolled: it does not move while its gears turn", SINGULAR)
+        raise SolverError(f"mesh {name} cannot be rolled: its gears have no relative rotation", SINGULAR)
     return found
 
 
 def rolled_on(system: System, state: State, spin: int, step: float, rates: Array) -> State:
-    """The state with one spin turned on by a step, and what turns with it by teeth, with ratios in `rates`.
+    """Copy of a state with one spin and its gear train rotated by a step, with the ratios in `rates`.
 
-    Through closed loops the ratios are those of the place, and the loops are closed again.
+    In systems with closed loops the ratios are those of the present position, and the loops are closed again.
     """
     if not is_looped(system):
         return _turn(system, state, step * rates)
     along = turning_rates(system, state, spin)
     if not along.any():
         name = system.layout.coordinates[spin].rsplit(".", 1)[0]
-        raise SolverError(f"{name} cannot be turned on: closed loops hold it fast", SINGULAR, state)
+        raise SolverError(f"{name} cannot be rotated further: closed loops lock it", SINGULAR, state)
     return _turn(
         system, close_loops(system, _turn(system, state, step * along), (spin,)), np.zeros(len(along))
     )
 
 
 def _turn(system: System, state: State, by: Array) -> State:
-    """The state with its spins moved on, remainders kept small."""
+    """Copy of a state with its coordinates advanced and spin angles wrapped."""
     new = state.copy()
     new.q += by
     for spin, body in system.program["spins"]:
@@ -80,7 +80,7 @@ def _turn(system: System, state: State, by: Array) -> State:
 
 
 def without_deflections(system: System, state: State, held: Sequence[int]) -> State:
-    """The same spins, and places of what loops tie; the deflections of shafts in bearings are zero."""
+    """Copy of a state with zero deflections of shafts in bearings; spins and closed loops are retained."""
     new = state.copy()
     for body in system.program["body"][1:]:
         if body["joint"] != GENERAL or not is_looped(system):

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Slow roll through whole mesh periods: transmission error with and without load, stiffness, load sharing.
 
-One spin is held at equal steps of its angle and everything else comes to rest under the loads. Nothing moves
-fast enough for inertia, damping or friction to count: speeds are zero, so this is the limit of the dynamics
-for vanishing speed (the smoothed Coulomb friction vanishes there too).
+One spin is advanced in equal angular steps, with the equilibrium of all other coordinates under the loads at
+each step. Speeds are zero: inertia, damping and (smoothed Coulomb) friction forces vanish, so the result is
+the limit of the dynamics for vanishing speed.
 
-Without load means that the torque vanishes while the flanks keep touching, bearings undeformed: what is left
-is the kinematic error of the flanks themselves (modifications, deviations, prescribed error) and half the
+The unloaded transmission error is that for vanishing torque with the flanks in contact and undeformed
+bearings: the kinematic error of the flanks (modifications, deviations, prescribed error) and half the
 backlash.
 """
 
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 
 DIMENSION = "mesh_phase_position"
 LARGEST_RATIO = 10**6
-"""Denominator up to which a ratio of speeds is found from its rounded value."""
+"""Largest denominator of a speed ratio that is recovered from its rounded value."""
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,14 @@ class MeshRoll:
     Parameters
     ----------
     unloaded
-        Transmission error with vanishing torque [m], from mid-gap along the base tangent.
+        Transmission error for vanishing torque [m], along the base tangent, from the middle of the backlash.
     tangent_stiffness
-        Derivative of the mesh force by the transmission error, all else kept [N/m].
+        Derivative of the mesh force with respect to the transmission error [N/m].
     share
-        Share of every tooth pair in the mesh force, shape (n, n_pair).
+        Load share of every tooth pair, shape (n, n_pair).
     pitches
-        Tooth pitches that it travels per period of the rolled mesh; 0 at rest, None if it turns through
-        loops, whose ratio changes.
+        Travel in tooth pitches per period of the rolled mesh; 0 at rest, None if it is driven through closed
+        loops, whose ratio varies.
     """
 
     unloaded: Array
@@ -76,7 +76,7 @@ class MeshRoll:
 
     @property
     def repeats_after(self) -> int:
-        """Periods of the rolled mesh after which this one is at the same phase again; 0 for never."""
+        """Periods of the rolled mesh after which the phase of this mesh repeats; 0 for never."""
         return 0 if self.pitches is None else self.pitches.denominator
 
 
@@ -87,19 +87,19 @@ class Roll:
     Parameters
     ----------
     mesh
-        The mesh whose periods count.
+        The rolled mesh.
     position
-        Periods rolled so far, shape (n,), n = points * periods + 1.
+        Position in periods, shape (n,), n = points * periods + 1.
     rows
-        All observations, shape (n, no), in the order of the channels of the system.
+        All channels, shape (n, no), in the order of the channels of the system.
     meshes
-        Notes, by mesh.
+        Results by mesh.
     reaction
-        Torque that held the turned spin [N m], shape (n,).
+        Holding torque of the rotated spin [N m], shape (n,).
     notes
-        What the user should know, in sentences.
+        Notes for the user.
     status, sentence
-        How it ended; a roll that stopped early holds the points before.
+        Status code and its description; a roll that stopped early contains the points before.
     """
 
     mesh: str
@@ -113,14 +113,14 @@ class Roll:
 
     @property
     def cycle_notes(self) -> tuple[str, ...]:
-        """Notes on other meshes of which a finished roll shows no whole cycles: their numbers are partial."""
+        """Notes on other meshes whose cycle is not covered by whole periods in a finished roll."""
         if self.status != OK:
             return ()
         periods, found = round(float(self.position[-1])), []
         for name, mesh in self.meshes.items():
             if mesh.pitches is None:
                 found.append(
-                    f"mesh {name} turns through a closed loop; its numbers are those of this part of it"
+                    f"mesh {name} is driven through a closed loop; its values hold for this part of the cycle"
                 )
                 continue
             cycles = mesh.pitches * periods
@@ -143,15 +143,15 @@ def roll_through(
     others: bool = True,
     progress: Progress = silent,
 ) -> Roll:
-    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, also a scenario and `mesh`.
+    """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
-    Without `others`, what `Roll.meshes` holds is found for the rolled mesh alone.
+    Without `others`, `Roll.meshes` contains the rolled mesh only.
     """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
-        raise SolverError("a roll needs a system made from a model: the gear ratios turn it", INCONSISTENT)
+        raise SolverError("a slow roll needs a system compiled from a model (gear ratios)", INCONSISTENT)
     refuse_rates(system, "a slow roll")
-    # torques balance without the friction that a slow roll does not have
+    # balance the torques without friction, which a slow roll neglects
     point = operating_point(without_friction(system, joints=True), _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
@@ -207,7 +207,7 @@ def roll_through(
 def _mesh_rolls(
     system: System, rows: Array, curves: dict[int, tuple[Array, Array]], rates: Array, rolled: tuple[int, int]
 ) -> dict[str, MeshRoll]:
-    """Meshes over the points done; `rolled` is the spin that was turned and the number of its mesh."""
+    """Results by mesh over the points done; `rolled`: the rotated spin and the index of its mesh."""
     names, orders = mesh_names(system), list(mesh_orders(system, rates).values())
     return {
         names[m]: MeshRoll(
@@ -222,7 +222,7 @@ def _mesh_rolls(
 def _plan(
     system: System, what: Scenario | str | None, points: int, periods: int, mesh: str | None = None
 ) -> tuple[Scenario, str, int, int]:
-    """Find out which scenario and which mesh are meant."""
+    """Determine scenario, mesh, points and periods from the arguments."""
     names = mesh_names(system)
     scenarios = {} if system.model is None else system.model.scenarios
     if isinstance(what, str) and what in names:
@@ -248,7 +248,7 @@ def _plan(
 
 
 def _begun(system: System, scenario: Scenario) -> Scenario:
-    """The scenario to begin from: what goes through loops need not rest before the rolled body is held."""
+    """Scenario of the initial state, which with closed loops need not be in equilibrium."""
     loads = {} if system.model is None else system.model.loads
     if not is_looped(system) or any(isinstance(load.torque, Balance) for load in loads.values()):
         return scenario
@@ -256,7 +256,7 @@ def _begun(system: System, scenario: Scenario) -> Scenario:
 
 
 def _pitches(system: System, mesh: int, rolled: tuple[int, int], ratio: float) -> Fraction | None:
-    """Tooth pitches that a mesh travels per period of the rolled one; exact, None if loops are on the way."""
+    """Travel of a mesh in tooth pitches per period of the rolled mesh; exact, None through closed loops."""
     record = mesh_record(system, mesh)
     for body in (record["i"], record["j"]):
         spin = spin_of(system.program["body"], body)
@@ -291,8 +291,8 @@ def solve_quasistatic(
     system
         The compiled model.
     what
-        Name of a mesh, or a scenario (or its name) with `quasi_static`; loads at t = 0 count. Default: the
-        scenario the system was compiled with, else the only mesh.
+        Name of a mesh, or a scenario (or its name) with `quasi_static`; loads are those at t = 0. Default:
+        the scenario the system was compiled with, or the only mesh.
     points, periods
         Points per mesh period and number of periods, unless the scenario gives them.
     progress
@@ -308,7 +308,7 @@ def solve_quasistatic(
     Raises
     ------
     SolverError
-        If there is no such mesh, or no equilibrium at some point.
+        If the mesh does not exist, or a point has no equilibrium.
     """
     import xarray as xr
 
@@ -332,7 +332,7 @@ def solve_quasistatic(
 
 @dataclass(frozen=True)
 class Table:
-    """One quantity of a roll: a number, or values over the positions, shape (n,)."""
+    """One quantity of a roll: a scalar, or values over the positions, shape (n,)."""
 
     name: str
     values: Any
@@ -346,8 +346,8 @@ class Table:
 
 
 def statistics(found: Table) -> dict[str, Any]:
-    """Mean, rms of the alternating part and extremes of a quantity over whole periods."""
-    # the last point repeats the first one, but for meshes that are within a cycle there
+    """Mean, rms of the alternating part, minimum and maximum of a quantity over whole periods."""
+    # the last point repeats the first one, except for meshes with incomplete cycles
     once = found.values[:-1] if len(found.values) > 1 else found.values
     return {
         "unit": found.unit,
@@ -359,7 +359,7 @@ def statistics(found: Table) -> dict[str, Any]:
 
 
 def tables(system: System, roll: Roll) -> list[Table]:
-    """Everything a roll found: all channels, and the values and statistics of `MeshRoll` for every mesh."""
+    """All results of a roll: channels, and the values and statistics of `MeshRoll` for every mesh."""
     found = [
         Table(c.name, roll.rows[:, k], c.unit, c.long_name) for k, c in enumerate(system.layout.channels)
     ]
@@ -372,7 +372,7 @@ def tables(system: System, roll: Roll) -> list[Table]:
         ]
         for word, te in (("", loaded), ("unloaded_", mesh.unloaded)):
             text, key = f"{word.replace('_', ' ')}transmission error", f"{word}transmission_error"
-            # the last point is the first one again
+            # the last point repeats the first one
             mean = float(te[: max(len(te) - 1, 1)].mean()) if len(te) else float("nan")
             span = float(np.ptp(te)) if len(te) else float("nan")
             found.append(Table(f"{key}_mean[{name}]", mean, "m", f"mean of the {text}"))

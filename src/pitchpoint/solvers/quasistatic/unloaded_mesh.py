@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One mesh without its load: where its flank just touches, and how stiff it is at a state."""
+"""Single meshes: unloaded transmission error at first contact, and tangent stiffness."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from pitchpoint.system.system import State, System
 NEWTON_STEPS = 40
 MOST_BISECTIONS = 100
 DEPTH = 1e-13
-"""Penetration at which an unloaded flank counts as just touching [m]."""
+"""Penetration that counts as first contact of an unloaded flank [m]."""
 
 
 def tangent_stiffness(system: System, state: State, m: int) -> float:
-    """Slope of the force of mesh m over the travel of one of its gears along the base tangent."""
+    """Derivative of the force of mesh m with respect to the travel of one gear along the base tangent."""
     record = mesh_record(system, m)
     body, radius = (record["i"], record["r_b1"])
     if spin_of(system.program["body"], body) < 0:
@@ -37,11 +37,11 @@ def tangent_stiffness(system: System, state: State, m: int) -> float:
 
 
 def unloaded_error(system: System, clear: State, m: int, contact: float) -> float:
-    """Transmission error of mesh m alone where its flank just touches, gear 1 turned as in `clear`.
+    """Transmission error of mesh m at first contact, with gear 1 at its angle in `clear`.
 
-    Where the same teeth stay in mesh the force is a power of the depth: Newton's method on its root goes down
-    to the edge at once, whatever the exponent. Where they change on the way, bisection between the
-    last places with and without force finds the edge.
+    If the same teeth stay in contact, the force is a power of the penetration: Newton's method on its root
+    converges directly to first contact for any exponent. If the teeth in contact change, first contact is
+    located by bisection between the last positions with and without force.
     """
     record = mesh_record(system, m)
     flank = -1.0 if contact < 0.0 else 1.0
@@ -51,14 +51,14 @@ def unloaded_error(system: System, clear: State, m: int, contact: float) -> floa
     spin = spin_of(system.program["body"], record[which])
     names = mesh_names(system)
     u, pushes = (system.layout.channel(f"{c}[{names[m]}]") for c in ("transmission_error", "mesh_force"))
-    nowhere = SolverError(f"mesh {names[m]}: no position where the flanks just touch", DIVERGED, clear)
+    nowhere = SolverError(f"mesh {names[m]}: no position of first contact of the flanks", DIVERGED, clear)
     power = float(record["contact"]["power"])
     aim = DEPTH**power * float(record["contact"]["k_ref"])
     state = clear.copy()
     evaluate.residual(system, state)
     span = abs(float(record["now"]["gap"])) + 1e-6
     for _ in range(200):
-        # force against depth beyond any gap: go in until it bites, then down to the edge
+        # close the gap until there is a force, then return to first contact
         values = evaluate.observe(system, state)
         force = flank * float(values[pushes])
         if force > 0.0:
@@ -81,13 +81,13 @@ def unloaded_error(system: System, clear: State, m: int, contact: float) -> floa
                 return float(values[u])
             reach = 0.01 * abs(change)
             state.q[spin] -= flank * change / radius
-            # flanks with hollows begin to touch in one spot, where the force of few nodes is not quite convex
+            # concave flanks touch in one spot first, where the force of few nodes is not quite convex
             above, below = (inside, below) if force > aim else (above, inside)
             kept = min(above, below) < state.q[spin] < max(above, below)
             if not (kept or math.isnan(above - below)):
                 state.q[spin] = 0.5 * (above + below)
         else:
-            # the edge moves a little with the phase: a small step back in
+            # first contact changes slightly with the phase: make a small step back into contact
             outside = state.q[spin]
             state.q[spin] += flank * reach / radius
             reach *= 4.0

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reduced systems: what is condensed, how, and how far off the result is."""
+"""Model reduction: selection of the condensed parts, condensation, error of the result."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What of a system may be condensed: elements and bodies whose linearisation does not change over time.
+"""Selection of the elements and bodies that can be condensed: those with a time-invariant linearization.
 
-A body goes if nothing acts on it, or on what hangs on it, but linear elements and weight, and if its place in
-the equations of motion is the same at all times: its masses and these elements are evaluated at the operating
-point and where the steady rotation has taken it a while later. Bodies at rest pass, round shafts pass as
-their coordinates do not spin, an arm on a shaft that only spins passes, one on a shaft in bearings does not.
+A body is condensed if only linear elements and weight act on it and on the bodies mounted on it, and if its
+equations of motion are time-invariant: its masses and these elements are compared at the operating point and
+after some steady rotation. This holds for bodies at rest, for round shafts, whose coordinates do not rotate,
+and for an arm on a shaft that only rotates, but not for an arm on a shaft in bearings.
 """
 
 from __future__ import annotations
@@ -31,27 +31,27 @@ Array = NDArray[np.float64]
 Choice = dict[str, NDArray[np.int64]]
 
 LOOSE = 1e-9
-"""Eigenvalue of a stiffness with ones on its diagonal below which a motion is not held."""
+"""Eigenvalue of a stiffness scaled to a unit diagonal below which a motion is unconstrained."""
 LEAD = 1e-3
-"""Share in such a motion from which a body takes part in it."""
+"""Amplitude from which a body counts as moving in such a motion."""
 
 
 @dataclass(frozen=True)
 class Split:
-    """What is condensed and what stays.
+    """Partition into condensed and retained bodies and elements.
 
     Parameters
     ----------
     condensed
-        Records by kind.
+        Condensed records by kind.
     kept
-        Bodies that stay.
+        Retained bodies.
     parts
-        Bodies of every condensed part, those that stay among them.
+        Bodies of every condensed part, including the retained ones.
     notes
-        What stays though it might have gone, in sentences.
+        Notes on bodies and elements that are retained unexpectedly.
     reasons
-        Why each of the kept bodies stays.
+        Why each of the retained bodies is retained.
     """
 
     condensed: Choice
@@ -62,7 +62,7 @@ class Split:
 
 
 def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
-    """Decide what goes; `keep` names bodies and elements ("KIND NAME") that stay."""
+    """Select what is condensed; `keep`: names of bodies and elements ("KIND NAME") to retain."""
     names = system.layout.bodies
     known = names_to_keep(system)
     unknown = [name for name in keep if name not in known]
@@ -78,10 +78,10 @@ def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
         for kind, rows in elements.items():
             eligible[kind] = np.setdiff1d(eligible[kind], rows)
             which = ", ".join(element_names(system, kind)[k] for k in rows)
-            notes.append(f"{kind.replace('_', ' ')} {which} is kept: it does not act alike at all times")
+            notes.append(f"{kind.replace('_', ' ')} {which} is kept: its linearization changes over time")
         moving = sorted(set(moving) - set(_kept(system, eligible, forced)))
         if moving:
-            notes.append(f"kept as their inertia changes over time: {', '.join(names[b] for b in moving)}")
+            notes.append(f"kept because their inertia changes: {', '.join(names[b] for b in moving)}")
         forced |= dict.fromkeys(moving, "inertia that changes over time")
     while True:
         why = _kept(system, eligible, forced)
@@ -95,20 +95,21 @@ def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
             order = sorted(kept)
             return Split(condensed, order, parts, tuple(notes), tuple(why[b] for b in order))
         if loose:
-            notes.append(f"kept as no spring of their part holds them: {', '.join(names[b] for b in loose)}")
-        forced |= dict.fromkeys(lone, "nothing to be condensed with")
-        forced |= dict.fromkeys(alone, "first of a part that nothing else keeps")
-        forced |= dict.fromkeys(loose, "no spring of its part holds it")
+            which = ", ".join(names[b] for b in loose)
+            notes.append(f"kept because no spring of their part constrains them: {which}")
+        forced |= dict.fromkeys(lone, "not connected to a condensed part")
+        forced |= dict.fromkeys(alone, "reference of a part without other kept bodies")
+        forced |= dict.fromkeys(loose, "no spring of its part constrains it")
 
 
 def names_to_keep(system: System) -> tuple[str, ...]:
-    """What may be asked to stay: bodies, and elements as "KIND NAME"."""
+    """Valid names to retain: bodies, and elements as "KIND NAME"."""
     elements = [f"{kind} {name}" for kind in system.records for name in element_names(system, kind)]
     return (*system.layout.bodies[1:], *elements)
 
 
 def _linear_records(system: System, keep: Sequence[str]) -> Choice:
-    """Records of linear elements that need not be kept."""
+    """Records of linear elements that need not be retained."""
     body = system.program["body"]
     found: Choice = {}
     for kind, records in system.records.items():
@@ -126,7 +127,7 @@ def _linear_records(system: System, keep: Sequence[str]) -> Choice:
 
 
 def _never(system: System) -> dict[int, str]:
-    """Bodies that functions move, what hangs on them, and states of elements, with the reason."""
+    """Bodies that are never condensed, with the reason: elastic, moved by functions, or element states."""
     body = system.program["body"]
     found: dict[int, str] = {}
     for name, record, fields in elastic_records(system):
@@ -140,7 +141,7 @@ def _never(system: System) -> dict[int, str]:
         if b in found:
             continue
         if elastic:
-            found[b] = f"hangs on {elastic[0]}"
+            found[b] = f"mounted on {elastic[0]}"
         elif body[b]["state"] == 1:
             found[b] = "state of an element"
         elif any(body[c]["guide"] >= 0 or body[c]["shares"] for c in path):
@@ -152,13 +153,13 @@ def _never(system: System) -> dict[int, str]:
 
 
 def _rotors(system: System) -> dict[int, str]:
-    """Elastic bodies with a spin: number of the frame and name."""
+    """Elastic bodies with a spin: body index of the frame, and name."""
     frames = {int(record["i"]): name for name, record, _ in elastic_records(system)}
     return {b: name for b, name in frames.items() if system.program["body"][b]["spin"] >= 0}
 
 
 def _rotor_notes(system: System, eligible: Choice) -> list[str]:
-    """Take out the elements on elastic rotors, whose coordinates turn with them, and note it."""
+    """Exclude the elements on elastic rotors, whose coordinates rotate with them; returns the notes."""
     body, rotors = system.program["body"], _rotors(system)
     if not rotors:
         return []
@@ -176,14 +177,15 @@ def _rotor_notes(system: System, eligible: Choice) -> list[str]:
         ]
         eligible[kind] = np.setdiff1d(rows, on)
         kept += [f"{kind.replace('_', ' ')} {element_names(system, kind)[k]}" for k in on]
-    which = f", so do what hangs on them and {', '.join(kept)}" if kept else ", so does what hangs on them"
+    which = f" and {', '.join(kept)}" if kept else ""
     return [
-        f"elastic rotors stay as they are, as their modes turn with them: {', '.join(rotors.values())}{which}"
+        f"elastic rotors are kept because their modes rotate with them: {', '.join(rotors.values())}; "
+        f"so are the bodies mounted on them{which}"
     ]
 
 
 def _ancestors(body: NDArray[np.void], b: int) -> list[int]:
-    """Bodies on the way from a body to ground, without both."""
+    """Bodies on the path from a body to ground, without both."""
     found = []
     b = int(body[b]["parent"])
     while b:
@@ -193,7 +195,7 @@ def _ancestors(body: NDArray[np.void], b: int) -> list[int]:
 
 
 def _kept(system: System, eligible: Choice, forced: dict[int, str]) -> dict[int, str]:
-    """Bodies that anything but a linear element acts on, those forced to stay, and what carries them: why."""
+    """Retained bodies and the reason: nonlinear elements act on them, forced, or they carry such a body."""
     body, kept = system.program["body"], dict(forced)
     for kind, bank in system.records.items():
         described = registry.find(kind)
@@ -212,9 +214,9 @@ def _kept(system: System, eligible: Choice, forced: dict[int, str]) -> dict[int,
 
 
 def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
-    """Linear elements that are condensed: on bodies that go, and between round ones, where it costs nothing.
+    """Linear elements that are condensed: those on condensed bodies, and those between round bodies.
 
-    What ties two bodies of a mechanism that both stay keeps its own kernel, large motion included.
+    Elements between two retained bodies of a mechanism are evaluated by their own kernels, with large motion.
     """
     body = system.program["body"]
     found: Choice = {}
@@ -232,7 +234,7 @@ def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
                 chosen.append(int(k))
         found[kind] = np.array(chosen, np.int64)
     for kind in [kind for kind in found if registry.find(kind).scope == EVERYWHERE]:
-        # of all coordinates: it goes with the bodies that others join
+        # elements on all coordinates: condensed with the bodies of the parts
         joined = {b for part in _parts(system, found, kept) for b in part}
         bank = system.records[kind]
         found[kind] = np.array(
@@ -242,21 +244,21 @@ def _used(system: System, eligible: Choice, kept: set[int]) -> Choice:
 
 
 def _movers(body: NDArray[np.void], b: int) -> list[int]:
-    """Bodies whose coordinates move a body, its own first; shared ones are those of the owner."""
+    """Bodies whose coordinates move a body, itself first; for shared coordinates their owner."""
     return [int(body[c]["shares"]) or c for c in (b, *_ancestors(body, b))]
 
 
 def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]:
-    """Bodies that condensed elements join, or joints with a body that goes; ground apart.
+    """Groups of bodies connected by condensed elements, or by joints with a condensed body; without ground.
 
-    What carries the end of an element, or gives it its coordinates, moves that end: it is one of the part.
+    Bodies that carry the end of an element, or own its coordinates, belong to the part.
     """
     body = system.program["body"]
     group = {b: {b} for b in range(1, system.sizes["nb"])}
     used: set[int] = set()
 
     def join(one: int, two: int) -> None:
-        """Put two bodies and all that goes with them into one group."""
+        """Merge the groups of two bodies."""
         whole = group[one] | group[two]
         for b in whole:
             group[b] = whole
@@ -282,7 +284,7 @@ def _parts(system: System, condensed: Choice, kept: set[int]) -> list[list[int]]
 def _loose(
     system: System, state: State, condensed: Choice, parts: Sequence[list[int]], kept: set[int]
 ) -> list[int]:
-    """Bodies that could move while the kept ones of their part are at rest."""
+    """Bodies with an unconstrained motion while the retained bodies of their part are fixed."""
     K = symmetric(sum_over(system, condensed, lambda: evaluate.matrix(system, state, 0.0, 0.0, 1.0)))
     found: set[int] = set()
     for part in parts:
@@ -300,13 +302,13 @@ def _loose(
 
 
 def coordinates_of(system: System, bodies: Sequence[int]) -> list[int]:
-    """Coordinates of bodies."""
+    """Indices of the coordinates of bodies."""
     body = system.program["body"]
     return [int(body[b]["dof"]) + k for b in bodies for k in range(int(body[b]["n"]))]
 
 
 def sum_over(system: System, condensed: Choice, request: Callable[[], Array]) -> Array:
-    """What `request` gives with the condensed records alone, all bodies in place."""
+    """Result of `request` with all bodies, but with the condensed records only."""
     runs = {
         kind: [(int(r[0]), int(r[-1]) + 1) for r in np.split(k, np.flatnonzero(np.diff(k) > 1) + 1) if r.size]
         for kind, k in condensed.items()

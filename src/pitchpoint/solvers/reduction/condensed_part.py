@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One condensed part: static shapes and modes with the kept bodies fixed, written as linear elements."""
+"""Condensation of one part: static shapes and fixed-interface modes, stored as linear elements."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ Rows = dict[str, list[NDArray[np.void]]]
 
 PART, HOLD, MODES = linear_part.KIND.name, linear_hold.KIND.name, linear_modes.KIND.name
 TWIST = coupling.KIND.name
-"""Kinds that condensed parts are made of."""
+"""Element kinds of condensed parts."""
 
 TURNS = 1e-7
-"""Stiffness against a rotation of a whole shaft, over the largest, that counts as rounding."""
+"""Stiffness against a rotation of a whole shaft, over the largest, up to which it is rounding."""
 NOTHING = 1e-13
-"""Entry of a matrix over the largest that counts as none."""
+"""Entry of a matrix over the largest up to which it counts as zero."""
 
 
 @dataclass(frozen=True)
 class Linear:
-    """Mass, damping and stiffness matrix and residual of what is condensed, over all coordinates."""
+    """Mass, damping and stiffness matrix and residual of the condensed parts, over all coordinates."""
 
     M: Array
     D: Array
@@ -42,7 +42,7 @@ class Linear:
 
 @dataclass(frozen=True)
 class Part:
-    """A condensed part: its coordinates (the first `outer` stay), their shapes, and which body has which."""
+    """A condensed part: its coordinates (the first `outer` are retained), shapes, and coordinates by body."""
 
     places: NDArray[np.int64]
     T: Array
@@ -52,7 +52,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Shapes:
-    """Columns over the outer and hidden coordinates, and the frequencies of the fixed modes [rad/s]."""
+    """Shapes (columns over outer and inner coordinates), and fixed-interface frequencies [rad/s]."""
 
     places: list[int]
     outer: int
@@ -78,17 +78,17 @@ def condense(
     system, state
         The full system and its operating point.
     whole
-        What is condensed.
+        Matrices of the condensed parts.
     sides
-        Bodies of the part that stay, and those that go.
+        Retained and condensed bodies of the part.
     limit
-        Frequency up to which fixed-interface modes are kept [Hz].
+        Frequency up to which fixed-interface modes are retained [Hz].
     name
-        Of the part.
+        Name of the part.
     number
-        New numbers of the bodies that stay.
+        New indices of the retained bodies.
     bodies, rows
-        Of the reduced system; they grow.
+        Bodies and records of the reduced system, to which the part is appended.
     """
     ends, inner = sides
     shapes = _shapes(whole, coordinates_of(system, ends), coordinates_of(system, inner), limit)
@@ -99,7 +99,7 @@ def condense(
     groups = _turning_groups(system, state, ends, shapes, stiff)
     first = len(bodies) + 1
     for j, w in enumerate(omega):
-        # inertia one, the spring as a coupling to ground: it is held like any torsional body
+        # unit inertia with a coupling to ground as its spring
         bodies.append(Body(motion=TORSION, polar_inertia=1.0, name=f"{name}.mode{j + 1}"))
         row = np.zeros(1, coupling.RECORD)
         row["i"], row["k"] = first + j, w * w
@@ -134,7 +134,7 @@ def condense(
 
 
 def _shapes(whole: Linear, outer: list[int], hidden: list[int], limit: float) -> Shapes:
-    """Static shapes of the outer coordinates, and modes with these fixed."""
+    """Static shapes of the outer coordinates, and modes with the outer coordinates fixed."""
     phi, omega = np.zeros((len(hidden), 0)), np.zeros(0)
     static: Array = np.zeros((len(hidden), len(outer)))
     if hidden:
@@ -156,14 +156,14 @@ def _is_round(system: System, b: int) -> bool:
 def _turning_groups(
     system: System, state: State, ends: Sequence[int], shapes: Shapes, stiff: Array
 ) -> list[int]:
-    """Round bodies of a part that can only turn together, and do so freely: number of the group of every end.
+    """Groups of round bodies of a part that rotate together freely: group of every end.
 
-    -1 marks bodies that are held or have no spin. What rounding left of free turns is taken out.
+    -1: the body is constrained or has no spin. Rounding of the stiffness of free rotations is removed.
 
     Raises
     ------
     SolverError
-        If bodies turn at the operating point though something holds them.
+        If bodies rotate at the operating point although they are constrained.
     """
     body = system.program["body"]
     groups = [-1] * len(ends)
@@ -184,20 +184,20 @@ def _turning_groups(
         turning[[own[e] for e in group]] = 1.0
         left = stiff @ turning
         if np.abs(left).max(initial=0.0) <= least:
-            stiff -= np.outer(left, turning) / turning.sum()  # rounding: turning together costs nothing
+            stiff -= np.outer(left, turning) / turning.sum()  # remove rounding: the rotation is free
             for e in group:
                 groups[e] = first
         elif np.any(state.v[[shapes.places[own[e]] for e in group]]):
             names = ", ".join(system.layout.bodies[ends[e]] for e in sorted(group))
-            why = "their axes are not parallel, or springs hold them"
-            raise SolverError(f"{names}: do not turn together freely: {why}; keep one of them", INCONSISTENT)
+            why = "their axes are not parallel, or springs constrain them"
+            raise SolverError(f"{names} cannot rotate together freely: {why}; keep one of them", INCONSISTENT)
     return groups
 
 
 def _kind(
     system: System, ends: Sequence[int], pair: tuple[int, int], groups: list[int], diagonal: Array
 ) -> str:
-    """Kind of the records of a block, by how far it keeps bodies from turning."""
+    """Element kind of a block, by its constraint of the rotation of the bodies."""
     one, two = pair
     if one >= len(ends) or two >= len(ends):
         return MODES
@@ -208,7 +208,7 @@ def _kind(
 
 
 def damp_across(D: Array, state: State, parts: Sequence[Part], rows: list[NDArray[np.void]]) -> None:
-    """Damping between parts, such as that of modal damping ratios."""
+    """Append records of the damping between parts, such as that of modal damping ratios."""
     for p in parts:
         for q in parts:
             whole = D[np.ix_(p.places, q.places)]
@@ -228,7 +228,7 @@ def damp_across(D: Array, state: State, parts: Sequence[Part], rows: list[NDArra
 
 
 def _refer(record: np.void, system: System, state: State, j: int, i: int) -> None:
-    """Write where body j is at the operating point; if i is given, its spin counts against that of i."""
+    """Store the operating point of body j in a record; if i is given, its spin is relative to that of i."""
     body = system.program["body"]
     dof, n = int(body[j]["dof"]), int(body[j]["n"])
     record["x0"][:n], record["v0"][:n] = state.q[dof : dof + n], state.v[dof : dof + n]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far a reduced system is off: natural frequencies and compliance at the meshes, up to a frequency."""
+"""Error of a reduced system: natural frequencies, and compliance at the meshes, up to a frequency."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ Array = NDArray[np.float64]
 POINTS = 25
 """Frequencies at which compliances are compared."""
 FIRST = 50
-"""Modes of a large system that are looked for first."""
+"""Initial number of modes of a large system."""
 STILL = 1e-4
-"""Frequency over the limit up to which a mode counts as rigid: forces left over at rest leave a little."""
+"""Frequency over the limit up to which a mode counts as rigid: residual forces cause small frequencies."""
 STEP = 2e-10
-"""Step of the travel of a mesh [m]."""
+"""Finite-difference step of the travel of a mesh [m]."""
 
 
 @dataclass(frozen=True)
@@ -40,15 +40,14 @@ class ReductionError:
     limit
         Highest frequency of interest [Hz].
     full, reduced
-        Natural frequencies up to it [Hz], without damping and gyroscopic terms, with what a steady rotation
-        adds to the stiffness; the reduced ones belong to the full ones in order. 0 for rigid modes, up to
-        `STILL` of the limit.
+        Natural frequencies up to it [Hz], in the same order, without damping and gyroscopic terms, with the
+        centrifugal stiffness of a steady rotation. 0 for rigid modes, up to `STILL` of the limit.
     frequency
-        Largest relative difference of both; of a mode that is rigid in one of them only, relative to `STILL`
+        Largest relative difference of both; for a mode that is rigid in one of them only, relative to `STILL`
         of the limit.
     compliance
-        Largest difference of the dynamic compliance of a mesh (travel of the gears per mesh force, the mesh
-        in place) over the largest compliance, at frequencies up to the limit.
+        Largest difference of the dynamic compliance of a mesh (travel of the gears per mesh force, with the
+        mesh in contact) over the largest compliance, at frequencies up to the limit.
     coordinates
         Number of coordinates of both systems.
     """
@@ -61,7 +60,7 @@ class ReductionError:
     coordinates: tuple[int, int]
 
     def report(self) -> str:
-        """One sentence."""
+        """Summary in one sentence."""
         full, reduced = self.coordinates
         return (
             f"{reduced} of {full} coordinates: natural frequencies up to {self.limit:.6g} Hz differ by up to "
@@ -89,9 +88,9 @@ def compare(full: System, at: State, reduced: System, near: State, limit: float)
 
 
 def _restricted(turns: Array, full: System, reduced: System) -> Array:
-    """Turns of the full system that nothing resists in the spins that are left, shape (r, nd).
+    """Free rigid rotations of the full system in the retained spins, shape (r, nd).
 
-    The trains of a reduced system do not show them: a condensed part ties bodies that no element joins.
+    They cannot be determined from the reduced system, whose condensed parts couple bodies without an element.
     """
     found = np.zeros((len(turns), reduced.sizes["nd"]))
     number = {name: b for b, name in enumerate(full.layout.bodies)}
@@ -103,7 +102,7 @@ def _restricted(turns: Array, full: System, reduced: System) -> Array:
 
 
 def _frequencies(system: System, state: State, rigid: Array, limit: float) -> Array:
-    """Natural frequencies [Hz] at the speeds of a state, ascending, all up to a limit at least."""
+    """Natural frequencies [Hz] at the speeds of a state, ascending, at least up to a limit."""
     stopped = state.copy()
     stopped.v[:] = 0.0
     M, K = (evaluate.matrix(system, stopped, *f) for f in ((1.0, 0.0, 0.0), (0.0, 0.0, 1.0)))
@@ -123,7 +122,7 @@ def _frequencies(system: System, state: State, rigid: Array, limit: float) -> Ar
 
 
 def _compliances(system: System, state: State, limit: float) -> NDArray[np.complex128]:
-    """Travel of each mesh per force in it, at frequencies up to a limit, shape (meshes, POINTS)."""
+    """Travel of each mesh per mesh force, at frequencies up to a limit, shape (meshes, POINTS)."""
     Z = free_directions(system, state)
     M, D, K = (_along(Z, evaluate.matrix(system, state, *f)) for f in ((1, 0, 0), (0, 1, 0), (0, 0, 1)))
     loads = np.zeros((Z.shape[1], len(mesh_names(system))))
@@ -145,7 +144,7 @@ def _compliances(system: System, state: State, limit: float) -> NDArray[np.compl
 
 
 def _along(Z: Any, A: Array) -> Any:
-    """A matrix in the free directions, sparse if these are."""
+    """Projection of a matrix onto the free directions; sparse if these are."""
     if isinstance(Z, np.ndarray):
         return Z.T @ A @ Z
     from scipy.sparse import csc_array

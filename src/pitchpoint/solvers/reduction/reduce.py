@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reduced systems: linear parts condensed about an operating point, meshes and other laws kept as they are.
+"""Model reduction: linear parts are condensed about an operating point; meshes and other laws are unchanged.
 
-Bodies that only linear elements touch (bearings, bushings, couplings, springs, beams) are condensed onto the
-bodies that anything else acts on, by static shapes and by modes with those bodies fixed (Craig and Bampton).
-What is kept runs with its own kernels, large rotation included; the condensed part is a linear element
-between the bodies that remain and a few modal coordinates, gyroscopic terms taken at the operating speed.
-Parts may be condensed whose linearisation does not change over time (`reduction.condensable`). Kept bodies of
-a part other than rotationally symmetric ones are expected near the operating point.
+Bodies with linear elements only (bearings, bushings, couplings, springs, beams) are condensed onto the other
+bodies by static shapes and fixed-interface modes (Craig and Bampton). Retained bodies and elements are
+evaluated by their own kernels, including large rotation; a condensed part is a linear element between the
+retained bodies and a few modal coordinates, with gyroscopic terms at the operating speed. Parts can be
+condensed if their linearization is time-invariant (`reduction.condensable`). The retained bodies of a part
+are assumed to stay near the operating point unless they are rotationally symmetric.
 
 References
 ----------
@@ -52,12 +52,12 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System, assemble
 
 NAMED = 5
-"""Elements that a note names."""
+"""Maximum number of elements listed in a note."""
 BEYOND = (4.0, 8.0, 16.0, 32.0, 64.0)
-"""Multiples of the highest frequency of interest up to which fixed-interface modes are kept: for shafts the
-first is enough, heavy bodies on soft springs between stiffly held ones need more."""
+"""Multiples of the highest frequency of interest up to which fixed-interface modes are retained: the first is
+enough for shafts; heavy bodies on soft springs between stiffly supported ones need more."""
 WANTED = 1e-3, 2e-2
-"""Errors of the natural frequencies and of the compliance of the meshes at which no more modes are kept."""
+"""Target errors of the natural frequencies and of the compliance of the meshes."""
 
 
 @dataclass(frozen=True)
@@ -67,19 +67,19 @@ class Reduced:
     Parameters
     ----------
     system
-        The system: bodies that were kept, modal coordinates as bodies `PART.mode1` ...
+        The system: retained bodies, and modal coordinates as bodies `PART.mode1` ...
     state
         The operating point in its coordinates.
     full, full_state
-        The system with everything in it and its operating point.
+        The full system and its operating point.
     error
-        How far it is off, up to the highest frequency of interest.
+        Error of the reduced system up to the highest frequency of interest.
     kept
-        Names of the bodies that stay.
+        Names of the retained bodies.
     reasons
-        Why each of them does.
+        Why each of them is retained.
     notes
-        What stays though it might have gone, in sentences.
+        Notes on bodies and elements that are retained unexpectedly, and of the operating point.
     """
 
     system: System
@@ -107,11 +107,11 @@ def reduce_system(
     system
         The compiled system.
     scenario, start
-        Give the operating point, as in `modal.find_modes`.
+        Define the operating point, as in `modal.find_modes`.
     limit
         Highest frequency of interest [Hz].
     keep
-        Names of bodies that stay, and of elements ("KIND NAME") that stay as they are.
+        Names of bodies and of elements ("KIND NAME") to retain.
 
     Returns
     -------
@@ -120,7 +120,7 @@ def reduce_system(
     Raises
     ------
     SolverError
-        If a name is not known or there is no equilibrium.
+        If a name is unknown or there is no equilibrium.
     """
     refuse_loads(system, "a reduced system")
     point = operating_point(system, scenario, start)
@@ -153,7 +153,7 @@ def reduce_system(
 
 
 def lost_channels(full: System, reduced: System) -> tuple[str, ...]:
-    """Note on channels that a reduced system does not have, as what they belong to is condensed."""
+    """Note on the channels of condensed bodies and elements, which a reduced system does not have."""
     kept = {c.name for c in reduced.layout.channels}
     lost: dict[str, list[str]] = {}
     for name in (c.name for c in full.layout.channels if c.name not in kept):
@@ -169,13 +169,13 @@ def lost_channels(full: System, reduced: System) -> tuple[str, ...]:
         for quantity, names in lost.items()
     ]
     return (
-        f"not recorded, as what they belong to is condensed: {'; '.join(parts)}; run the full system to "
+        f"not recorded for condensed bodies and elements: {'; '.join(parts)}; run the full system to "
         "record them",
     )
 
 
 def _bodies(system: System, split: Split) -> tuple[list[Body], dict[int, int]]:
-    """Bodies that stay, and their new numbers."""
+    """Retained bodies, and their new indices."""
     number = {0: 0} | {b: k for k, b in enumerate(split.kept, start=1)}
     old = {b: system.bodies[b - 1] for b in split.kept}
     bodies = [
@@ -204,7 +204,7 @@ def _condensed(system: System, state: State, split: Split, whole: Linear, limit:
 
 
 def _linear(system: System, state: State, split: Split) -> Linear:
-    """What is condensed: the system with all bodies and the condensed elements, less the bodies that stay."""
+    """Matrices of the condensed parts: all bodies and the condensed elements, less the retained bodies."""
     bodies, number = _bodies(system, split)
     kept = _assembled(system, split.condensed, number, bodies, {})
     near = _state_of(system, state, kept, split.kept)
@@ -232,7 +232,7 @@ def _assembled(
     bodies: list[Body],
     rows: Rows,
 ) -> System:
-    """Put bodies, kept elements and condensed parts together."""
+    """Assemble the reduced system from bodies, retained elements and condensed parts."""
     banks: dict[str, NDArray[np.void]] = {}
     names: dict[str, list[str]] = {}
     laws = {}
@@ -256,7 +256,7 @@ def _assembled(
 
 
 def _state_of(system: System, state: State, found: System, kept: Sequence[int]) -> State:
-    """The operating point in the coordinates that are left; modal coordinates are zero."""
+    """The operating point in the retained coordinates; modal coordinates are zero."""
     begun = found.initial_state()
     begun.t = state.t
     for new, old in enumerate(kept, start=1):
