@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Directions of gears: bodies in mesh share that of their z axes, which may be any of the world.
+"""Axis directions of gears: bodies in mesh have parallel z axes of any direction in the world.
 
-Angles of a mesh count from the x axis of the body of its gear 1, angles of a tooth from that of its own body.
+Angles of a mesh refer to the x axis of the body of gear 1, angles of a tooth to that of its own body.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 PARALLEL = 1e-6
-"""Angle [rad] up to which two axes count as parallel: directions are written with some seven digits."""
+"""Angle [rad] up to which two axes are parallel: directions are given with about seven digits."""
 
 
 def orient(parts: Parts) -> None:
-    """Settle the axes of every body: given, or those of the bodies that its gears mesh with."""
+    """Determine the axes of every body: as given, or those of the bodies that its gears mesh with."""
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, orientation=body.axes)
     mates: dict[str, list[str]] = {}
@@ -45,18 +45,18 @@ def orient(parts: Parts) -> None:
 
 
 def ends_of(parts: Parts, mesh: Mesh) -> tuple[str | None, str | None]:
-    """Bodies of gear 1 and gear 2; None for gears without one."""
+    """Bodies of gear 1 and gear 2; None for a gear without body."""
     one, two = (parts.body_of(g) for g in mesh.gears)
     return one, two
 
 
 def mesh_frame(machine: Machine, body: str | None) -> Array:
-    """Frame that a mesh is described in, columns: the axes of the body of its gear 1, or of the world."""
+    """Reference frame of a mesh, columns: the axes of the body of gear 1, or of the world."""
     return np.eye(3) if body is None else body_frame(machine, body)[1]
 
 
 def settle_twists(parts: Parts, report: Reader) -> None:
-    """Check that axes in mesh are parallel, and settle the angle between the x axes of their bodies."""
+    """Check that the axes of meshing gears are parallel, and compute the angle between the x axes."""
     for name, mesh in parts.meshes.items():
         one, two = ends_of(parts, mesh)
         if one is None or two is None or one == two:

@@ -18,8 +18,8 @@ class TorqueActuator:
     form: ClassVar[str] = "torque"
     signal: str = text(SIGNAL)
     bodies: tuple[str, ...] = ends(
-        "driven body, and the body that takes the reaction (ground if omitted); on a shaft, BODY.MARKER gives "
-        "the position, default: its start",
+        "driven body, and the body that takes the reaction (ground if omitted); on a shaft, BODY.MARKER "
+        "gives the position, default: its start",
         length=(1, 2),
     )
 

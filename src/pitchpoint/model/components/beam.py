@@ -17,7 +17,7 @@ SHAPES = (("diameter",), ("width", "height"), ("area", "bending", "torsion"))
 
 @dataclass(frozen=True, kw_only=True)
 class BeamSection:
-    """Cross-section: round (diameter and bore), rectangular (width and height), or general (section properties)."""
+    """Cross-section: round (diameter, bore), rectangular (width, height), or general."""
 
     diameter: float | None = positive("length", "round: outer diameter", None)
     bore: float = quantity(

@@ -20,8 +20,8 @@ class Spall:
 
     angle: float = quantity(
         "angle",
-        "angle of its centre; on a race from the x axis of the outer ring as assembled, on an element from the "
-        "outward direction",
+        "angle of its centre; on a race from the x axis of the outer ring as assembled, on an element from "
+        "the outward direction",
         0.0,
     )
     length: float = positive("length", "length in the rolling direction; scaled by severity")
@@ -68,7 +68,7 @@ class CageFault:
 
 @dataclass(frozen=True, kw_only=True)
 class LooseBearing:
-    """Excessive radial clearance: internal clearance of a rolling bearing, or clearance of a ring in its seat."""
+    """Excessive radial clearance, inside a rolling bearing or of a ring in its seat."""
 
     form: ClassVar[str] = "loose"
     clearance: float = positive(

@@ -37,8 +37,8 @@ class Body:
     )
     motion: str | None = choice(
         MOTIONS,
-        "degrees of freedom against ground, for a body without joint; torsion: spin only; planar: x, y, spin; "
-        "free: all six; fixed: none",
+        "degrees of freedom against ground, for a body without joint; torsion: spin only; planar: x, y, "
+        "spin; free: all six; fixed: none",
         None,
         display="torsion",
     )
@@ -77,8 +77,8 @@ class Body:
     )
     inertia_tensor: tuple[float, ...] | None = quantities(
         "inertia",
-        "Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass in the axes of the body, instead of inertia and "
-        "transverse_inertia; the products are matrix entries, Ixy = -(sum of m x y)",
+        "Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass in the axes of the body, instead of inertia "
+        "and transverse_inertia; the products are matrix entries, Ixy = -(sum of m x y)",
         None,
         length=(6, 6),
         display="axisymmetric about z",
@@ -97,8 +97,8 @@ class Body:
     )
     axes: Axes | None = component(
         Axes,
-        "directions of its axes in the world; default: those of a body that its gears mesh with, else those of "
-        "the world",
+        "directions of its axes in the world; default: those of a body that its gears mesh with, else those "
+        "of the world",
     )
     markers: Mapping[str, Marker] = key("components", "points with axes of their own, by name", {}, of=Marker)
     origin: Triple | None = derived()

@@ -15,8 +15,8 @@ class Bushing:
 
     ends: tuple[str, str] = key(
         "ends",
-        "the two ends: bodies, BODY.MARKER, or one of these and ground, which takes the initial position of the "
-        "other. The axes are those of the second end; the bushing is free of force when the two coincide",
+        "the two ends: bodies, BODY.MARKER, or one of these and ground, which takes the initial position of "
+        "the other. The axes are those of the second end; the bushing is free of force when the two coincide",
         length=(2, 2),
     )
     stiffness: Stiffness6 = component(

@@ -18,8 +18,8 @@ class Clutch:
     )
     capacity: Law = key(
         "law",
-        "torque capacity: friction torque at high slip, 0 when open; a quantity, a formula of t, angle, speed, "
-        "{table: [[t, T], ...]}, {python: 'file.py:function', parameters: [...]}",
+        "torque capacity: friction torque at high slip, 0 when open; a quantity, a formula of t, angle, "
+        "speed, {table: [[t, T], ...]}, {python: 'file.py:function', parameters: [...]}",
         dimension="torque",
     )
     static_ratio: float = quantity(
@@ -33,8 +33,8 @@ class Clutch:
     )
     law: str = choice(
         ("bristles", "smooth"),
-        "bristles: elastic sticking without creep, then slip; smooth: friction increases with the slip speed up "
-        "to slip_speed, so that the clutch creeps under load",
+        "bristles: elastic sticking without creep, then slip; smooth: friction increases with the slip "
+        "speed up to slip_speed, so that the clutch creeps under load",
         "bristles",
     )
     wind_up: float = positive("angle", "bristles: angle of twist at the capacity", 1e-3)

@@ -84,8 +84,8 @@ class ContactCurve:
 
     shape: str = choice(
         CURVES,
-        "circle: radius, centre x and y; polygon: corners x, y and radii; spline: points x, y; involute: base "
-        "radius, start and end of the roll angle",
+        "circle: radius, centre x and y; polygon: corners x, y and radii; spline: points x, y; involute: "
+        "base radius, start and end of the roll angle",
     )
     radius: float | None = positive("length", "radius of the circle, or base radius of the involute", None)
     x: tuple[float, ...] = quantities("length", "x of the points in order, material on the left", ())

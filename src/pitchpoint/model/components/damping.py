@@ -20,8 +20,8 @@ class Rayleigh:
     )
     stiffness: float = quantity(
         "time",
-        "factor b of the stiffness matrix at the initial state of a run. The matrix is constant: it also acts "
-        "within the backlash, and omits flanks without contact at the start (start: assembled)",
+        "factor b of the stiffness matrix at the initial state of a run. The matrix is constant: it also "
+        "acts within the backlash, and omits flanks without contact at the start (start: assembled)",
         0.0,
         minimum=0.0,
     )

@@ -32,14 +32,15 @@ class ElasticBody:
     mass_file: str | None = key("file", "with stiffness_file: mass matrix as a Matrix Market file", None)
     place_file: str | None = key(
         "file",
-        "with stiffness_file: table of the nodes, one per line in the order of the matrices: x y z in m, then the "
-        "digits of their degrees of freedom (123 translations, 456 rotations) unless all are 123 or all 123456",
+        "with stiffness_file: table of the nodes, one per line in the order of the matrices: x y z in m, "
+        "then the digits of their degrees of freedom (123 translations, 456 rotations) unless all are 123 "
+        "or all 123456",
         None,
     )
     spin_stiffness_file: str | None = key(
         "file",
-        "with stiffness_file: stress stiffness (centrifugal stiffening) of a spin about the z axis of the file, "
-        "per (rad/s)^2; K_spin in an archive",
+        "with stiffness_file: stress stiffness (centrifugal stiffening) of a spin about the z axis of the "
+        "file, per (rad/s)^2; K_spin in an archive",
         None,
     )
     nodes: Mapping[str, Marker] = key(
@@ -48,13 +49,13 @@ class ElasticBody:
         of=Marker,
     )
     rotor: bool = boolean(
-        "rotor: spins about its z axis like a shaft; its revolutions are counted, it can be driven, and bodies "
-        "fixed to its nodes can carry gears and run in bearings",
+        "rotor: spins about its z axis like a shaft; its revolutions are counted, it can be driven, and "
+        "bodies fixed to its nodes can carry gears and run in bearings",
         False,
     )
     static_shapes: bool = boolean(
-        "includes the static deflection shapes of all forces at the nodes (six fewer than the nodes have degrees "
-        "of freedom); the other modes are the lowest with fixed nodes (Craig-Bampton)",
+        "includes the static deflection shapes of all forces at the nodes (six fewer than the nodes have "
+        "degrees of freedom); the other modes are the lowest with fixed nodes (Craig-Bampton)",
         False,
     )
     modes: int | None = integer(

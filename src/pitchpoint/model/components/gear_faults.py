@@ -25,7 +25,7 @@ class Eccentricity:
 
 @dataclass(frozen=True, kw_only=True)
 class Wobble:
-    """Wobbling gear: the tooth axis is tilted relative to the axis of rotation about the middle of the face."""
+    """Wobbling gear: tooth axis tilted relative to the axis of rotation, about the middle of the face."""
 
     form: ClassVar[str] = "wobble"
     amount: float = quantity("angle", "angle between the axes; scaled by severity", minimum=0.0, maximum=0.1)

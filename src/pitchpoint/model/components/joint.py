@@ -90,10 +90,10 @@ class Joint:
 
     type: str = choice(
         tuple(COORDINATES),
-        "free displacements; fixed: none; revolute: spin; prismatic: z; cylindrical: z and spin; screw: spin, "
-        "with travel along z; universal: alpha and beta; spherical: all rotations; planar: x, y, spin; shaft: "
-        "all six, for bodies that spin with small tilt; free: all six, for any rotation; moved: prescribed "
-        "motion over time; user: user-defined coordinates",
+        "free displacements; fixed: none; revolute: spin; prismatic: z; cylindrical: z and spin; screw: "
+        "spin, with travel along z; universal: alpha and beta; spherical: all rotations; planar: x, y, "
+        "spin; shaft: all six, for bodies that spin with small tilt; free: all six, for any rotation; "
+        "moved: prescribed motion over time; user: user-defined coordinates",
     )
     bodies: tuple[str, str] = ends(
         "base and moved body, each of them ground, a body or BODY.MARKER", length=(2, 2)

@@ -30,8 +30,8 @@ class Load:
     )
     position: tuple[float, float, float] = quantities(
         "length",
-        "point of action relative to the origin of the body; x and y are directions fixed in space that do not "
-        "spin with the body, z is along its axis",
+        "point of action relative to the origin of the body; x and y are directions fixed in space that do "
+        "not spin with the body, z is along its axis",
         (0.0, 0.0, 0.0),
         length=(3, 3),
     )

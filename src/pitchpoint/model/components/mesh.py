@@ -172,8 +172,8 @@ class Mesh:
     stiffness: StiffnessLaw = key("variant", "mesh stiffness", Din3990(), of=LAWS, display="law: din3990")
     width: str = choice(
         ("exact", "slices"),
-        "integration over the face width; flanks with modifications, deviations or a tooth profile are always "
-        "divided into slices",
+        "integration over the face width; flanks with modifications, deviations or a tooth profile are "
+        "always divided into slices",
         "exact",
     )
     slices: int = integer(

@@ -102,10 +102,10 @@ class FlankMap:
     flank: str = choice(("left", "right"), "flank of the tooth")
     values: tuple[tuple[float, ...], ...] = key(
         "grid",
-        "deviation along the transverse base tangent, > 0 is excess material. Rows: equal steps of the length "
-        "of roll from root form to tip form circle; columns: equal steps over the face width. Or the name of a "
-        "text file with one row per line, numbers separated by commas, semicolons, tabs or blanks; a first "
-        "line such as [um] gives the unit",
+        "deviation along the transverse base tangent, > 0 is excess material. Rows: equal steps of the "
+        "length of roll from root form to tip form circle; columns: equal steps over the face width. Or the "
+        "name of a text file with one row per line, numbers separated by commas, semicolons, tabs or "
+        "blanks; a first line such as [um] gives the unit",
         dimension="length",
     )
 

@@ -24,6 +24,6 @@ class Ratio:
 
     terms: Mapping[str, float] = key(
         "terms",
-        "coefficients of two or three coordinates, named JOINT.COORDINATE, or BODY for its spin: plain numbers, "
-        "or lengths for rotations that are coupled to translations (Arm in Python)",
+        "coefficients of two or three coordinates, named JOINT.COORDINATE, or BODY for its spin: plain "
+        "numbers, or lengths for rotations that are coupled to translations (Arm in Python)",
     )

@@ -65,8 +65,8 @@ class Shaft:
     )
     axes: Axes | None = component(
         Axes,
-        "directions of its axes in the world; default: those of a body that its gears mesh with, else those of "
-        "the world",
+        "directions of its axes in the world; default: those of a body that its gears mesh with, else those "
+        "of the world",
     )
     markers: Mapping[str, Marker] = key(
         "components",
@@ -104,7 +104,8 @@ class Shaft:
 
     @cached_property
     def density(self) -> float:
-        """Effective density [kg/m^3]: of the material, or such that the sections have the mass of the solid."""
+        """Effective density [kg/m^3]: of the material, or such that the sections have the mass of the
+        solid."""
         own = self.material_data.density
         if self.solid is None:
             return own
@@ -114,8 +115,8 @@ class Shaft:
         return self.solid.density_for(self.material) * self.solid.solid().volume / volume
 
     def pieces(self) -> list[tuple[float, float, float, float]]:
-        """Mass [kg], polar and transverse inertia about the centre [kg m^2] and position of the centre [m] of every
-        section."""
+        """Mass [kg], polar and transverse inertia about the centre [kg m^2] and position of the centre [m] of
+        every section."""
         found, start, density = [], 0.0, self.density
         for s in self.sections:
             mass = density * math.pi / 4.0 * (s.diameter**2 - s.bore**2) * s.length

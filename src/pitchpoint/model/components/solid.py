@@ -32,8 +32,8 @@ class SolidReference:
     density: float | None = positive("density", "instead of a material", None)
     axes: Axes | None = component(
         Axes,
-        "directions of the axes of the body in the file; for gears and shafts z is the axis of rotation, default: "
-        "the axis of symmetry of the solid",
+        "directions of the axes of the body in the file; for gears and shafts z is the axis of rotation, "
+        "default: the axis of symmetry of the solid",
     )
     origin: Triple | None = quantities(
         "length", "bodies: position of the origin of the body in the file", None, length=(3, 3)

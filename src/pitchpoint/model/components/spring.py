@@ -23,9 +23,9 @@ class Spring:
     )
     force: Law | None = key(
         "law",
-        "additional tension: a formula of t, elongation, rate, {table: [[x, F], ...], over: elongation|rate|"
-        "time}, {python: 'file.py:function', parameters: [...]} with f(t, elongation, parameters); the rate is "
-        "appended to the parameters",
+        "additional tension: a formula of t, elongation, rate, {table: [[x, F], ...], over: "
+        "elongation|rate|time}, {python: 'file.py:function', parameters: [...]} with f(t, elongation, "
+        "parameters); the rate is appended to the parameters",
         None,
         dimension="force",
         variables=("t", "elongation", "rate"),

@@ -71,7 +71,7 @@ def _moduli(gears: Sequence[Gear]) -> dict[str, Any]:
 
 @dataclass(frozen=True, kw_only=True)
 class BevelDin3990(StiffnessLaw):
-    """Single tooth stiffness by DIN 3990 of the virtual cylindrical gears, parabolic along the path of contact."""
+    """Single tooth stiffness by DIN 3990 of the virtual cylindrical gears, parabolic along the path."""
 
     law: ClassVar[str] = "din3990"
     of_pairs: ClassVar[bool] = True
@@ -204,8 +204,8 @@ class Hertz(StiffnessLaw):
     of_pairs: ClassVar[bool] = True
     diameter: str = choice(
         ("reference", "operating"),
-        "diameter of gear 1 in the formula of the curvature; reference is exact, operating is too large by the "
-        "factor cos(alpha_t)/cos(alpha_wt)",
+        "diameter of gear 1 in the formula of the curvature; reference is exact, operating is too large by "
+        "the factor cos(alpha_t)/cos(alpha_wt)",
         "reference",
     )
     exponent: float = quantity(

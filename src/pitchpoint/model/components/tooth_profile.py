@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Points:
-    """Points (x, y) [m] in the order of an outline, with the name of their file and the line of each point."""
+    """Points (x, y) [m] in the order of an outline, with the name of their file and the line of each
+    point."""
 
     xy: tuple[tuple[float, float], ...]
     file: str = field(default="", compare=False)

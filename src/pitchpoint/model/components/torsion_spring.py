@@ -24,10 +24,10 @@ class TorsionSpring:
     )
     torque: Law | None = key(
         "law",
-        "additional torque on the first body: a formula of t, angle, speed (of the first body relative to the "
-        "second), {table: [[angle, T], ...], over: angle} (periodic if it covers a full revolution), "
-        "{python: 'file.py:function', parameters: [...]} with f(t, angle, parameters); the speed is appended "
-        "to the parameters",
+        "additional torque on the first body: a formula of t, angle, speed (of the first body relative to "
+        "the second), {table: [[angle, T], ...], over: angle} (periodic if it covers a full revolution), "
+        "{python: 'file.py:function', parameters: [...]} with f(t, angle, parameters); the speed is "
+        "appended to the parameters",
         None,
         dimension="torque",
     )
