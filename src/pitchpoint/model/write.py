@@ -91,7 +91,7 @@ class _Writer:
 
     def quantities(self, key: Key, value: Any) -> list[Any]:
         """List of numbers with units."""
-                return [quantity_text(v, key.dimension) for v in value]
+        return [quantity_text(v, key.dimension) for v in value]
 
     def grid(self, key: Key, value: Any) -> list[list[Any]]:
         """Rows of numbers with units."""
@@ -168,7 +168,7 @@ class _Writer:
 
     def laws(self, key: Key, value: Any) -> list[Any]:
         """List of laws."""
-                return [self.law(key, v) for v in value]
+        return [self.law(key, v) for v in value]
 
     def file(self, key: Key, value: str) -> str:
         """Path relative to the model file."""
