@@ -118,7 +118,7 @@ def _undetermined(parts: Parts, name: str, report: Reader) -> None:
     elif all(m.center_distance is None for _, m in meshes):
         report.problem(
             where,
-            "is missing, and its mesh gives no centre distance to find it from",
+            "is missing, and its mesh has no centre distance to determine it",
             remedy=f"give it, or meshes.{meshes[0][0]}.center_distance",
         )
     else:
@@ -155,7 +155,7 @@ def _pairs(parts: Parts, report: Reader) -> None:
             check_pair(parts, name, mesh, report)
 
 
-# --- positions of bodies --------------------------------------------------------------------------------------
+# --- positions of bodies ------------------------------------------------------------------------------------
 def _places(parts: Parts, report: Reader) -> None:
     """Locate bodies: given positions first, then along joints, meshes and couplings, breadth first."""
     links = _links(parts, report)
@@ -176,7 +176,7 @@ def _places(parts: Parts, report: Reader) -> None:
         if body.origin is None and name not in carried:
             report.problem(
                 ("bodies", name),
-                "has no place: no mesh or coupling connects it to the bodies before it",
+                "has no position: no mesh or coupling connects it to the bodies before it",
                 remedy="give position: [x, y, z]",
             )
 
@@ -266,7 +266,7 @@ def _by_couplings(parts: Parts, mesh: Mesh) -> str:
         while name is not None and name in parts.placed:
             kind, link, before = parts.placed[name]
             if kind == "coupling":
-                found.append(f"couplings.{link} puts {name} where {before} is")
+                found.append(f"couplings.{link} locates {name} at {before}")
             name = before
     return f" ({', '.join(dict.fromkeys(found))})" if found else ""
 
@@ -294,7 +294,7 @@ def _directions(parts: Parts, report: Reader) -> None:
                     ("meshes", name, "center_distance"),
                     f"does not fit the positions of its bodies, which are {distance * 1e3:.6g} mm apart",
                     value=f"{a * 1e3:.6g} mm",
-                    remedy="correct center_distance or the positions, or leave the positions out"
+                    remedy="correct center_distance or the positions, or remove the positions"
                     + _by_couplings(parts, mesh),
                 )
             elif (
@@ -302,9 +302,9 @@ def _directions(parts: Parts, report: Reader) -> None:
             ):
                 report.problem(
                     ("meshes", name, "direction"),
-                    f"does not fit the positions of its bodies, which lie at {math.degrees(angle):.6g} deg",
+                    f"does not fit the positions of its bodies, which give {math.degrees(angle):.6g} deg",
                     value=f"{math.degrees(theta):.6g} deg",
-                    remedy="leave direction or the positions out" + _by_couplings(parts, mesh),
+                    remedy="remove direction or the positions" + _by_couplings(parts, mesh),
                 )
             theta = angle if mesh.direction is None else theta
         parts.meshes[name] = replace(mesh, theta=theta)
@@ -325,7 +325,7 @@ def _widths(parts: Parts, report: Reader) -> None:
         if high <= low:
             report.problem(
                 ("meshes", name, "gears"),
-                f"do not overlap along their axes; {1e3 * (low - high):.6g} mm lie between their faces",
+                f"do not overlap axially; the gap between their faces is {1e3 * (low - high):.6g} mm",
                 value=" and ".join(mesh.gears),
                 remedy="correct the axial offsets of the gears or the positions of the bodies"
                 + _by_couplings(parts, mesh),

@@ -145,7 +145,7 @@ def _movers(parts: Parts, body: str) -> list[str]:
 
 
 def _in_space(parts: Parts, place: Mapping[str, int], body: str, about: str | None = None) -> Array:
-    """Speed of a body about the axis of its gears, or of those of another body, per speed of every spin.
+    """Coefficients of the absolute speed of a body over all spins, about its own axis or that of `about`.
 
     Rotation about a non-parallel axis does not rotate one gear relative to another: it moves both.
     """

@@ -80,15 +80,15 @@ def _skew(name: str, gears: tuple[str, str], bodies: tuple[str, str], angle: flo
     if math.pi - angle <= PARALLEL:
         report.problem(
             at,
-            f"turn about z axes that point in opposite directions, those of {one} and {two}",
+            f"have opposite z axes, those of {one} and {two}",
             value=" and ".join(gears),
-            remedy=f"turn the z of {one} or {two} round: speeds of gears in mesh count about one direction",
+            remedy=f"reverse the z axis of {one} or {two}: gears in mesh require the same direction",
         )
         return
     report.problem(
         at,
-        f"turn about axes {math.degrees(angle):.6g} deg apart, the z axes of {one} and {two}",
+        f"have axes {math.degrees(angle):.6g} deg apart, the z axes of {one} and {two}",
         value=" and ".join(gears),
         limit=f"parallel to {PARALLEL:g} rad",
-        remedy=f"give {one} and {two} the same axes; bevel gears, ratios or universal joints couple others",
+        remedy=f"give {one} and {two} parallel axes; use bevel gears, ratios or universal joints for others",
     )

@@ -294,14 +294,14 @@ def coordinate(mechanism: Mechanism, machine: Machine, name: str) -> tuple[str, 
         return f"names {word[:40]!r}, which is not a coordinate of {part} ({joint.type}); it has {listed}"
     seat = mechanism.carrier(part)
     if seat is None:
-        return f"names a coordinate of {part}, which closes a loop and has none of its own"
+        return f"names a coordinate of {part}, which closes a loop and has no independent coordinates"
     if seat.turned and joint.type in ONE_WAY:
         return (
             f"names a coordinate of {part}, which is reversed because {seat.parent} carries {seat.body}; "
             f"write its bodies as [{seat.parent}, {seat.body}]"
         )
     if joint.type in TUMBLING and joint.dimension(word) == "angle":
-        return f"names a turn of {part} ({joint.type}), whose turns start afresh while it tumbles"
+        return f"names a rotation of {part} ({joint.type}), whose rotations are re-referenced during a run"
     return seat.body, seat.coordinates.index(word), joint.dimension(word)
 
 

@@ -30,7 +30,7 @@ MOST_PIECES = 2000
 """Maximum number of beam elements of one shaft; typical shafts have ten to a hundred."""
 
 
-# --- representation as bodies ---------------------------------------------------------------------------------------
+# --- representation as bodies -------------------------------------------------------------------------------
 def stand_in(shaft: Shaft) -> Body:
     """Body that represents a shaft, with its gears, position, markers and mass."""
     return Body(
@@ -60,7 +60,7 @@ def add_shafts(parts: Parts, report: Reader) -> None:
     for name, shaft in parts.shafts.items():
         if name in parts.bodies:
             report.problem(
-                ("shafts", name), "has the name of a body", remedy="give the shaft a name of its own"
+                ("shafts", name), "has the name of a body", remedy="choose a unique name for the shaft"
             )
             report.tainted.add(("bodies",))
             continue
@@ -72,12 +72,12 @@ def add_shafts(parts: Parts, report: Reader) -> None:
 def _check(name: str, shaft: Shaft, report: Reader) -> None:
     at: Place = ("shafts", name)
     if not shaft.sections:
-        report.problem((*at, "sections"), "is empty", remedy="give one section at least")
+        report.problem((*at, "sections"), "is empty", remedy="give at least one section")
     for k, section in enumerate(shaft.sections):
         if section.bore >= section.diameter:
             report.problem(
                 (*at, "sections", k, "bore"),
-                "leaves nothing of the shaft",
+                "is not smaller than the diameter",
                 value=_mm(section.bore),
                 limit=f"below the diameter {_mm(section.diameter)}",
                 remedy="give diameters, not radii",
@@ -87,9 +87,9 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
         key = "sections" if shaft.largest_piece is None else "largest_piece"
         report.problem(
             (*at, key),
-            f"would cut the shaft of {_mm(shaft.length)} into {pieces:.0f} pieces",
+            f"would divide the shaft of {_mm(shaft.length)} into {pieces:.0f} beam elements",
             value=None if shaft.largest_piece is None else _mm(shaft.largest_piece),
-            limit=f"{MOST_PIECES} pieces",
+            limit=f"{MOST_PIECES} beam elements",
             remedy="check the units of lengths and diameters, or give "
             f"largest_piece: {_mm(1.01 * shaft.length / MOST_PIECES)} or more",
         )
@@ -106,10 +106,10 @@ def check_shaft_places(parts: Parts, report: Reader) -> None:
                 continue
             report.problem(
                 at,
-                f"is not a place on the shaft {name}",
+                f"is not a position on the shaft {name}",
                 value=_mm(place),
                 limit=f"0 to {_mm(shaft.length)} from its start",
-                remedy="places on a shaft count from the start of its first section",
+                remedy="positions are measured from the start of the first section",
             )
 
 
@@ -123,7 +123,7 @@ def _mm(length: float) -> str:
     return f"{round(length * 1e3, 9) + 0.0:.6g} mm"
 
 
-# --- positions on shafts ----------------------------------------------------------------------------------------
+# --- positions on shafts ------------------------------------------------------------------------------------
 def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
     """All elements on the shafts: their keys in the file, and their positions from the start [m].
 

@@ -174,9 +174,7 @@ def signals_without_effect(model: Model) -> list[Message]:
     """A remark for every controller whose signals nothing reads, and for keys without effect."""
     used = {signal for signal, _ in read(model)}
     found = [
-        remark(
-            f"controllers.{name}.output", f"nothing reads {output}: it acts on nothing and is only recorded"
-        )
+        remark(f"controllers.{name}.output", f"nothing reads {output}: it is only recorded")
         for name, part in model.controllers.items()
         for output in outputs_of(part)
         if output not in used

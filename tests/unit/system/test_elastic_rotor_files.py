@@ -224,7 +224,11 @@ def test_a_turning_pair_runs_like_the_shafts(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("rotor: true", "rotor: false", "are fixed to input, which counts no turns about their axis"),
+        (
+            "rotor: true",
+            "rotor: false",
+            "are fixed to input, which does not count revolutions about their axis",
+        ),
         ("{body: journal_1, torque", "{body: input, torque", "names the elastic body input, which bends"),
         ("modes: 12", "below: 1 kHz", "input.static_shapes: cannot be combined with below"),
         ("rotor: true", "rotor: yes please", "input.rotor: "),
