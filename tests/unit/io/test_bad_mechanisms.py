@@ -114,7 +114,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
             joint("type: fixed, bodies: [piston, lid]}\n  again: {type: fixed, bodies: [lid, piston]"),
         ],
         "joints.again.bodies",
-        "which fixed joints connect already",
+        "which are already connected by fixed joints",
     ),
     "a loop of fixed joints": (
         [
@@ -125,7 +125,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
             ),
         ],
         "joints.c.bodies",
-        "which fixed joints connect already",
+        "which are already connected by fixed joints",
     ),
     "markers apart": (
         [("  rod:\n", "  rod:\n    position: [101 mm, 0, 0]\n")],

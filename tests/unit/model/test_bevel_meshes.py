@@ -50,7 +50,11 @@ def test_a_sound_file_has_its_pair_and_backlash():
             ("backlash", "normal and base_tangent"),
         ),
         ("backlash: {normal: 0.05 mm}", "damping: {ratio: 0.1, d_in: 3}", ("damping", "d_in and ratio")),
-        ("backlash: {normal: 0.05 mm}", "damping: {pair: 3}", ("damping.pair", "law constant describes the whole mesh")),
+        (
+            "backlash: {normal: 0.05 mm}",
+            "damping: {pair: 3}",
+            ("damping.pair", "describes the whole mesh"),
+        ),
         ("backlash: {normal: 0.05 mm}", "shaft_angle: 80 deg", ("pitch cone angles of this shaft angle",)),
         ("position: [-0.0, -0.0, -0.0]", "position: [0, 0.3 mm, 0]", ("0.3 mm apart", "one apex", "first")),
         ("hand: left", "hand: right", ("hands that do not fit an external pair", "opposite hands")),

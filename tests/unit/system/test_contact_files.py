@@ -220,7 +220,7 @@ CASES = {
         CAM,
         [("shape: circle, radius: 30 mm,", "shape: circle,")],
         "cam_contacts.c.curve.radius",
-        "the circle has one",
+        "required for shape circle",
     ),
     "a polygon of two corners": (
         CAM,
@@ -256,7 +256,7 @@ CASES = {
         BALL,
         [("shape: sphere, radius: 10 mm", "shape: sphere")],
         "surface_contacts.c.first.radius",
-        "the sphere needs it",
+        "required for shape sphere",
     ),
     "a cone on a plane": (
         BALL,

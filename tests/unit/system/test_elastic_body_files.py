@@ -185,7 +185,7 @@ def test_a_torque_on_a_rotor_needs_a_place_on_it(tmp_path):
         crank_with(tmp_path, text)
     (told,) = [p for p in error.value.problems if p.where == "loads.t.body"]
     assert told.line == 1 + text[: text.index("loads:")].count("\n")
-    assert told.text == "names the elastic body rod, which is elastic, without a node"
+    assert told.text == "names the elastic body rod, without a node"
     assert told.remedy == (
         "name a body {mass: 0 kg} here that a joint of type fixed carries at rod.big or rod.small"
     )
@@ -194,7 +194,7 @@ def test_a_torque_on_a_rotor_needs_a_place_on_it(tmp_path):
 def test_wrong_matrices_are_told_with_the_body(tmp_path):
     model = crank_with(tmp_path, CRANK.replace("300 mm", "290 mm", 1))
     with pytest.raises(
-        ModelError, match=r"elastic_bodies\.rod\.nodes\.small \(line 8\): there is no node.*300\] mm"
+        ModelError, match=r"elastic_bodies\.rod\.nodes\.small \(line 8\): the file has no node.*300\] mm"
     ):
         compile_model(model)
     model = crank_with(tmp_path)
@@ -247,7 +247,7 @@ def test_the_hash_of_a_model_covers_its_files(tmp_path):
     [
         ("modes_of_nothing: 1", "elastic_bodies.rod: has no matrices"),
         ("file: rod.npz\n    mass_file: m.mtx", "elastic_bodies.rod.mass_file: cannot be combined with file"),
-        ("stiffness_file: k.mtx", "lacks mass_file and place_file in addition to stiffness_file"),
+        ("stiffness_file: k.mtx", "requires mass_file and place_file in addition to stiffness_file"),
         ("stiffness_file: kk.mtx", "'kk.mtx' names a file that does not exist"),
     ],
 )

@@ -242,7 +242,7 @@ CASES = {
     "a ratio of a bushing": (
         "bushings:\n  b: {ends: [arm, ground], stiffness: {radial: 1}, damping: {ratio: 0.1}}",
         "bushings.b.damping.ratio",
-        "has no meaning",
+        "is not defined",
     ),
     "radial and x": (
         "bushings:\n  b: {ends: [arm, ground], stiffness: {radial: 1, x: 2}}",
@@ -257,7 +257,7 @@ CASES = {
     "too many balls": (
         f"{BALLS}, elements: 90, stiffness: 1}}",
         "rolling_bearings.r.elements",
-        "have no room",
+        "do not fit on a pitch circle",
     ),
     "balls without grooves": (
         f"{BALLS}, elements: 9}}",

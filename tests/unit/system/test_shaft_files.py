@@ -343,5 +343,7 @@ def test_wrong_shafts_are_told_with_line_and_remedy(tmp_path, line, new, words):
 def test_a_shaft_in_python_is_checked_too():
     with pytest.raises(ModelError, match=r"shafts\.s\.sections: is empty.*one section"):
         Model(shafts={"s": Shaft(sections=(), position=(0.0, 0.0, 0.0))})
-    with pytest.raises(ModelError, match=r"shafts\.s\.sections\[0\]\.bore: 40 mm leaves nothing"):
+    with pytest.raises(
+        ModelError, match=r"shafts\.s\.sections\[0\]\.bore: 40 mm is not smaller than the diameter"
+    ):
         Model(shafts={"s": Shaft(sections=(ShaftSection(length=0.1, diameter=0.03, bore=0.04),))})

@@ -208,7 +208,7 @@ CASES = {
         [("file: part.stl, unit: 1 mm", "unit: 1 mm")],
         ROUND,
         "surface_contacts.c.first.file",
-        "the triangles needs it",
+        "required for shape triangles",
     ),
     "side by side": (
         ROLLER,
@@ -249,7 +249,7 @@ CASES = {
         [("radius: 10 mm, length: 40 mm", "radius: 10 mm")],
         None,
         "surface_contacts.c.second.length",
-        "the cylinder needs it",
+        "required for shape cylinder",
     ),
 }
 

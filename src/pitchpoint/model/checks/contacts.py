@@ -177,7 +177,7 @@ def _crossed(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -
 def _sizes(part: ContactSurface, needed: tuple[str, ...], at: Place, report: Reader) -> None:
     for key in needed:
         if getattr(part, key) is None and (*at, key) not in report.tainted:
-            report.problem((*at, key), f"is missing: required for a {part.shape}", remedy=f"add {key}")
+            report.problem((*at, key), f"is missing: required for shape {part.shape}", remedy=f"add {key}")
     if part.half_angle is not None and part.half_angle >= 0.5 * math.pi:
         report.problem(
             (*at, "half_angle"), "is not a cone", limit="< 90 deg", remedy="give half of the cone angle"
@@ -249,7 +249,7 @@ def _friction(friction: ContactFriction, at: Place, report: Reader) -> None:
 def _curve(curve: ContactCurve, at: Place, report: Reader) -> None:
     if curve.shape in ("circle", "involute") and curve.radius is None:
         report.problem(
-            (*at, "radius"), f"is missing: required for the {curve.shape}", remedy="add radius: 20 mm"
+            (*at, "radius"), f"is missing: required for shape {curve.shape}", remedy="add radius: 20 mm"
         )
     if curve.shape == "involute":
         roll = curve.roll

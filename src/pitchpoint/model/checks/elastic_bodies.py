@@ -111,7 +111,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                 remedy = "use a bushing at {}" if group != "loads" else "give marker: NODE and a force"
                 what = "which has no axis"
                 if part_of[body].rotor:
-                    what = "which is elastic, without a node"
+                    what = "without a node"
                     remedy = "name a body {{mass: 0 kg}} here that a joint of type fixed carries at {}"
                 elif group == "bearings":
                     remedy = "name the body that runs in it, and give housing: {}"

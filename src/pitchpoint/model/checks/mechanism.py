@@ -128,7 +128,7 @@ def _cuts(parts: Parts, report: Reader) -> None:
         if group[first] == group[second] and rows_of(joint) > 0 and joint.type not in FUNCTIONS:
             report.problem(
                 ("joints", name, "bodies"),
-                f"connect {first} and {second}, which fixed joints connect already",
+                f"connect {first} and {second}, which are already connected by fixed joints",
                 value=" and ".join(joint.bodies),
                 remedy="remove it, or one of the fixed joints",
             )
