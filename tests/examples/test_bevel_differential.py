@@ -79,5 +79,5 @@ def test_a_carrier_about_another_axis_is_refused():
     text = FILE.replace(
         "cage: {motion: torsion", "cage: {axes: {z: [0, 1, 0], x: [1, 0, 0]}, motion: torsion"
     )
-    with pytest.raises(ModelError, match="none of which turns about the axis of the other"):
+    with pytest.raises(ModelError, match="none of which rotates about the axis of the other"):
         loads_model(text)

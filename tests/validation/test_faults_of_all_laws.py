@@ -103,9 +103,7 @@ def test_every_fault_in_every_law(law, fault, kind, folder):
     if law not in OF_PAIRS and fault in FAULTS:
         with pytest.raises(ModelError) as caught:
             loads_model(text_of(kind, law, fault, 1.0, folder), allow_code=True)
-        words = (
-            f"has no effect in the mesh stage, whose law {law} is that of the whole mesh and knows no single"
-        )
+        words = f"has no effect in the mesh stage, whose law {law} describes the whole mesh, not single teeth"
         assert [p.where for p in caught.value.problems] == ["gears.g1.faults.f"]
         assert words in str(caught.value)
         return

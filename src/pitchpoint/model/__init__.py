@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the user describes: components, scenarios and their validation. No numerics."""
+"""Model description: components, scenarios and their validation. No numerics."""

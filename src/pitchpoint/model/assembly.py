@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a description leaves open and geometry decides: profile shifts, centre distances, places of bodies.
+"""Derived geometry of a model: profile shifts, centre distances, positions of bodies.
 
-Everything here works on whatever could be read of a model; a part that is missing or broken is passed over,
-because its problem has been reported already.
+Works on the parts of a model that could be read; missing or broken parts are skipped, because their problems
+have been reported already.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
     pass
 
 PLACE_TOLERANCE = 1e-6
-"""Relative difference up to which a place given twice counts as the same."""
+"""Relative tolerance for positions that are given twice."""
 
 
 def resolve(parts: Parts, report: Reader) -> None:
-    """Fill in the derived fields of all parts, in place; problems go to `report`."""
+    """Compute the derived fields of all parts in place; problems are added to `report`."""
     _check_hands(parts, report)
     _profile_shifts(parts, report)
     _pairs(parts, report)
@@ -60,9 +60,9 @@ def _check_hands(parts: Parts, report: Reader) -> None:
             )
 
 
-# --- profile shift and centre distance --------------------------------------------------------------------
+# --- profile shifts and centre distances --------------------------------------------------------------------
 def _profile_shifts(parts: Parts, report: Reader) -> None:
-    """Settle x of every gear: given, or from a mesh whose centre distance and other gear are known."""
+    """Determine x of every gear: as given, or from a mesh with known centre distance and mating gear."""
     for name, gear in parts.gears.items():
         parts.gears[name] = replace(gear, x=gear.profile_shift_coefficient)
     meshes = [
@@ -118,7 +118,7 @@ def _undetermined(parts: Parts, name: str, report: Reader) -> None:
     elif all(m.center_distance is None for _, m in meshes):
         report.problem(
             where,
-            "is missing, and its mesh gives no centre distance to find it from",
+            "is missing, and its mesh has no centre distance to determine it",
             remedy=f"give it, or meshes.{meshes[0][0]}.center_distance",
         )
     else:
@@ -130,7 +130,7 @@ def _undetermined(parts: Parts, name: str, report: Reader) -> None:
 
 
 def _compatible(one: Gear, two: Gear) -> bool:
-    """Whether two gears can belong to one pair at all: one basic rack, fitting hands, not both internal."""
+    """Whether two gears can mesh: same module and pressure angle, matching hands, not both internal."""
     hands = one.beta * (1 if one.type == two.type else -1) + two.beta
     return (
         not (one.type == two.type == "internal")
@@ -155,15 +155,15 @@ def _pairs(parts: Parts, report: Reader) -> None:
             check_pair(parts, name, mesh, report)
 
 
-# --- places of bodies --------------------------------------------------------------------------------------
+# --- positions of bodies ------------------------------------------------------------------------------------
 def _places(parts: Parts, report: Reader) -> None:
-    """Place bodies: given positions first, then along meshes and couplings, breadth first."""
+    """Locate bodies: given positions first, then along joints, meshes and couplings, breadth first."""
     links = _links(parts, report)
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, origin=body.position)
     parts.mechanism = hang(parts)
     _spread_all(parts, links)
-    # one train may go without any position: its first body is the origin
+    # one gear train needs no position: its first body is at the origin
     carried = parts.mechanism.carried
     first = next((n for n, b in parts.bodies.items() if b.origin is None and n not in carried), None)
     if first is not None:
@@ -176,13 +176,14 @@ def _places(parts: Parts, report: Reader) -> None:
         if body.origin is None and name not in carried:
             report.problem(
                 ("bodies", name),
-                "has no place: no mesh or coupling connects it to the bodies before it",
+                "has no position: no mesh or coupling connects it to the bodies before it",
                 remedy="give position: [x, y, z]",
             )
 
 
 def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
-    """Place what follows from the bodies with a place: by joints, meshes and couplings in turn."""
+    """Locate all bodies that follow from bodies of known position, by joints, meshes and couplings in
+    turn."""
     before = -1
     while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
         before = len(placed)
@@ -191,7 +192,7 @@ def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
 
 
 def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str]) -> None:
-    """Place everything that hangs on bodies with a place."""
+    """Locate all bodies linked to bodies of known position by meshes and couplings."""
     queue = deque(placed)
     while queue:
         here = queue.popleft()
@@ -202,7 +203,7 @@ def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[
 
 
 def all_linked_known(parts: Parts, report: Reader) -> bool:
-    """False when something unreadable or impossible may have been the missing link."""
+    """Whether all links are readable and valid, so that a missing position is not a consequential error."""
     if parts.misshapen:
         return False
     groups = ("meshes", "couplings", "bodies", "gears", "joints")
@@ -215,7 +216,7 @@ def _links(parts: Parts, report: Reader) -> dict[str, list[tuple[str, str]]]:
     links: dict[str, list[tuple[str, str]]] = {}
 
     def add(kind: str, link: str, ends: Iterable[str | None]) -> None:
-        """Note that a link of some kind hangs on its ends."""
+        """Register a link at both of its bodies."""
         for end in ends:
             if end is not None:
                 links.setdefault(end, []).append((kind, link))
@@ -229,7 +230,7 @@ def _links(parts: Parts, report: Reader) -> dict[str, list[tuple[str, str]]]:
 
 
 def _place_next(parts: Parts, here: str, kind: str, link: str) -> str | None:
-    """Place the body at the other end of a link, if it has no place yet, and return its name."""
+    """Locate the body at the other end of a link and return its name; None if it is located already."""
     origin = parts.bodies[here].origin
     if origin is None:
         return None
@@ -258,20 +259,20 @@ def _place_next(parts: Parts, here: str, kind: str, link: str) -> str | None:
 
 
 def _by_couplings(parts: Parts, mesh: Mesh) -> str:
-    """Which couplings gave the bodies of a mesh their places: a user looks for them at the mesh."""
+    """Text on the couplings that determine the positions of the bodies of a mesh."""
     found = []
     for gear in mesh.gears:
         name = parts.body_of(gear)
         while name is not None and name in parts.placed:
             kind, link, before = parts.placed[name]
             if kind == "coupling":
-                found.append(f"couplings.{link} puts {name} where {before} is")
+                found.append(f"couplings.{link} locates {name} at {before}")
             name = before
     return f" ({', '.join(dict.fromkeys(found))})" if found else ""
 
 
 def _directions(parts: Parts, report: Reader) -> None:
-    """Angle of every line of centres; places given twice must agree."""
+    """Compute the angle of every line of centres and check positions that are given twice."""
     for name, mesh in parts.meshes.items():
         if ("meshes", name, "gears") in report.tainted:
             continue
@@ -293,7 +294,7 @@ def _directions(parts: Parts, report: Reader) -> None:
                     ("meshes", name, "center_distance"),
                     f"does not fit the positions of its bodies, which are {distance * 1e3:.6g} mm apart",
                     value=f"{a * 1e3:.6g} mm",
-                    remedy="correct center_distance or the positions, or leave the positions out"
+                    remedy="correct center_distance or the positions, or remove the positions"
                     + _by_couplings(parts, mesh),
                 )
             elif (
@@ -301,16 +302,16 @@ def _directions(parts: Parts, report: Reader) -> None:
             ):
                 report.problem(
                     ("meshes", name, "direction"),
-                    f"does not fit the positions of its bodies, which lie at {math.degrees(angle):.6g} deg",
+                    f"does not fit the positions of its bodies, which give {math.degrees(angle):.6g} deg",
                     value=f"{math.degrees(theta):.6g} deg",
-                    remedy="leave direction or the positions out" + _by_couplings(parts, mesh),
+                    remedy="remove direction or the positions" + _by_couplings(parts, mesh),
                 )
             theta = angle if mesh.direction is None else theta
         parts.meshes[name] = replace(mesh, theta=theta)
 
 
 def _widths(parts: Parts, report: Reader) -> None:
-    """Common face width of every mesh and where its middle lies on both gears."""
+    """Compute the common face width of every mesh and the axial position of its middle on both gears."""
     for name, mesh in parts.meshes.items():
         if not all(g in parts.gears for g in mesh.gears) or ("meshes", name, "gears") in report.tainted:
             continue
@@ -324,7 +325,7 @@ def _widths(parts: Parts, report: Reader) -> None:
         if high <= low:
             report.problem(
                 ("meshes", name, "gears"),
-                f"do not overlap along their axes; {1e3 * (low - high):.6g} mm lie between their faces",
+                f"do not overlap axially; the gap between their faces is {1e3 * (low - high):.6g} mm",
                 value=" and ".join(mesh.gears),
                 remedy="correct the axial offsets of the gears or the positions of the bodies"
                 + _by_couplings(parts, mesh),
@@ -332,7 +333,7 @@ def _widths(parts: Parts, report: Reader) -> None:
             continue
         at = 0.5 * (low + high)
         if name in parts.pairs and high - low < 0.999999 * 2.0 * min(half):
-            # the pair sees only the part of the teeth that meets
+            # the pair has the common face width
             pair = parts.pairs[name]
             parts.pairs[name] = replace(pair, gear1=pair.gear1.replace(b=high - low))
         parts.meshes[name] = replace(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Places of bevel gears: apexes, directions from there into the gears, pitch rays, angles of teeth."""
+"""Positions of bevel gears: apexes, axis directions, contact rays of the pitch cones, tooth angles."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def bevel_pair(machine: Model | Parts, mesh: BevelMesh) -> BevelPair:
-    """Geometry of the pair of a bevel mesh; without a shaft angle of its own the cones decide."""
+    """Geometry of a bevel gear pair; default shaft angle: the sum of the pitch cone angles."""
     from pitchpoint.geometry.bevel.pair import BevelPair
 
     one, two = (machine.bevel_gears[g].geometry for g in mesh.gears)
@@ -25,16 +25,16 @@ def bevel_pair(machine: Model | Parts, mesh: BevelMesh) -> BevelPair:
 
 
 def bevel_gap(pair: BevelPair, mesh: BevelMesh) -> float:
-    """Total gap along the base tangent at the mean cone distance [m]: given, or of the geometry."""
+    """Backlash along the base tangent at the mean cone distance [m]: as given, or from geometry."""
     if mesh.backlash is None:
         return pair.R_m * pair.sigma_j
     return along_base_tangent(mesh.backlash, pair.alpha_t, pair.beta_b)
 
 
 def apex_of(machine: Model | Parts, gear: str) -> tuple[Array, Array] | None:
-    """Apex of a bevel gear in the world [m] and the unit vector from there into the gear.
+    """Apex of a bevel gear in the world [m] and the unit vector from the apex into the gear.
 
-    None where no body carries the gear, or its body has no place.
+    None if the gear has no body, or the position of its body is unknown.
     """
     body = machine.body_of(gear)
     if body is None:
@@ -54,16 +54,16 @@ def pitch_ray(axes: Array, own: Array, other: Array) -> float:
     axes
         Frame of the body, columns, shape (3, 3).
     own, other
-        Unit vectors from the apex into the gear on that body and into its mate, shape (3,).
+        Unit vectors from the apex into the gear on that body and into the mating gear, shape (3,).
     """
     x, y, _ = axes.T @ (other - (other @ own) * own)
     return math.atan2(y, x)
 
 
 def turned_to(machine: Model | Parts, gear: str, R: float) -> float:
-    """Angle about the z axis of its body by which a tooth at R is ahead of that in the middle of its face.
+    """Angle about the z axis by which a spiral tooth advances from the middle of its face to R [rad].
 
-    Only spiral teeth do, and it only counts where gears of unequal widths have other middles.
+    Relevant only for gears of unequal face width, whose middles differ.
     """
     shape = machine.bevel_gears[gear].geometry
     return float(machine.bevel_gears[gear].direction * shape.spiral_rate * math.log(R / shape.R_m))
@@ -72,10 +72,10 @@ def turned_to(machine: Model | Parts, gear: str, R: float) -> float:
 def tooth_phases(machine: Model | Parts, mesh: BevelMesh, angles: dict[str, float]) -> list[float]:
     """Signed phases z (gamma - ray) of the teeth 0 of both gears at the pitch ray, at R_m of gear 1 [rad].
 
-    Teeth are in the middle of the spaces of the mate where both add up to an odd multiple of pi.
+    The teeth are centred in the tooth spaces of the mating gear if both add up to an odd multiple of pi.
     """
     ways = [apex_of(machine, g) for g in mesh.gears]
-    assert ways[0] is not None and ways[1] is not None  # a mesh of gears without bodies has no place
+    assert ways[0] is not None and ways[1] is not None  # both gears have a body
     found = []
     R_m = machine.bevel_gears[mesh.gears[0]].geometry.R_m
     for k, name in enumerate(mesh.gears):
@@ -88,9 +88,9 @@ def tooth_phases(machine: Model | Parts, mesh: BevelMesh, angles: dict[str, floa
 
 
 def assemble_bevels(machine: Model | Parts) -> dict[str, float]:
-    """Turn all bevel gears so that their meshes are in the middle of their backlash.
+    """Rotate all bevel gears so that all meshes are centred in their backlash; tooth angles by gear [rad].
 
-    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh is at 0.
+    Gears with an `initial_angle` keep it; in a train without any, gear 1 of the first mesh is at 0.
     """
     gears = machine.bevel_gears
     angles = {n: g.initial_angle for n, g in gears.items() if g.initial_angle is not None}

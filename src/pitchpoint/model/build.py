@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain data of a whole model to a `Model`: read, check together, raise or return."""
+"""Creation of a `Model` from plain data: read, check, then raise all problems or return."""
 
 from __future__ import annotations
 
@@ -17,28 +17,28 @@ from pitchpoint.model.sections import GROUPS
 
 
 def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
-    """Make a model from the nested mappings of a file.
+    """Create a model from the nested mappings of a file.
 
     Parameters
     ----------
     data
-        Mappings, lists, texts and numbers.
+        Mappings, lists, strings and numbers.
     reader
-        Reader with the lines of the file, if any; problems that it holds already are reported too.
+        Reader with the line numbers of the file, if any; its previous problems are reported too.
     file
         Name of the file for messages.
 
     Raises
     ------
     ModelError
-        With every problem, in the order of the file.
+        With all problems, in the order of the file.
     """
     if not isinstance(data, Mapping):
         what = "is empty" if data is None else "is not a mapping of keys"
         raise ModelError([*reader.problems, Message("model", what, remedy="begin with gears:", line=1)], file)
     keys = keys_of(Model)
     for name in [name for name in data if name not in keys]:
-        sections.find(str(name))  # those of other packages become keys
+        sections.find(str(name))  # register sections of other packages
     reader.unknown(data, keys, ())
     values = {}
     for name, key in keys.items():

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Speeds in gear trains with carriers: every mesh is a relation between the spins of three bodies.
+"""Speeds in planetary gear trains: every mesh is a relation between the speeds of three bodies.
 
-A mesh holds z_1 (w_1 - w_c) + z_2 (w_2 - w_c) = 0 with the speeds w in space of both gears and of the body
-that carries the line between them round (R. Willis, Principles of Mechanism, 1841). The spins of a file count
-against what a body hangs on. What all relations leave free is fixed by the given speeds.
+A mesh satisfies z_1 (w_1 - w_c) + z_2 (w_2 - w_c) = 0 with the absolute speeds w of both gears and of the
+carrier of their line of centres (R. Willis, Principles of Mechanism, 1841). The spins of a file are relative
+to the parent body. The given speeds determine the remaining freedom.
 """
 
 from __future__ import annotations
@@ -24,16 +24,16 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 ROUNDING = 8 * np.finfo(float).eps
-"""Rounding of a sum over its terms without signs, for each of them: a speed below that is zero."""
+"""Rounding error per term of a sum, relative to the sum of absolute values: a smaller speed is zero."""
 
 SAME = 1e-9
-"""Singular value over the largest, and part of a row over one, that count as zero."""
+"""Relative singular value, and deviation of a direction cosine from one, that count as zero."""
 
 
 def line_carrier(parts: Parts, one: str, two: str) -> str:
-    """The body that carries the line between two gears round; ground where both are on ground.
+    """Carrier of the line of centres of two gears; ground if both are on ground.
 
-    It is what the gear hangs on whose base moves with more joints.
+    It is the base of the gear whose base has more moving joints to ground.
     """
     bases = [base_of(parts, parts.mechanism, body) for body in (one, two)]
     chains = [_movers(parts, base) for base in bases]
@@ -41,9 +41,9 @@ def line_carrier(parts: Parts, one: str, two: str) -> str:
 
 
 def carrying(parts: Parts, one: str, two: str) -> int | None:
-    """Which of two bodies with bevel gears in mesh rides on a carrier that turns about the axis of the other.
+    """Which of two meshing bevel gears is a planet on a carrier that rotates about the axis of the other.
 
-    1 or 2; 0 if both hang on one body; None if neither is so, and the relation of their teeth is unknown.
+    1 or 2; 0 if both bodies have the same base; None if neither applies and the tooth relation is unknown.
     """
     mechanism = parts.mechanism
     bases = [base_of(parts, mechanism, body) for body in (one, two)]
@@ -58,7 +58,7 @@ def carrying(parts: Parts, one: str, two: str) -> int | None:
 
 
 def has_carriers(parts: Parts, links: list[Link]) -> bool:
-    """Whether some link joins bodies whose spins count from different frames or are those of others."""
+    """Whether a link connects bodies whose spins refer to different frames or equal those of other bodies."""
     return any(
         place[0] != "ratios"
         and (
@@ -72,9 +72,9 @@ def has_carriers(parts: Parts, links: list[Link]) -> bool:
 def carried_speeds(
     parts: Parts, links: list[Link], given: Mapping[str, float], supported: Sequence[str], tolerance: float
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Speeds of all spins and given ones that contradict earlier ones, see `speed_ratios.start_speeds`.
+    """All spin speeds, and given speeds that contradict earlier ones, see `speed_ratios.start_speeds`.
 
-    Bodies that are `supported` are at rest where the given speeds allow it.
+    Bodies in `supported` are at rest if the given speeds permit it.
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
@@ -95,7 +95,7 @@ def carried_speeds(
         elif name in given and abs(fits - value) > tolerance * max(abs(value), abs(fits)):
             wrong.append((name, fits))
     found = free @ y
-    # columns of length one are rounded as one is
+    # rounding error of columns of unit length
     found[np.abs(found) <= ROUNDING * len(turning) * np.linalg.norm(y)] = 0.0
     speeds = dict(zip(turning, found.tolist(), strict=True))
     return {n: speeds.get(n, 0.0) for n in parts.bodies}, wrong
@@ -108,20 +108,20 @@ def speed_in_space(
     about: str | None = None,
     against: str | None = None,
 ) -> float:
-    """Speed of a body about its own axis in space [rad/s], or about that of another body.
+    """Absolute speed of a body about its own axis, or about that of another body [rad/s].
 
     Parameters
     ----------
     parts
         A model or the parts of one.
     spins
-        Speeds of bodies as a file counts them, against what they hang on [rad/s].
+        Spin speeds of the bodies relative to their parents [rad/s].
     body
-        Name of the body; ground does not move.
+        Name of the body; the speed of ground is zero.
     about
-        Body whose axis counts.
+        Body whose axis is used.
     against
-        Body against whose speed about the same axis it counts, such as a carrier.
+        Reference body, such as a carrier; the speed is relative to it.
     """
     turning = [name for name, seat in parts.mechanism.seats.items() if "spin" in seat.coordinates]
     place = {name: k for k, name in enumerate(turning)}
@@ -134,7 +134,7 @@ def speed_in_space(
 
 
 def _movers(parts: Parts, body: str) -> list[str]:
-    """Bodies on the way from ground whose joints move."""
+    """Bodies with moving joints on the path to ground."""
     found = []
     while body != GROUND and body in parts.mechanism.seats:
         seat = parts.mechanism.seats[body]
@@ -145,9 +145,9 @@ def _movers(parts: Parts, body: str) -> list[str]:
 
 
 def _in_space(parts: Parts, place: Mapping[str, int], body: str, about: str | None = None) -> Array:
-    """Speed of a body about the axis of its gears, or of those of another body, per speed of every spin.
+    """Coefficients of the absolute speed of a body over all spins, about its own axis or that of `about`.
 
-    What turns about an axis that is not parallel turns no gear against another: it takes both along.
+    Rotation about a non-parallel axis does not rotate one gear relative to another: it moves both.
     """
     found = np.zeros(len(place))
     sense = 1.0 if about is None else _sense(parts, body, about)
@@ -162,7 +162,7 @@ def _in_space(parts: Parts, place: Mapping[str, int], body: str, about: str | No
 
 
 def _sense(parts: Parts, one: str, two: str) -> float:
-    """1 where the axes of two bodies are parallel, -1 where they are opposite, else 0."""
+    """1 if the axes of two bodies are parallel, -1 if they are opposite, else 0."""
     if not {one, two} <= parts.mechanism.seats.keys():
         return 1.0
     axes = [seat_frame(parts, parts.mechanism.seats[b])[1][:, 2] for b in (one, two)]
@@ -171,9 +171,9 @@ def _sense(parts: Parts, one: str, two: str) -> float:
 
 
 def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
-    """Row over the spins that a mesh, a coupling or a ratio holds at zero."""
+    """Row over the spins, zero by a mesh, a coupling or a ratio."""
     where, one, two, ratio = link
-    if where[0] == "ratios":  # of the spins as given in the file
+    if where[0] == "ratios":  # relation between relative spins
         row = np.zeros(len(place))
         for body, factor in ((one, -ratio), (two, 1.0)):
             if body in place:
@@ -183,7 +183,7 @@ def _relation(parts: Parts, place: Mapping[str, int], link: Link) -> Array:
     base = np.zeros(len(place))
     if where[0] == "meshes":
         base = _in_space(parts, place, line_carrier(parts, one, two), about=one)
-    if where[0] == "bevel_meshes":  # each gear turns about an axis of its own
+    if where[0] == "bevel_meshes":  # the gears rotate about different axes
         carrier = line_carrier(parts, one, two)
         w_1, w_2 = (w - _in_space(parts, place, carrier, about=b) for w, b in ((w_1, one), (w_2, two)))
     return np.asarray((w_2 - base) - ratio * (w_1 - base))

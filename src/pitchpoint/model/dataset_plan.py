@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plan of a data set: which cases of a model are computed, and what is recorded of each.
+"""Plan of a data set: the cases of a model to compute, and the recorded channels.
 
-A factor has levels; a case is one level of every factor with one seed. A level has a label and the values
-that it puts at paths of the model, as in `Model.replace_all`.
+A factor has levels; a case combines one level of every factor with one seed. A level has a label and new
+values by path of the model, as in `Model.replace_all`.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from typing import Any, ClassVar, TypeAlias
 from pitchpoint.model.keys import Place, component, integer, key, positive, quantity, text
 
 STOP_BAND = 80
-"""Damping of what an anti-aliasing filter stops [dB]."""
+"""Stop-band attenuation of the anti-aliasing filter [dB]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Noise:
-    """White Gaussian noise on a channel; exactly one key is given."""
+    """White Gaussian noise on a channel; give exactly one key."""
 
     snr: float | None = quantity(
         "dimensionless",
-        "rms of the alternating part of the channel over that of the noise [dB]",
+        "signal-to-noise ratio: rms of the alternating part of the channel over rms of the noise [dB]",
         None,
         one_of="level",
     )
@@ -36,20 +36,20 @@ class Noise:
 
 @dataclass(frozen=True, kw_only=True)
 class ObservedChannel:
-    """An observation of the model, as results name it."""
+    """An output of the model by its name in results."""
 
     form: ClassVar[str] = "observation"
     channel: str = text("name of the observation, such as bearing_force[input_a.fy] or signal[NAME]")
-    noise: Noise | None = component(Noise, "noise that is added")
+    noise: Noise | None = component(Noise, "added noise")
 
 
 @dataclass(frozen=True, kw_only=True)
 class TachoChannel:
-    """Pulses of a body that spins: 1 over half of the angle between two pulses, 0 over the other half."""
+    """Tacho signal of a rotating body: 1 over half of the pulse pitch, 0 over the other half."""
 
     form: ClassVar[str] = "tacho"
-    body: str = text("name of the body whose spin is counted")
-    pulses: int = integer("pulses per turn", minimum=1, maximum=100000)
+    body: str = text("name of the rotating body")
+    pulses: int = integer("pulses per revolution", minimum=1, maximum=100000)
 
 
 PlannedChannel: TypeAlias = ObservedChannel | TachoChannel
@@ -63,11 +63,11 @@ class Level:
     Parameters
     ----------
     label
-        Its name in the table of cases.
+        Name in the table of cases.
     changes
         Values by path of the model.
     place
-        Its place in the file.
+        Path in the file.
     """
 
     label: str
@@ -77,7 +77,7 @@ class Level:
 
 @dataclass(frozen=True)
 class PlannedCase:
-    """One case: its place in the table, labels by factor, values by path, seed from 1."""
+    """One case: index in the table, labels by factor, values by path, seed from 1."""
 
     index: int
     labels: Mapping[str, str]
@@ -87,28 +87,28 @@ class PlannedCase:
 
 @dataclass(frozen=True, kw_only=True)
 class DatasetPlan:
-    """What a data set holds. Made by `model.reading.dataset_plan`, which checks it."""
+    """Contents of a data set; created and checked by `model.reading.dataset_plan`."""
 
-    title: str = text("what the data set is", "")
-    model: str = text("name of the model file, from the folder of the plan")
-    scenario: str | None = text("name of the scenario of the model", None, display="the only one over time")
+    title: str = text("title of the data set", "")
+    model: str = text("model file, relative to the folder of the plan")
+    scenario: str | None = text("scenario of the model", None, display="the only time response")
     seeds: int = integer("number of repetitions of every combination, with seeds 1, 2, ...", 1, minimum=1)
-    sample_rate: float = positive("frequency", "samples per second of all channels")
-    length: float = positive("time", "length of every case")
+    sample_rate: float = positive("frequency", "sampling rate of all channels")
+    length: float = positive("time", "recorded duration of every case")
     settle_time: float = quantity(
-        "time", "time computed before, which is not recorded", 0.0, minimum=0.0, display="that of the filter"
+        "time", "simulated time before the recording", 0.0, minimum=0.0, display="that of the filter"
     )
     oversampling: int = integer(
-        "the machine is sampled so many times faster, then filtered and decimated; 1: no filter",
+        "oversampling factor of the simulation before anti-aliasing filter and decimation; 1: no filter",
         2,
         minimum=1,
         maximum=64,
     )
-    channels: Mapping[str, PlannedChannel] = key("components", "what is recorded, by name", of=CHANNELS)
+    channels: Mapping[str, PlannedChannel] = key("components", "recorded channels by name", of=CHANNELS)
     factors: Mapping[str, tuple[Level, ...]] = field(default_factory=dict)
     """Levels of every factor, in the order of the file."""
     jitter: Mapping[str, float] = field(default_factory=dict)
-    """Standard deviation of the number at a path from case to case, over the number."""
+    """Relative standard deviation between cases, by path of the number."""
     file: str | None = None
     lines: Mapping[Place, int] = field(default_factory=dict, compare=False)
     allow_code: bool = field(default=False, compare=False)
@@ -121,19 +121,19 @@ class DatasetPlan:
 
     @cached_property
     def paths(self) -> tuple[str, ...]:
-        """Every path that some level changes, in the order of appearance."""
+        """All paths that are changed by levels, in the order of appearance."""
         levels = itertools.chain.from_iterable(self.factors.values())
         return tuple(dict.fromkeys(path for level in levels for path in level.changes))
 
     def __len__(self) -> int:
-        """Count the cases."""
+        """Number of cases."""
         count = self.seeds
         for levels in self.factors.values():
             count *= len(levels)
         return count
 
     def cases(self) -> Iterator[PlannedCase]:
-        """All cases, seeds varying fastest, then the last factor."""
+        """All cases; the seed varies fastest, then the last factor."""
         index = 0
         for levels in itertools.product(*self.factors.values()):
             labels = {name: level.label for name, level in zip(self.factors, levels, strict=True)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frames of bodies, markers and joints in the world, where the file places them: all coordinates zero."""
+"""Frames of bodies, markers and joints in the world, at zero coordinates."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 GROUND = "ground"
 ALONG = 0.999999
-"""Cosine of the angle from which two directions count as one."""
+"""Cosine of the angle below which two directions are treated as equal."""
 
 
 class Machine(Protocol):
-    """Whatever has bodies and joints: a model, or the parts of one."""
+    """Anything with bodies and joints: a model or its parts."""
 
     @property
     def bodies(self) -> Mapping[str, Body]:
@@ -33,17 +33,17 @@ class Machine(Protocol):
 
 
 def unit(vector: ArrayLike) -> Array:
-    """Direction of a vector; zeros stay zeros."""
+    """Unit vector; a zero vector is returned unchanged."""
     v = np.asarray(vector, float)
     size = float(np.linalg.norm(v))
     return v / size if size > 0.0 else v
 
 
 def frame(axes: Axes | None, base: Array | None = None) -> Array:
-    """Right-handed frame (3, 3), columns, of two directions that are given along the axes of `base`.
+    """Right-handed frame (3, 3), columns, from two directions in the axes of `base`.
 
-    Without an x axis it is the direction at right angles to z that lies nearest to x of the base, or nearest
-    to its y where z lies along x.
+    Without an x axis, x is the projection of the base x axis onto the plane perpendicular to z, or that of
+    the base y axis if z is along x.
 
     Examples
     --------
@@ -63,13 +63,13 @@ def frame(axes: Axes | None, base: Array | None = None) -> Array:
 
 
 def split(end: str) -> tuple[str, str]:
-    """Body and marker ('' for its origin) of a place named as BODY or BODY.MARKER."""
+    """Body and marker ('' for the origin) of an end BODY or BODY.MARKER."""
     body, _, marker = end.partition(".")
     return body, marker
 
 
 def marker_of(machine: Machine, end: str) -> Marker | None:
-    """Marker that a place names, None for an origin and for what does not exist."""
+    """Marker of an end; None for an origin and for unknown names."""
     body, name = split(end)
     return machine.bodies[body].markers.get(name) if body in machine.bodies else None
 
@@ -78,7 +78,7 @@ def body_frame(machine: Machine, body: str) -> tuple[Array | None, Array]:
     """Origin and axes of a body in the world.
 
     The origin is None if it is not known yet. A body that does not exist has no origin and the axes of the
-    world: the checks of references report it, and those of places pass it over.
+    world: the checks of references report it, the checks of positions skip it.
     """
     if body == GROUND:
         return np.zeros(3), np.eye(3)
@@ -90,7 +90,7 @@ def body_frame(machine: Machine, body: str) -> tuple[Array | None, Array]:
 
 
 def arm(machine: Machine, end: str) -> Array:
-    """Place that an end names, from the origin of its body, in world axes [m]."""
+    """Position of an end relative to the origin of its body, in world axes [m]."""
     marker = marker_of(machine, end)
     if marker is None:
         return np.zeros(3)
@@ -98,20 +98,20 @@ def arm(machine: Machine, end: str) -> Array:
 
 
 def place_of(machine: Machine, end: str) -> Array | None:
-    """Place that an end names in the world [m]; None while its body has none."""
+    """Position of an end in the world [m]; None if that of its body is unknown."""
     origin = body_frame(machine, split(end)[0])[0]
     return None if origin is None else origin + arm(machine, end)
 
 
 def axes_of(machine: Machine, end: str) -> Array:
-    """Axes of the place that an end names in the world."""
+    """Axes of an end in the world."""
     axes = body_frame(machine, split(end)[0])[1]
     marker = marker_of(machine, end)
     return axes if marker is None else frame(marker.axes, axes)
 
 
 def joint_place(machine: Machine, joint: Joint) -> Array | None:
-    """Place of a joint in the world [m]: given, or of its markers, or the origin of the body it moves."""
+    """Position of a joint in the world [m]: as given, or of its markers, or the origin of the moved body."""
     if joint.position is not None:
         return np.array(joint.position, float)
     marked = [e for e in joint.bodies if split(e)[1]]
@@ -123,7 +123,7 @@ def joint_place(machine: Machine, joint: Joint) -> Array | None:
 
 
 def joint_axes(machine: Machine, joint: Joint) -> Array:
-    """Axes of a joint in the world, columns: given, or those of a marker, or those of the world."""
+    """Axes of a joint in the world, columns: as given, or those of a marker, or those of the world."""
     if joint.axes is not None:
         return frame(joint.axes)
     marked = [e for e in joint.bodies if split(e)[1]]

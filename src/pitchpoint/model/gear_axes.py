@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Directions of gears: bodies in mesh share that of their z axes, which may be any of the world.
+"""Axis directions of gears: bodies in mesh have parallel z axes of any direction in the world.
 
-Angles of a mesh count from the x axis of the body of its gear 1, angles of a tooth from that of its own body.
+Angles of a mesh refer to the x axis of the body of gear 1, angles of a tooth to that of its own body.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 PARALLEL = 1e-6
-"""Angle [rad] up to which two axes count as parallel: directions are written with some seven digits."""
+"""Angle [rad] up to which two axes are parallel: directions are given with about seven digits."""
 
 
 def orient(parts: Parts) -> None:
-    """Settle the axes of every body: given, or those of the bodies that its gears mesh with."""
+    """Determine the axes of every body: as given, or those of the bodies that its gears mesh with."""
     for name, body in parts.bodies.items():
         parts.bodies[name] = replace(body, orientation=body.axes)
     mates: dict[str, list[str]] = {}
@@ -45,18 +45,18 @@ def orient(parts: Parts) -> None:
 
 
 def ends_of(parts: Parts, mesh: Mesh) -> tuple[str | None, str | None]:
-    """Bodies of gear 1 and gear 2; None for gears without one."""
+    """Bodies of gear 1 and gear 2; None for a gear without body."""
     one, two = (parts.body_of(g) for g in mesh.gears)
     return one, two
 
 
 def mesh_frame(machine: Machine, body: str | None) -> Array:
-    """Frame that a mesh is described in, columns: the axes of the body of its gear 1, or of the world."""
+    """Reference frame of a mesh, columns: the axes of the body of gear 1, or of the world."""
     return np.eye(3) if body is None else body_frame(machine, body)[1]
 
 
 def settle_twists(parts: Parts, report: Reader) -> None:
-    """Check that axes in mesh are parallel, and settle the angle between the x axes of their bodies."""
+    """Check that the axes of meshing gears are parallel, and compute the angle between the x axes."""
     for name, mesh in parts.meshes.items():
         one, two = ends_of(parts, mesh)
         if one is None or two is None or one == two:
@@ -80,15 +80,15 @@ def _skew(name: str, gears: tuple[str, str], bodies: tuple[str, str], angle: flo
     if math.pi - angle <= PARALLEL:
         report.problem(
             at,
-            f"turn about z axes that point in opposite directions, those of {one} and {two}",
+            f"have opposite z axes, those of {one} and {two}",
             value=" and ".join(gears),
-            remedy=f"turn the z of {one} or {two} round: speeds of gears in mesh count about one direction",
+            remedy=f"reverse the z axis of {one} or {two}: gears in mesh require the same direction",
         )
         return
     report.problem(
         at,
-        f"turn about axes {math.degrees(angle):.6g} deg apart, the z axes of {one} and {two}",
+        f"have axes {math.degrees(angle):.6g} deg apart, the z axes of {one} and {two}",
         value=" and ".join(gears),
         limit=f"parallel to {PARALLEL:g} rad",
-        remedy=f"give {one} and {two} the same axes; bevel gears, ratios or universal joints couple others",
+        remedy=f"give {one} and {two} parallel axes; use bevel gears, ratios or universal joints for others",
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mass and moments of inertia of bodies: given ones, else of their solid, else the sum over their gears."""
+"""Mass and moments of inertia of bodies: as given, else from the solid, else the sum over the gears."""
 
 from __future__ import annotations
 
@@ -34,17 +34,17 @@ class BodyInertia:
     center: float
     """Axial position of the centre of mass from the origin [m]."""
     off_axis: tuple[float, float] = (0.0, 0.0)
-    """Position of the centre of mass off the axis, x and y of the body [m]."""
+    """Offset of the centre of mass from the axis, x and y of the body [m]."""
     tensor: tuple[float, ...] | None = None
-    """Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass of a body that is not round [kg m^2]."""
+    """Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass of a body that is not axisymmetric [kg m^2]."""
 
     @property
     def place(self) -> tuple[float, float, float]:
-        """Centre of mass from the origin, axes of the body [m]."""
+        """Centre of mass relative to the origin, in the axes of the body [m]."""
         return (*self.off_axis, self.center)
 
     def about_center(self) -> NDArray[np.float64]:
-        """Inertia about the centre of mass, axes of the body, shape (3, 3) [kg m^2]."""
+        """Inertia about the centre of mass in the axes of the body, shape (3, 3) [kg m^2]."""
         return matrix(self.tensor or (self.central, self.central, self.polar, 0.0, 0.0, 0.0))
 
     @property
@@ -56,7 +56,7 @@ class BodyInertia:
 def gear_inertia(gear: Gear) -> tuple[float, float, float]:
     """Mass [kg], polar and transverse moment of inertia about the centre [kg m^2] of one gear.
 
-    Given values first, then those of its solid, the rest from the geometry and the density of the material.
+    Given values take precedence, then those of the solid, then geometry and density of the material.
     """
     given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
     if None in given:
@@ -72,9 +72,11 @@ def gear_by_geometry(gear: Gear) -> tuple[float, float, float]:
 
 
 def bevel_gear_inertia(gear: BevelGear) -> tuple[float, float, float, float]:
-    """Mass [kg], polar and transverse moment of inertia about the centre of mass [kg m^2], and its place.
+    """Mass [kg], polar and transverse moment of inertia [kg m^2] and axial position [m] of the centre of
+    mass.
 
-    The place [m] is that from the apex along the z axis of the body; a given mass does not move it.
+    The moments are about the centre of mass; its position is relative to the apex along the z axis of the
+    body and does not depend on a given mass.
     """
     from pitchpoint.geometry.bevel.blank import bevel_mass
 
@@ -91,7 +93,7 @@ def bevel_gear_inertia(gear: BevelGear) -> tuple[float, float, float, float]:
 
 
 def asks_gears(body: Body) -> bool:
-    """Whether anything of the inertia of a body is left to its gears."""
+    """Whether the inertia of a body depends on its gears."""
     if body.solid is not None:
         return False
     aside = bool(body.bevel_gears) or any(offset != 0.0 for offset in body.gears.values())
@@ -105,11 +107,11 @@ def asks_gears(body: Body) -> bool:
 def body_inertia(
     body: Body, gears: Mapping[str, Gear], bevel_gears: Mapping[str, BevelGear] | None = None
 ) -> BodyInertia:
-    """Inertia of a body: every value that is given, and the rest from its solid, or else its gears.
+    """Inertia of a body: given values, the others from its solid or else from its gears.
 
-    The centre of mass is that of the gears, or the origin where they have no mass. A given mass does not move
-    it, and leaves the inertia about it as it is. The transverse inertia of the gears is their sum about the
-    centre of mass in force; a given one counts about the origin.
+    The centre of mass is that of the gears, or the origin if they have no mass. A given mass changes neither
+    the centre of mass nor the inertia about it. The transverse inertia of the gears is summed about the
+    effective centre of mass; a given transverse inertia refers to the origin.
 
     Parameters
     ----------
@@ -150,7 +152,7 @@ def body_inertia(
 
 
 def _of_solid(body: Body, part: SolidReference) -> BodyInertia:
-    """Inertia of a body with a solid: each given value takes the place of one of the solid."""
+    """Inertia of a body with a solid; given values replace those of the solid."""
     found = solid_mass(part)
     mass = found.mass if body.mass is None else body.mass
     x, y, center = body.center or found.center
@@ -170,7 +172,7 @@ def _of_solid(body: Body, part: SolidReference) -> BodyInertia:
 def _of_gears(
     found: list[tuple[float, float, float, float]], center: tuple[float, float, float]
 ) -> tuple[float, ...]:
-    """Inertia of gears about a point off their axis, entries in the order of a file."""
+    """Inertia of gears about a point off their axis, in the order of `inertia_tensor`."""
     total = [0.0] * 6
     for m, j_p, j_t, at in found:
         x, y, z = -center[0], -center[1], at - center[2]

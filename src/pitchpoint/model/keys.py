@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Meaning of every key of a model file: dimension, default, range and a sentence, in one place.
+"""Descriptions of the keys of a model file: dimension, default, range and meaning.
 
-A component is a frozen dataclass whose fields are made by the functions of this module. The reader,
-the writer, the JSON schema and the reference page all read the `Key` that each field carries, so a key is
-described once.
+A component is a frozen dataclass whose fields are created by the functions of this module. Each field has a
+`Key`, the only description of the key: the reader, the writer, the JSON schema and the reference page use it.
 """
 
 from __future__ import annotations
@@ -19,20 +18,20 @@ BAD: Any = object()
 """Placeholder of a value that could not be read; its problem has been noted."""
 
 TYPE = "type"
-"""Key that names the kind of a component where a section has several kinds."""
+"""Key for the kind of a component, in sections with several kinds."""
 
 Place: TypeAlias = tuple[str | int, ...]
-"""Place of a value in a file: names of keys and numbers of list entries."""
+"""Path of a value in a file: names of keys and indices of list entries."""
 
 
 @dataclass(frozen=True)
 class Key:
-    """What one key may hold.
+    """Description of one key.
 
-    `kind` names the reader: quantity, integer, choice, text, boolean, quantities (a list), names, end and
-    ends (places on bodies), component (nested mapping), components (mapping of names to components) or a
-    special form that `model/reading/reader.py` registers. Components of several kinds (`of` is a table) are
-    selected by the key `type`; their classes have that word as `form`.
+    `kind` selects the reader: quantity, integer, choice, text, boolean, quantities (a list), names, end and
+    ends (points on bodies), component (nested mapping), components (mapping of names to components) or a
+    special form registered by `model/reading/reader.py`. If `of` is a table, the key `type` selects the
+    component class by its `form`.
     """
 
     kind: str
@@ -40,21 +39,21 @@ class Key:
     dimension: str = ""
     minimum: float = -math.inf
     maximum: float = math.inf
-    above: bool = False  # the minimum itself is refused
-    below: bool = False  # the maximum itself is refused
+    above: bool = False  # exclusive minimum
+    below: bool = False  # exclusive maximum
     choices: tuple[str, ...] = ()
     length: tuple[int, int] = (0, 10**7)
-    variables: tuple[str, ...] = ()  # of a law: what its formulas may use, if not t, angle, speed
-    dotted: bool = False  # names of components may be two words with a dot, as JOINT.COORDINATE
-    isolated: bool = False  # a problem in it does not affect the component that holds it
+    variables: tuple[str, ...] = ()  # of a law: variables of its formulas, if not t, angle, speed
+    dotted: bool = False  # names of components may contain a dot, as JOINT.COORDINATE
+    isolated: bool = False  # a problem in it does not affect the enclosing component
     of: Any = None  # dataclass of nested components, or table of variants
-    display: str = ""  # default in the words of a user, where it is a formula
-    sample: str = ""  # a usual value, where the example of the dimension would be none
-    later: bool = False  # came with a later version: empty, it leaves the hash of a model as it was
-    names: str = ""  # section whose components it names
-    one_of: str = ""  # keys of a component with the same word here exclude each other: exactly one is given
-    needs: str = ""  # key that has to be given with this one
-    range_words: str = ""  # range in the words of a user, where another key decides about its ends
+    display: str = ""  # description of a default that is not a constant
+    sample: str = ""  # typical value, if the example of the dimension does not fit
+    later: bool = False  # added in a later version: if empty, the hash of a model is unchanged
+    names: str = ""  # section of the named components
+    one_of: str = ""  # group of mutually exclusive keys of a component: exactly one is given
+    needs: str = ""  # key that must be given together with this one
+    range_words: str = ""  # description of a range that depends on another key
 
     @property
     def limit(self) -> str:
@@ -64,14 +63,14 @@ class Key:
         return " and ".join(part for part in (low, high) if part)
 
     def allows(self, value: float) -> bool:
-        """Whether a number lies in the range."""
+        """Whether a number is within the range."""
         if value < self.minimum or value > self.maximum:
             return False
         return not ((self.above and value == self.minimum) or (self.below and value == self.maximum))
 
 
 def key(kind: str, meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
-    """Make a dataclass field that carries a `Key`."""
+    """Create a dataclass field with a `Key`."""
     description = Key(kind, meaning, **more)
     if isinstance(default, dict):
         return dataclasses.field(default_factory=dict, metadata={"key": description})
@@ -79,7 +78,7 @@ def key(kind: str, meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
 
 
 def quantity(dimension: str, meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
-    """Field for one number with a dimension (SI inside)."""
+    """Field for one number with a dimension (stored in SI units)."""
     return key("quantity", meaning, default, dimension=dimension, **more)
 
 
@@ -99,12 +98,12 @@ def integer(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
 
 
 def choice(choices: tuple[str, ...], meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
-    """Field for one word out of a list."""
+    """Field for one of several options."""
     return key("choice", meaning, default, choices=choices, **more)
 
 
 def text(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
-    """Field for free text or the name of something."""
+    """Field for free text or a name."""
     return key("text", meaning, default, **more)
 
 
@@ -114,22 +113,22 @@ def boolean(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
 
 
 def end(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
-    """Field for a place on a body: ground, a body or BODY.MARKER."""
+    """Field for a point on a body: ground, a body or BODY.MARKER."""
     return key("end", meaning, default, **more)
 
 
 def ends(meaning: str, default: Any = REQUIRED, **more: Any) -> Any:
-    """Field for a list of places on bodies."""
+    """Field for a list of points on bodies."""
     return key("ends", meaning, default, **more)
 
 
 def component(of: Any, meaning: str, default: Any = None, **more: Any) -> Any:
-    """Field for a nested mapping that becomes the dataclass `of`."""
+    """Field for a nested mapping that is read into the dataclass `of`."""
     return key("component", meaning, default, of=of, **more)
 
 
 def derived(default: Any = None) -> Any:
-    """Field that the model fills in itself; never read from or written to a file, never compared."""
+    """Field computed by the model; it is not read, written or compared."""
     return dataclasses.field(default=default, compare=False, repr=False, kw_only=True)
 
 
@@ -142,7 +141,7 @@ def keys_of(cls: type) -> dict[str, Key]:
 
 
 def defaults_of(cls: type) -> dict[str, Any]:
-    """Defaults of the optional keys; required keys are absent."""
+    """Defaults of the optional keys."""
     if cls not in _DEFAULTS:
         out: dict[str, Any] = {}
         fields: Any = dataclasses.fields(cls)
@@ -162,7 +161,8 @@ _DEFAULTS: dict[type, dict[str, Any]] = {}
 
 
 def walk(cls: type, path: str = "") -> Iterator[tuple[str, type, str, Key]]:
-    """Every key below a component class as (path, class, key name, key), depth first."""
+    """All keys of a component class and its nested components as (path, class, key name, key), depth
+    first."""
     for name, item in keys_of(cls).items():
         where = f"{path}.{name}" if path else name
         yield where, cls, name, item

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How bodies hang on each other: the joints spread over a tree, those that are left close loops.
+"""Kinematic tree of a model: a spanning tree of joints; the remaining joints close loops.
 
-Bodies with a motion are joined to ground. Then the first joint of the file whose first body hangs and
-whose second does not carries the second, again and again; where no joint fits that way, the first one that
-joins a hanging body with one that does not is reversed. What is left joins bodies that hang already: it
-is cut.
+Bodies with `motion` are connected to ground. Then, repeatedly, the first joint of the file whose first body
+is in the tree and whose second is not adds the second body. If there is none, the first joint between a body
+in the tree and one outside it is reversed. The remaining joints connect bodies of the tree: they are cut
+joints.
 """
 
 from __future__ import annotations
@@ -33,58 +33,58 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 MOTIONS = {"fixed": "fixed", "torsion": "revolute", "planar": "planar", "free": "shaft"}
-"""Type of the joint to ground of each motion."""
+"""Type of the joint to ground for each `motion`."""
 
-#: Columns of the frame of a joint that is reversed, as (column, sign): about the new axes the first body
-#: moves against the second by the very coordinates that the second has against the first.
+#: Columns of the frame of a reversed joint, as (column, sign): in the new axes, the coordinates of the first
+#: body relative to the second equal those of the second relative to the first.
 _TURNED = {"universal": ((1, -1), (0, -1), (2, -1)), "spherical": ((2, -1), (1, -1), (0, -1))}
 _FLIPPED = ((0, 1), (1, -1), (2, -1))
-#: Coordinates of a joint that is reversed, in the order of their displacements.
+#: Coordinates of a reversed joint, in the order of the displacements.
 _RENAMED = {"universal": ("beta", "alpha"), "spherical": ("spin", "beta", "alpha")}
 COUNTED = ("revolute", "cylindrical", "screw", "planar", "shaft")
-"""Joints whose spin is counted in whole turns."""
+"""Joints whose spin is counted in whole revolutions."""
 ONE_WAY = ("planar", "shaft", "free")
-"""Joints whose coordinates have no counterpart when they are reversed."""
+"""Joints whose coordinates cannot be expressed in the reversed joint."""
 
 
 @dataclass(frozen=True)
 class Seat:
-    """What one body hangs on."""
+    """Parent of a body in the kinematic tree, and the joint to it."""
 
     body: str
     parent: str = GROUND
     joint: str | None = None
     """Name of the joint, None for a motion against ground."""
     kind: str = "revolute"
-    """Type of the joint, or that of the motion."""
+    """Type of the joint, or joint type of the motion."""
     turned: bool = False
-    """Whether the joint moves its first body."""
+    """Whether the joint is reversed: it moves its first body."""
     coordinates: tuple[str, ...] = ()
-    """Names of its coordinates, in the order of the displacements."""
+    """Names of the coordinates, in the order of the displacements."""
 
 
 @dataclass(frozen=True)
 class Mechanism:
-    """The tree of bodies and what closes its loops."""
+    """Kinematic tree of the bodies and the cut joints that close its loops."""
 
     seats: Mapping[str, Seat] = field(default_factory=dict)
-    """Seat of every body that hangs on something, parents first."""
+    """Seat of every body in the tree, parents first."""
     cut: tuple[str, ...] = ()
-    """Joints that close loops."""
+    """Cut joints, which close loops."""
     floating: tuple[str, ...] = ()
-    """Bodies that hang on nothing."""
+    """Bodies outside the tree."""
 
     @property
     def carried(self) -> frozenset[str]:
-        """Bodies that a joint carries or should carry."""
+        """Bodies on a joint, and bodies that need one."""
         return frozenset(n for n, s in self.seats.items() if s.joint is not None) | frozenset(self.floating)
 
     def carrier(self, joint: str) -> Seat | None:
-        """Seat that a joint makes; None for one that closes a loop."""
+        """Seat of the body on a joint; None for a cut joint."""
         return self._carriers.get(joint)
 
     def carried_by(self, body: str) -> list[str]:
-        """Bodies that hang on a body, directly or on others that do, in the order of the seats."""
+        """All descendants of a body in the tree, in the order of the seats."""
         found, open_ = {body}, [body]
         while open_:
             for name in self._children.get(open_.pop(), ()):
@@ -105,7 +105,7 @@ class Mechanism:
 
 
 def hang(parts: Parts) -> Mechanism:
-    """Find the tree; every body learns which joint carries it."""
+    """Build the kinematic tree and set the field `joint` of every body."""
     joints = {n: j for n, j in parts.joints.items() if _usable(parts, j)}
     roots = _roots(parts, joints)
     seats = {n: roots[n] for n in parts.bodies if n in roots}
@@ -133,7 +133,8 @@ def _hangs(end: str, seats: Mapping[str, Seat]) -> bool:
 
 
 def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
-    """Bodies that move against ground by a motion: their own, or the usual one of gears and discs."""
+    """Seats of the bodies that move directly against ground: `motion` as given, or torsion for gears and
+    discs."""
     ends = {n: [split(e)[0] for e in j.bodies] for n, j in joints.items()}
     moved = {e[1] for n, e in ends.items() if not joints[n].cut}
     moved |= {e[0] for n, e in ends.items() if e[1] == GROUND and not joints[n].cut}
@@ -151,18 +152,18 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
 
 
 def _seat_by_joints(joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None:
-    """Seat by the first joint that carries its second body, else by the first that can be reversed."""
+    """Add bodies to the tree by the first joint that can carry its second body, else by a reversed joint."""
     names = [n for n, j in joints.items() if not j.cut]
     ends = [tuple(split(e)[0] for e in joints[n].bodies) for n in names]
     touching: dict[str, list[int]] = {}
     for k, pair in enumerate(ends):
         for body in pair:
             touching.setdefault(body, []).append(k)
-    onward: list[int] = []  # joints whose first body hangs, and those whose second does: the first ones first
+    onward: list[int] = []  # heaps of joints whose first (second: `back`) body is in the tree
     back: list[int] = []
 
     def hangs(body: str) -> None:
-        """Note the joints that a body which hangs now lets carry another one."""
+        """Register the joints of a body that was added to the tree."""
         for k in touching.get(body, ()):
             if ends[k][0] == body:
                 heappush(onward, k)
@@ -185,7 +186,7 @@ def _seat_by_joints(joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None
 
 
 def _sorted(parts: Parts, seats: Mapping[str, Seat]) -> dict[str, Seat]:
-    """Seats with parents first, else in the order of the file."""
+    """Seats with parents first, otherwise in the order of the file."""
     out: dict[str, Seat] = {}
     for name in parts.bodies:
         path, here = [], name if name in seats else GROUND
@@ -198,9 +199,9 @@ def _sorted(parts: Parts, seats: Mapping[str, Seat]) -> dict[str, Seat]:
 
 
 def spinner_of(machine: Machine, mechanism: Mechanism, body: str) -> str | None:
-    """Body whose spin is that of a body too, because fixed joints hold it there, z axis along z axis.
+    """Body whose spin equals that of `body`, because fixed joints connect them with parallel z axes.
 
-    None for bodies that no fixed joint carries, and where no turns are counted.
+    None for bodies without a fixed joint, and if the revolutions are not counted.
     """
     seat = mechanism.seats.get(body)
     if seat is None or seat.joint is None or seat.kind != "fixed":
@@ -214,16 +215,16 @@ def spinner_of(machine: Machine, mechanism: Mechanism, body: str) -> str | None:
 
 
 def base_of(machine: Machine, mechanism: Mechanism, body: str) -> str:
-    """Body against which the spin of a body counts: its parent, or that of the body whose spin it has."""
+    """Body to which the spin of a body refers: its parent, or the parent of the body whose spin it shares."""
     seat = mechanism.seats.get(spinner_of(machine, mechanism, body) or body)
     return GROUND if seat is None else seat.parent
 
 
 def place_joined(parts: Parts) -> None:
-    """Place the bodies that joints join to bodies with a place: their markers meet at the joint.
+    """Locate bodies from joints to bodies of known position: their markers coincide at the joint.
 
-    Rounds go over the joints in the order of the file; from the second on only over those that something has
-    changed for.
+    Each pass covers the joints in the order of the file; later passes only the joints of bodies that were
+    located in the pass before.
     """
     joints = [j for j in parts.joints.values() if _usable(parts, j)]
     touching: dict[str, list[int]] = {}
@@ -244,7 +245,7 @@ def place_joined(parts: Parts) -> None:
 
 
 def seat_frame(machine: Machine, seat: Seat) -> tuple[Array, Array]:
-    """Place [m] and axes of the frame that a body moves in: of its joint, or its own for a motion."""
+    """Position [m] and axes of the joint frame of a body, or of its own frame for a body with `motion`."""
     if seat.joint is None:
         origin, axes = body_frame(machine, seat.body)
         return (np.zeros(3) if origin is None else origin), axes
@@ -258,9 +259,9 @@ def seat_frame(machine: Machine, seat: Seat) -> tuple[Array, Array]:
 
 
 def axial_offset(machine: Machine, seat: Seat) -> float | None:
-    """Where the origin of a body lies on the axis it spins about, from its joint [m]; None off the axis.
+    """Axial position of the origin of a body on its spin axis, from the joint [m].
 
-    None also if the z axis of the body has another direction.
+    None if the origin is off the axis or the z axis of the body has another direction.
     """
     place, axes = seat_frame(machine, seat)
     origin, own = body_frame(machine, seat.body)
@@ -275,12 +276,12 @@ def axial_offset(machine: Machine, seat: Seat) -> float | None:
 
 
 def coordinate(mechanism: Mechanism, machine: Machine, name: str) -> tuple[str, int, str] | str:
-    """Coordinate that is named as JOINT.COORDINATE, or by a body for its spin.
+    """Find a coordinate named JOINT.COORDINATE, or BODY for its spin.
 
     Returns
     -------
     tuple or str
-        Body, number among its coordinates and dimension (length or angle); or what is wrong, in words.
+        Body, index of the coordinate and dimension (length or angle); or the text of the problem.
     """
     part, _, word = name.partition(".")
     if not word:
@@ -293,14 +294,14 @@ def coordinate(mechanism: Mechanism, machine: Machine, name: str) -> tuple[str, 
         return f"names {word[:40]!r}, which is not a coordinate of {part} ({joint.type}); it has {listed}"
     seat = mechanism.carrier(part)
     if seat is None:
-        return f"names a coordinate of {part}, which closes a loop and has none of its own"
+        return f"names a coordinate of {part}, which closes a loop and has no independent coordinates"
     if seat.turned and joint.type in ONE_WAY:
         return (
             f"names a coordinate of {part}, which is reversed because {seat.parent} carries {seat.body}; "
             f"write its bodies as [{seat.parent}, {seat.body}]"
         )
     if joint.type in TUMBLING and joint.dimension(word) == "angle":
-        return f"names a turn of {part} ({joint.type}), whose turns start afresh while it tumbles"
+        return f"names a rotation of {part} ({joint.type}), whose rotations are re-referenced during a run"
     return seat.body, seat.coordinates.index(word), joint.dimension(word)
 
 
@@ -315,7 +316,7 @@ def _spin(mechanism: Mechanism, machine: Machine, body: str) -> tuple[str, int, 
 
 
 def given(mechanism: Mechanism, machine: Machine, key: str) -> tuple[str, ...]:
-    """Coordinates that joints give at the start, as the system names them: BODY.DISPLACEMENT.
+    """Coordinates with initial values in the joints, by their system names BODY.DISPLACEMENT.
 
     Parameters
     ----------
@@ -335,12 +336,13 @@ def given(mechanism: Mechanism, machine: Machine, key: str) -> tuple[str, ...]:
 
 
 def rows_of(joint: Joint) -> int:
-    """Directions that a joint holds fast."""
+    """Number of constraint rows of a joint."""
     return 6 - len(joint.names)
 
 
 def freedoms(mechanism: Mechanism, machine: Machine, others: int = 0) -> tuple[int, int]:
-    """Coordinates of the tree, and degrees of freedom by the count of Gruebler, which knows no redundancy.
+    """Number of tree coordinates, and degrees of freedom by Gruebler's formula (ignores redundant
+    constraints).
 
     Parameters
     ----------
@@ -354,6 +356,6 @@ def freedoms(mechanism: Mechanism, machine: Machine, others: int = 0) -> tuple[i
 
 
 def same_base(parts: Parts, one: str, two: str) -> bool:
-    """Whether two bodies hang on the same one, so that their spins count from the same frame."""
+    """Whether two bodies have the same parent, so that their spins refer to the same frame."""
     seats = parts.mechanism.seats
     return one not in seats or two not in seats or seats[one].parent == seats[two].parent

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The model: data of drawings and data sheets, frozen and valid by construction."""
+"""The model: data from drawings and data sheets, immutable and validated."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ V = TypeVar("V")
 
 
 class Frozen(dict[str, V]):
-    """A dictionary that refuses to be changed."""
+    """An immutable dictionary."""
 
     def _refuse(self, *_: Any, **__: Any) -> NoReturn:
         raise TypeError("a model is frozen; use model.replace(path, value)")
@@ -63,25 +63,26 @@ class Frozen(dict[str, V]):
 class Model(Contents):
     """Gears, bodies, meshes, supports, loads and scenarios of one machine.
 
-    Making a `Model` checks it; every problem is reported in one `ModelError`. All values are SI and radians.
+    The constructor validates the model and reports all problems in one `ModelError`. All values are in SI
+    units and radians.
     """
 
     others: Mapping[str, Mapping[str, Any]] = dataclasses.field(
         default_factory=dict, repr=False, metadata={"later": True}
     )
-    """Sections of other packages, which are attributes too."""
+    """Sections of other packages, also available as attributes."""
     file: str | None = derived()
-    """Path of the file the model came from."""
+    """Path of the model file."""
     lines: Mapping[Place, int] | None = derived()
-    """Lines of the keys that it has there, counted from 1."""
+    """Line numbers of the keys in the model file, counted from 1."""
     changed: bool | None = derived()
-    """Whether values have been replaced since: the file no longer describes the model."""
+    """Whether values were replaced after reading: the file no longer describes the model."""
     allow_code: bool = derived(False)
-    """Whether it was read with permission to name Python functions; `replace` then permits them too."""
+    """Whether Python functions were permitted when the model was read; `replace` then permits them too."""
     pairs: Mapping[str, GearPair] = derived()
-    """Pair of every mesh at its centre distance; the common face width is what overlaps."""
+    """Gear pair of every mesh at its centre distance, with the common face width."""
     mechanism: Mechanism = derived()
-    """How the bodies hang on each other: tree, cut joints, places and frames of joints."""
+    """Kinematic tree of the bodies and the cut joints."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "bodies", own_bodies(self.bodies))
@@ -111,14 +112,14 @@ class Model(Contents):
         *,
         allow_code: bool = False,
     ) -> Model:
-        """Model of parts that `validate.check` has settled and found without problems.
+        """Create a model from parts that `validate.check` has completed without problems.
 
         Parameters
         ----------
         parts
             The parts.
         keys
-            Values of the keys that are not sections; omitted ones have their defaults.
+            Values of the keys that are not sections; defaults if omitted.
         file, lines, allow_code
             As in the class.
         """
@@ -147,10 +148,10 @@ class Model(Contents):
         found = {name: Frozen(part) for name, part in others.items() if part}
         object.__setattr__(self, "others", Frozen(found))
 
-    if not TYPE_CHECKING:  # typos in the names of attributes are errors
+    if not TYPE_CHECKING:  # type checkers report unknown attributes
 
         def __getattr__(self, name: str) -> Any:
-            """Section of another package; one that a file does not have is empty."""
+            """Section of another package; empty if the file has none."""
             if name in (others := self.__dict__.get("others", {})):
                 return others[name]
             if sections.is_other(name):
@@ -163,27 +164,27 @@ class Model(Contents):
         return parts
 
     def replace(self, path: str, value: Any, *, allow_code: bool | None = None) -> Model:
-        """New model with one value changed; everything that follows from it is settled again.
+        """New model with one value changed; all derived data are updated.
 
         Parameters
         ----------
         path
             Dotted path of the keys of a file, such as "gears.pinion.profile_shift_coefficient".
         value
-            What a file could hold there (number in SI, text with unit, mapping), or a component; None takes
-            an optional key, or a component such as "loads.input", away.
+            A value as in a file (number in SI, text with unit, mapping), or a component; None removes an
+            optional key, or a component such as "loads.input".
         allow_code
-            Whether the value may name a Python function; None: if the model was read with that permission.
+            Whether the value may name a Python function; None: as when the model was read.
 
         Raises
         ------
         ModelError
-            If there is no such key, the value cannot be read, or the changed model is not possible.
+            If the key does not exist, the value cannot be read, or the changed model is invalid.
         """
         return self.replace_all({path: value}, allow_code=allow_code)
 
     def replace_all(self, changes: Mapping[str, Any], *, allow_code: bool | None = None) -> Model:
-        """New model with several values changed at once: only the whole must be possible, no step to it.
+        """New model with several values changed together; only the final model must be valid.
 
         Parameters
         ----------
@@ -192,12 +193,8 @@ class Model(Contents):
         allow_code
             As in `replace`.
 
-        Raises
-        ------
-        ModelError
-            With every path that does not exist and every value that cannot be read, or with what makes the
-            changed model impossible.
-        """
+        Raises ------ ModelError With all paths that do not exist and values that cannot be read, or with the
+        problems of the changed model."""
         code = self.allow_code if allow_code is None else allow_code
         report = Reader(allow_code=code, directory=str(Path(self.file).parent) if self.file else ".")
         tops: dict[str, Any] = {}
@@ -219,13 +216,13 @@ class Model(Contents):
         others = {name: tops.pop(name) for name in list(tops) if sections.is_other(name)}
         return dataclasses.replace(self, **tops, others={**self.others, **others}, changed=True)
 
-    # --- what follows ----------------------------------------------------------------------------------
+    # --- derived data ----------------------------------------------------------------------------------
     def line(self, place: Place) -> int | None:
-        """Line of a key in the file the model came from, such as ("loads", "push"); None if it has none."""
+        """Line of a key in the model file, such as ("loads", "push"); None if not in a file."""
         return (self.lines or {}).get(place)
 
     def line_of(self, where: str) -> int | None:
-        """Line of a key by its dotted path, or of the nearest one around it; None without a file."""
+        """Line of a key by its dotted path, or of the nearest enclosing key; None without a file."""
         places = self._lines_by_path
         while where and where not in places:
             where = where.rpartition(".")[0]
@@ -236,9 +233,9 @@ class Model(Contents):
         return {dotted(place): line for place, line in (self.lines or {}).items()}
 
     def backlash(self, mesh: str) -> float:
-        """Total gap along the base tangent at the centre distance [m]: the given one, or of the geometry.
+        """Backlash along the base tangent at the centre distance [m]: as given, or from geometry.
 
-        That of a bevel mesh is at the mean cone distance.
+        For a bevel mesh at the mean cone distance.
         """
         if mesh in self.bevel_meshes:
             return bevel_gap(self.bevel_pairs[mesh], self.bevel_meshes[mesh])
@@ -246,35 +243,36 @@ class Model(Contents):
 
     @cached_property
     def phasing(self) -> Phasing:
-        """How the gears are assembled, see `pitchpoint.model.phasing`."""
+        """Angular positions of the gears as assembled, see `pitchpoint.model.phasing`."""
         return assemble(self.gears, self.meshes)
 
     @property
     def toothed(self) -> dict[str, Gear | BevelGear]:
-        """All gears with teeth, cylindrical and bevel ones; their names differ."""
+        """All cylindrical and bevel gears; their names are unique."""
         return {**self.gears, **self.bevel_gears}
 
     @property
     def every_mesh(self) -> dict[str, Mesh | BevelMesh]:
-        """Meshes of cylindrical and of bevel gears; their names differ."""
+        """All meshes of cylindrical and bevel gears; their names are unique."""
         return {**self.meshes, **self.bevel_meshes}
 
     def section_of(self, mesh: str) -> str:
-        """Section of the file with a mesh."""
+        """Section of the file that contains a mesh."""
         return "meshes" if mesh in self.meshes else "bevel_meshes"
 
     @cached_property
     def bevel_pairs(self) -> dict[str, BevelPair]:
-        """Pair of every bevel mesh."""
+        """Gear pair of every bevel mesh."""
         return {name: bevel_pair(self, mesh) for name, mesh in self.bevel_meshes.items()}
 
     @cached_property
     def bevel_angles(self) -> dict[str, float]:
-        """Angle of the centre of tooth 0 of every bevel gear from the x axis of its body at spin 0 [rad]."""
+        """Angle from the x axis of the body to the centre of tooth 0 of every bevel gear at zero spin
+        [rad]."""
         return assemble_bevels(self)
 
     def body_of(self, gear: str) -> str | None:
-        """Name of the body that carries a gear, None without bodies."""
+        """Name of the body of a gear; None for a gear without body."""
         return self._carriers.get(gear)
 
     @cached_property
@@ -282,11 +280,11 @@ class Model(Contents):
         return carriers_of(self.bodies)
 
     def body_inertia(self, body: str) -> BodyInertia:
-        """Mass and moments of inertia of a body, given or summed over its gears."""
+        """Mass and moments of inertia of a body, as given or summed over its gears."""
         return body_inertia(self.bodies[body], self.gears, self.bevel_gears)
 
     def start_speeds(self, scenario: str | Scenario) -> dict[str, float]:
-        """Speed of every body at the start of a scenario [rad/s], through the gear ratios.
+        """Initial speed of every body in a scenario [rad/s], from the gear ratios.
 
         All stations of a shaft start with its speed.
         """
@@ -298,11 +296,11 @@ class Model(Contents):
 
     @cached_property
     def stations(self) -> dict[str, tuple[float, ...]]:
-        """Places of the stations that every shaft is cut at, from its start [m]."""
+        """Positions of the stations of every shaft, from its start [m]."""
         return stations_of(self)
 
     def sweep_mesh(self, scenario: str | Scenario) -> str:
-        """Mesh whose frequency a sweep counts."""
+        """Mesh whose mesh frequency a sweep refers to."""
         chosen = self.scenarios[scenario] if isinstance(scenario, str) else scenario
         if chosen.sweep is None:
             raise ModelError([Message("scenarios", "is not a sweep", remedy="name a scenario with sweep")])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers at paths of a model."""
+"""Access to the numbers of a model by path."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def number_at(model: Model, path: str) -> tuple[float, str] | None:
 
 
 def has_path(model: Model, path: str) -> bool:
-    """Whether a path names a key of a model, or something with a name in it."""
+    """Whether a path names a key or a component of a model."""
     return _walk(model, path) is not None
 
 
 def _walk(model: Model, path: str) -> tuple[Any, str] | None:
-    """What a path of a model leads to and the SI unit of its key; None if the path does not exist."""
+    """Value at a path of a model and the SI unit of its key; None if the path does not exist."""
     part: Any = model
     unit = ""
     for name in path.split("."):

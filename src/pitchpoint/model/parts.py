@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The parts of a model while they are read, checked and settled."""
+"""The parts of a model while it is read, checked and completed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class Parts:
-    """The readable parts of a model; `names` holds every name of the file, readable or not."""
+    """The readable parts of a model; `names` contains all names of the file, readable or not."""
 
     gears: dict[str, Gear]
     bodies: dict[str, Body]
@@ -34,22 +34,25 @@ class Parts:
     loads: dict[str, Load]
     damping: Damping | None
     scenarios: dict[str, Scenario]
-    sections: dict[str, dict[str, Any]] = field(default_factory=dict)  # all others, found as attributes
+    sections: dict[str, dict[str, Any]] = field(
+        default_factory=dict
+    )  # all other sections, available as attributes
     names: dict[str, set[str]] = field(default_factory=dict)
     pairs: dict[str, GearPair] = field(default_factory=dict)
-    misshapen: set[str] = field(default_factory=set)  # gears whose own shape is impossible
+    misshapen: set[str] = field(default_factory=set)  # gears with impossible geometry
     placed: dict[str, tuple[str, str, str]] = field(default_factory=dict)
-    """For bodies without a position: kind and name of the link that placed it, and the body it hangs on."""
+    """For bodies without a given position: kind and name of the link that locates it, and the neighbouring
+    body."""
     mechanism: Mechanism = field(default_factory=Mechanism)
-    carriers: dict[str, str] = field(default_factory=dict)  # gear to body, for so many bodies as were seen
+    carriers: dict[str, str] = field(default_factory=dict)  # gear to body; valid for `seen` bodies
     seen: int = 0
 
     @classmethod
     def of(cls, groups: Mapping[str, Any], damping: Damping | None) -> Parts:
-        """Parts from mappings of names to components, by group; missing groups are empty."""
+        """Create parts from mappings of names to components, by section; missing sections are empty."""
 
         def group(name: str) -> dict[str, Any]:
-            """Contents of one section; none if it is missing."""
+            """Contents of one section; empty if missing."""
             return dict(groups.get(name) or {})
 
         return cls(
@@ -69,7 +72,7 @@ class Parts:
         )
 
     def __getattr__(self, name: str) -> dict[str, Any]:
-        """Section of this name; one that a file does not have is empty."""
+        """Section by name; empty if the file does not have it."""
         if name.startswith("__"):
             raise AttributeError(name)
         return self.__dict__.get("sections", {}).get(name, {})
@@ -80,22 +83,22 @@ class Parts:
         return {name: part for name, part in self.sections.items() if name not in SECTIONS}
 
     def known(self, group: str) -> set[str]:
-        """All names of a group, those of unreadable parts included."""
+        """All names of a section, including those of unreadable parts."""
         return self.names.get(group, set()) | set(getattr(self, group))
 
     def has(self, group: str, name: str) -> bool:
-        """Whether a group has a name, be it that of an unreadable part."""
+        """Whether a section contains a name, possibly of an unreadable part."""
         return name in getattr(self, group) or name in self.names.get(group, ())
 
     def body_of(self, gear: str) -> str | None:
-        """Name of the body that carries a gear, the first one if there are several."""
-        if self.seen != len(self.bodies):  # bodies are added while a model is settled, gears stay on theirs
+        """Name of the body of a gear; the first one if there are several."""
+        if self.seen != len(self.bodies):  # bodies are added later, gears stay on their bodies
             self.seen, self.carriers = len(self.bodies), carriers_of(self.bodies)
         return self.carriers.get(gear)
 
 
 def carriers_of(bodies: Mapping[str, Body]) -> dict[str, str]:
-    """First body that carries a gear, by gear."""
+    """Body of every gear; the first one if there are several."""
     found: dict[str, str] = {}
     for name, body in bodies.items():
         for gear in (*body.gears, *body.bevel_gears):

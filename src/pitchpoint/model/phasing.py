@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Assembly of the gears of a machine: the angle of tooth 0 of every gear at spin 0.
+"""Assembly of the gears of a model: angle of tooth 0 of every gear at zero spin.
 
 Two gears are assembled centred in their backlash: when a tooth of gear 1 is centred on the line of
 centres, a space of gear 2 is centred on it. With gamma the angle of the centre of tooth 0 (at mid-face, from
@@ -28,11 +28,11 @@ class Phasing:
     """Result of the assembly."""
 
     tooth_angle: Mapping[str, float]
-    """Angle of the centre of tooth 0 at mid-face, at spin 0, from the x axis of its body, by gear [rad], in
+    """Angle from the x axis of the body to the centre of tooth 0 at mid-face and zero spin, by gear [rad], in
     (-pi, pi]."""
     offset: Mapping[str, float]
-    """Base-tangent distance from the middle of the gap at spin 0, by mesh [m], in (-p_bt/2, p_bt/2]; zero
-    unless both gears have an initial_angle or the meshes form a loop. It adds to u_bt."""
+    """Base-tangent distance from the middle of the backlash at zero spin, by mesh [m], in (-p_bt/2, p_bt/2];
+    zero unless both gears have an initial_angle or the meshes form a loop. It is added to u_bt."""
     travel: Mapping[str, float]
     """Base-tangent travel of gear 1 past the state where its nearest tooth is centred on the line of centres,
     in the middle of the common face width, by mesh [m], in (-p_bt/2, p_bt/2]."""
@@ -41,8 +41,8 @@ class Phasing:
 def pitch_directions(mesh: Mesh, gear1: Gear, gear2: Gear) -> tuple[float, float]:
     """Directions from the axes of gear 1 and gear 2 to the pitch point, from the x axis of either body [rad].
 
-    In an internal pair both axes lie on the same side of it: beyond the external gear, seen from the
-    internal one.
+    In an internal pair both axes are on the same side of the pitch point, which lies beyond the external gear
+    as seen from the internal gear.
     """
     forward, back = mesh.theta, mesh.theta + math.pi
     if gear2.type == "internal":
@@ -53,9 +53,9 @@ def pitch_directions(mesh: Mesh, gear1: Gear, gear2: Gear) -> tuple[float, float
 
 
 def tooth_twist(gear: Gear, offset: float) -> float:
-    """Angle by which a tooth at the axial position `offset` from mid-face is ahead [rad].
+    """Angle by which a helical tooth advances from mid-face to the axial position `offset` [rad].
 
-    A right-hand tooth turns counter-clockwise along the positive axis, on external and internal gears alike.
+    A right-hand tooth advances counter-clockwise along the positive axis, on external and internal gears.
     """
     radius = gear.normal_module * gear.number_of_teeth / (2.0 * math.cos(gear.helix_angle))
     return offset * math.tan(gear.beta) / radius
@@ -67,10 +67,10 @@ def _phase(gear: Gear, angle: float, direction: float, offset: float) -> float:
 
 
 def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
-    """Turn all gears so that their meshes are in the middle of their backlash.
+    """Rotate all gears so that all meshes are centred in their backlash.
 
-    Gears with an `initial_angle` keep it; of a train without any, gear 1 of the first mesh is at 0.
-    What is left where a mesh joins two gears that are already placed is its `offset`.
+    Gears with an `initial_angle` keep it; in a train without any, gear 1 of the first mesh is at 0. The
+    residual of a mesh between two gears of known angle is its `offset`.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
 
 
 def _turned(gears: Mapping[str, Gear], mesh: Mesh, fixed: int, angle: float) -> float:
-    """Angle of the other gear of a mesh that centres it; the smallest turn of its tooth 0 from the mesh."""
+    """Angle of the other gear of a mesh, centred in the backlash, with tooth 0 nearest to the pitch point."""
     pair = [gears[n] for n in mesh.gears]
     directions = pitch_directions(mesh, pair[0], pair[1])
     offsets = (mesh.offset1, mesh.offset2)

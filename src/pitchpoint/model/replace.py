@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One value of a model or of a part of it changed, by its path: `Model.replace`."""
+"""Replacement of single values by path, for `Model.replace`."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ def replace_at(
     at: tuple[str, ...] = (),
     held: Key | None = None,
 ) -> Any:
-    """Copy of a component with the value at a path changed, by the rules of the reader.
+    """Copy of a component with the value at a path replaced, read by the rules of the reader.
 
-    `held` is the key of `part`. Components by name inside a component, such as faults, can be
-    added; sections of a model cannot, where a name that is not there is a slip.
+    `held` is the key of `part`. Named components inside a component, such as faults, can be added; in
+    sections of a model an unknown name is an error.
     """
     if isinstance(part, Mapping):
         return _replace_named(part, path, value, report, at, held)
@@ -71,7 +71,7 @@ def _replace_named(
     at: tuple[str, ...],
     held: Key | None,
 ) -> Any:
-    """Copy of components by name with one of them changed, taken away, or, below a component, added."""
+    """Copy of named components with one of them changed, removed or, inside a component, added."""
     if path[0] not in part and ".".join(path[:2]) in part:  # JOINT.COORDINATE is one name
         path = (".".join(path[:2]), *path[2:])
     name = path[0]
@@ -103,12 +103,12 @@ def _replace_named(
 
 
 def _is_whole(key: Key | None, value: Any) -> bool:
-    """Whether a value may be a new component under a key."""
+    """Whether a value can be a new component of a key."""
     return isinstance(value, Mapping) or (key is not None and _is_component(key, {"new": value}))
 
 
 def _sample(key: Key | None) -> str:
-    """How a component under a key begins."""
+    """Beginning of a component of a key, for messages."""
     forms = key.of if key is not None else None
     return f"{{{TYPE}: {next(iter(forms))}, ...}}" if isinstance(forms, dict) else "{...}"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is done to a model: speeds, prescribed motions, duration, sweeps, outputs."""
+"""Simulation scenarios: speeds, prescribed motions, duration, sweeps, outputs."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity, text
 
 STIFF_METHODS = ("gstiff", "wstiff", "dassl", "constant_bdf")
-"""Backward differentiation formulas: fixed, variable coefficients, fixed leading one, fixed step."""
+"""Backward differentiation formulas: fixed coefficients, variable coefficients, fixed leading coefficient,
+fixed step."""
 EXPLICIT_METHODS = ("runge_kutta", "rk4", "adams")
-"""Methods that solve for accelerations, whose stability the highest natural frequency limits."""
+"""Explicit methods; the highest natural frequency limits their step."""
 METHODS = ("generalized_alpha", *EXPLICIT_METHODS, *STIFF_METHODS, "kinematics")
 ERROR_METHODS = ("runge_kutta", "gstiff", "wstiff", "dassl")
-"""Methods that choose their steps by an error, which `tolerance` limits."""
+"""Methods with step-size control by the error tolerance `tolerance`."""
 FORMS = ("I3", "SI2", "SI1")
 EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal", "stick_slip")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Drive:
-    """Prescribed motion of the spin of a body, or of a coordinate of a joint: exactly one of the keys."""
+    """Prescribed motion of the spin of a body or of a joint coordinate; give exactly one key."""
 
     speed: Law | None = key(
         "law",
@@ -31,16 +32,24 @@ class Drive:
     )
     angle: Law | None = key(
         "law",
-        "angle: a value, a formula of t or {table: [[t, angle], ...]} (a monotone cubic between its points, "
-        "beyond them at the speed of its ends)",
+        "angle: a value, a formula of t or {table: [[t, angle], ...]} (monotone cubic interpolation, linear "
+        "extrapolation)",
         None,
         dimension="angle",
     )
     velocity: Law | None = key(
-        "law", "travels: velocity, in the forms of a speed", None, dimension="speed", sample="2 m/s"
+        "law",
+        "translational coordinates: velocity, given as `speed`",
+        None,
+        dimension="speed",
+        sample="2 m/s",
     )
     position: Law | None = key(
-        "law", "travels: position, in the forms of an angle", None, dimension="length", sample="3 mm"
+        "law",
+        "translational coordinates: position, given as `angle`",
+        None,
+        dimension="length",
+        sample="3 mm",
     )
 
     @property
@@ -56,12 +65,12 @@ class Drive:
 
 @dataclass(frozen=True, kw_only=True)
 class Sweep:
-    """Speed sweep that carries the state from point to point; one of the two ranges is given."""
+    """Speed sweep: each point starts from the final state of the previous one; give one of the two ranges."""
 
     body: str = text("body whose speed is swept")
     mesh_frequency: tuple[float, float] | None = quantities(
         "frequency",
-        "lowest and highest mesh frequency [Hz]",
+        "lowest and highest mesh frequency",
         None,
         length=(2, 2),
         minimum=0.0,
@@ -77,11 +86,13 @@ class Sweep:
         above=True,
         one_of="range",
     )
-    mesh: str | None = text("mesh whose frequency counts", None, display="the only mesh of the body")
+    mesh: str | None = text(
+        "mesh of mesh_frequency and of the mesh periods", None, display="the only mesh of the body"
+    )
     points: int = integer("number of speeds", 101, minimum=2, maximum=1000000)
     direction: str = choice(("up", "down", "both"), "direction of the sweep", "both")
-    settle_periods: int = integer("mesh periods before each measurement", 200, minimum=0, maximum=10**8)
-    measure_periods: int = integer("mesh periods of each measurement", 50, minimum=1, maximum=10**8)
+    settle_periods: int = integer("mesh periods for settling at each speed", 200, minimum=0, maximum=10**8)
+    measure_periods: int = integer("mesh periods evaluated at each speed", 50, minimum=1, maximum=10**8)
     steps_per_period: int | None = integer(
         "time steps per mesh period",
         None,
@@ -93,68 +104,72 @@ class Sweep:
 
 @dataclass(frozen=True, kw_only=True)
 class QuasiStatic:
-    """Slow roll through whole mesh periods."""
+    """Quasi-static roll through whole mesh periods."""
 
-    mesh: str | None = text("mesh whose periods count", None, display="the only mesh")
+    mesh: str | None = text("mesh that defines the mesh period", None, display="the only mesh")
     points: int = integer("points per mesh period", 100, minimum=2, maximum=10**6)
     periods: int = integer("number of mesh periods", 1, minimum=1, maximum=10**6)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scenario:
-    """One thing to do with a model: a time response, a sweep or a quasi-static roll."""
+    """A time response, a speed sweep or a quasi-static roll of the model."""
 
     speed: dict[str, float] = key(
-        "speeds", "start speed of bodies; the others follow from the ratios", {}, dimension="angular_speed"
+        "speeds",
+        "initial speeds of bodies; those of other bodies follow from the gear ratios",
+        {},
+        dimension="angular_speed",
     )
     drive: dict[str, Drive] = key(
         "components",
-        "prescribed motion by body, for its spin, or by JOINT.COORDINATE",
+        "prescribed motions by BODY, for its spin, or by JOINT.COORDINATE",
         {},
         of=Drive,
         dotted=True,
     )
     start: str = choice(
         ("equilibrium", "assembled"),
-        "equilibrium: flanks loaded by the loads at t = 0; assembled: all coordinates zero, mid-gap",
+        "initial state; equilibrium: static equilibrium under the loads at t = 0; assembled: all coordinates "
+        "zero, teeth centred in the backlash",
         "equilibrium",
     )
-    hold: tuple[str, ...] = key("names", "bodies whose speed is held at its start value", ())
-    duration: float | None = positive("time", "length of the time response; required without sweep", None)
+    hold: tuple[str, ...] = key("names", "bodies whose speed is kept constant at its initial value", ())
+    duration: float | None = positive("time", "duration of the time response; required without sweep", None)
     sample_rate: float | None = positive(
         "frequency",
-        "samples per second; no anti-aliasing filter: content above half of it is aliased",
+        "sampling rate of the output; without anti-aliasing filter: content above half of it is aliased",
         None,
         display="every step",
     )
     settle_time: float | None = quantity(
-        "time", "start of the window of the statistics", None, minimum=0.0, display="20 % of duration"
+        "time", "start of the evaluation of statistics", None, minimum=0.0, display="20 % of duration"
     )
     step: float | None = positive(
         "time",
         "time step",
         None,
-        display="1/200 of the shortest period of mesh and modes, finite elements as far as excited",
+        display="1/200 of the shortest period of meshes and modes; of elastic bodies, excited modes only",
     )
     tolerance: float = positive(
-        "dimensionless", "relative tolerance of methods that choose their steps", 1e-7, maximum=0.1
+        "dimensionless", "relative tolerance of methods with step-size control", 1e-7, maximum=0.1
     )
     method: str = choice(
         METHODS,
-        "time integration; stiff: gstiff, wstiff, dassl with fixed, variable coefficients, fixed leading "
-        "one, and constant_bdf with equal steps; kinematics: drives and loops leave no freedom, and forces "
-        "follow from the motion",
+        "time integration method; stiff (BDF): gstiff with fixed, wstiff with variable, dassl with fixed "
+        "leading coefficients, constant_bdf with constant steps; kinematics: drives and loops determine all "
+        "motion, and the forces follow from it (inverse dynamics)",
         "generalized_alpha",
     )
     form: str | None = choice(
         FORMS,
-        "what constraints hold on: positions (I3), positions and rates (SI2), the same with the multipliers "
-        "as rates (SI1)",
+        "index formulation: constraints on positions (I3), stabilised with rates (SI2), also with the "
+        "multipliers as rates (SI1)",
         None,
         display="I3 of generalized_alpha and dassl, SI2 of the other stiff methods",
     )
     order: int | None = integer(
-        "highest order of stiff methods, order of constant_bdf",
+        "maximum order of stiff methods; order of constant_bdf",
         None,
         minimum=1,
         maximum=6,
@@ -162,20 +177,20 @@ class Scenario:
     )
     events: tuple[str, ...] = key(
         "words",
-        "events to locate and record: tooth pairs, contact of flanks, bodies and journals, sliding of "
-        "flanks, friction that begins or ceases to slip; methods that choose their steps begin anew there",
+        "events to locate and record: entry and exit of tooth pairs, contact of flanks, bodies and journals, "
+        "sliding reversal of flanks, stick-slip transitions; methods with step-size control restart there",
         (),
         choices=EVENTS,
     )
     channels: tuple[str, ...] = key(
         "names",
-        "names of the channels to store; * matches any characters, as in mesh_force[*]",
+        "channels to store; * matches any characters, as in mesh_force[*]",
         (),
         display="all",
         later=True,
     )
     sweep: Sweep | None = component(Sweep, "speed sweep instead of one time response")
-    quasi_static: QuasiStatic | None = component(QuasiStatic, "slow roll instead of a time response")
+    quasi_static: QuasiStatic | None = component(QuasiStatic, "quasi-static roll instead of a time response")
 
     @property
     def kind(self) -> str:
@@ -186,12 +201,12 @@ class Scenario:
 
     @property
     def chosen_form(self) -> str:
-        """The form of the constraints, with its default."""
+        """Index formulation, with its default."""
         return self.form or ("SI2" if self.method in STIFF_METHODS and self.method != "dassl" else "I3")
 
     @property
     def statistics_start(self) -> float:
-        """Time from which statistics are taken [s]."""
+        """Start of the evaluation of statistics [s]."""
         if self.settle_time is not None:
             return self.settle_time
         return 0.2 * (self.duration or 0.0)

@@ -17,9 +17,9 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
 def json_schema() -> dict[str, Any]:
-    """JSON schema (draft 2020-12) of a model file; every quantity names its unit.
+    """JSON schema (draft 2020-12) of a model file, with the unit of every quantity.
 
-    It has the sections of all packages that are installed.
+    It includes the sections of all installed packages.
 
     Examples
     --------
@@ -76,7 +76,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
     if key.kind == "variant":
         return {"oneOf": [_reference(cls, definitions, law) for law, cls in key.of.items()]}
     row = {"type": "array", "items": number}
-    # a list of any length may also be in a text file
+    # a list of any length may also be read from a text file
     file = {"type": "string"}
     if key.kind == "quantities":
         listed = {**row, **_length(key)}
@@ -139,7 +139,7 @@ def _length(key: Key) -> dict[str, int]:
 
 
 def default_text(key: Key, default: Any) -> str:
-    """Default of a key in the words of the reference page, '' for required keys and empty ones."""
+    """Default of a key as text for the reference page; '' for required keys and empty defaults."""
     if key.display:
         return key.display
     if default is None or default in ({}, (), ""):
@@ -155,12 +155,12 @@ def default_text(key: Key, default: Any) -> str:
 
 # --- reference page ---------------------------------------------------------------------------------------
 def reference_page() -> str:
-    """Page in Markdown that lists every key of a model file: unit, default, range, meaning."""
+    """Markdown page with all keys of a model file: unit, default, range, meaning."""
     out = [
         "# Keys of a model file",
         "",
         "Quantities are written with a unit (`3 mm`, `1500 rpm`, `14 N/(mm um)`); bare numbers are SI.",
-        "Unknown keys are errors. NaN, infinity and booleans are refused where a number is expected.",
+        "Unknown keys are errors. NaN, infinity and booleans are rejected where a number is expected.",
         "",
     ]
     seen: set[type] = set()

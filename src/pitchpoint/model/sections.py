@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The keys of a model file, and its sections: one row each with name, component class and rules.
+"""Keys and sections of a model file: name, component class and rules of each section.
 
-`Model`, the parts from which it is settled, checks, schema and `system.compile` follow from this table. Other
-packages add sections by an entry point of that name in the group ``pitchpoint.kinds``.
+`Model`, `Parts`, the checks, the schema and `system.compile` are derived from this table. Other packages add
+sections by an entry point with the name of the section in the group ``pitchpoint.kinds``.
 """
 
 from __future__ import annotations
@@ -47,23 +47,13 @@ from pitchpoint.model.scenario import Scenario
 
 @dataclass(frozen=True)
 class Section:
-    """Section of a model file: components by name, and the rules that make records of them.
+    """Section of a model file: components by name, and the rules that compile them to records.
 
-    Parameters
-    ----------
-    name
-        Key of the file.
-    meaning
-        What is in it, in a few words.
-    component
-        Class of its components, a frozen dataclass whose fields are made by the functions of `model.keys`, or
-        a table of classes by their `type`.
-    rules
-        Functions from `system.rules.places.Places` to a `Bank` or several, as "module:function"; a module
-        without a dot is one of `system.rules`. A rule of several sections is called once.
-    needs
-        Kinds of elements whose kernels the rules call, so that they are compiled before.
-    """
+    Parameters ---------- name Key of the file. meaning Short description of the contents. component Class of
+    the components, a frozen dataclass with fields from the functions of `model.keys`, or a table of classes
+    by `type`. rules Functions that take `system.rules.places.Places` and return one or several `Bank`, as
+    "module:function"; a module without a dot is in `system.rules`. A rule shared by several sections is
+    called once. needs Kinds of elements whose kernels the rules call; these are compiled first."""
 
     name: str
     meaning: str
@@ -87,18 +77,18 @@ def section(meaning: str, of: Any, *rules: str, needs: tuple[str, ...] = (), lat
 class Contents:
     """All keys of a model file, in their order."""
 
-    title: str = text("what the file describes", "")
+    title: str = text("title of the model", "")
     gravity: Triple | None = quantities(
         "acceleration",
-        "acceleration of gravity along the axes of the world; without it nothing has weight",
+        "acceleration of gravity in world axes; no weight if omitted",
         None,
         length=(3, 3),
         sample="[0, 0, -9.81 m/s^2]",
     )
-    gears: Mapping[str, Gear] = section("the gears by name", Gear)
-    bevel_gears: Mapping[str, BevelGear] = section("the bevel gears by name", BevelGear, later=True)
-    bodies: Mapping[str, Body] = section("bodies, with the gears that they carry", Body)
-    shafts: Mapping[str, Shaft] = section("elastic shafts, with the gears on them", Shaft, "shaft:shaft_bank")
+    gears: Mapping[str, Gear] = section("cylindrical gears by name", Gear)
+    bevel_gears: Mapping[str, BevelGear] = section("bevel gears by name", BevelGear, later=True)
+    bodies: Mapping[str, Body] = section("rigid bodies with their gears", Body)
+    shafts: Mapping[str, Shaft] = section("elastic shafts with their gears", Shaft, "shaft:shaft_bank")
     elastic_bodies: Mapping[str, ElasticBody] = section(
         "elastic bodies from finite-element matrices",
         ElasticBody,
@@ -127,48 +117,46 @@ class Contents:
         "spring:torsion_maxwell_bank",
     )
     bushings: Mapping[str, Bushing] = section("elastic bushings", Bushing, "bushing:bushing_bank")
-    beams: Mapping[str, Beam] = section("elastic beams between two places", Beam, "beam:beam_bank")
+    beams: Mapping[str, Beam] = section("elastic beams between two points", Beam, "beam:beam_bank")
     clutches: Mapping[str, Clutch] = section("clutches and brakes", Clutch, "clutch:clutch_bank")
     rolling_bearings: Mapping[str, RollingBearing] = section(
-        "bearings with their rolling elements", RollingBearing, "rolling_bearing:rolling_bearing_bank"
+        "rolling bearings with individual rolling elements",
+        RollingBearing,
+        "rolling_bearing:rolling_bearing_bank",
     )
     plain_bearings: Mapping[str, PlainBearing] = section(
-        "bearings with clearance", PlainBearing, "rolling_bearing:plain_bearing_bank"
+        "plain bearings with clearance", PlainBearing, "rolling_bearing:plain_bearing_bank"
     )
     cam_contacts: Mapping[str, CamContact] = section(
-        "points and rollers on curves", CamContact, "contact:cam_banks"
+        "contacts of points and rollers with curves", CamContact, "contact:cam_banks"
     )
     curve_contacts: Mapping[str, CurveContact] = section(
-        "curves on curves in one plane", CurveContact, "contact:curve_banks"
+        "contacts between curves in one plane", CurveContact, "contact:curve_banks"
     )
     surface_contacts: Mapping[str, SurfaceContact] = section(
-        "surfaces on surfaces in space", SurfaceContact, "contact:surface_banks"
+        "contacts between surfaces in space", SurfaceContact, "contact:surface_banks"
     )
     unbalances: Mapping[str, Unbalance] = section("point masses on bodies", Unbalance)
-    rods: Mapping[str, Rod] = section("rods that hold two points at a distance", Rod, "closure:closure_bank")
-    ratios: Mapping[str, Ratio] = section("fixed ratios between coordinates", Ratio, "ratio:ratio_bank")
-    meshes: Mapping[str, Mesh] = section(
-        "pairs of gears in mesh", Mesh, "gear_mesh:mesh_bank", needs=("gear_mesh",)
-    )
+    rods: Mapping[str, Rod] = section("massless rods between two points", Rod, "closure:closure_bank")
+    ratios: Mapping[str, Ratio] = section("fixed ratios between joint coordinates", Ratio, "ratio:ratio_bank")
+    meshes: Mapping[str, Mesh] = section("gear meshes", Mesh, "gear_mesh:mesh_bank", needs=("gear_mesh",))
     bevel_meshes: Mapping[str, BevelMesh] = section(
-        "pairs of bevel gears in mesh", BevelMesh, "bevel_mesh:bevel_bank", later=True
+        "bevel gear meshes", BevelMesh, "bevel_mesh:bevel_bank", later=True
     )
     bearings: Mapping[str, Bearing] = section(
-        "bearings between bodies and ground",
+        "linear bearings between bodies and ground or a housing",
         Bearing,
         "bearing:bearing_bank",
         "loose_bearing:loose_bearing_bank",
     )
     couplings: Mapping[str, Coupling] = section("couplings between bodies", Coupling, "bearing:bearing_bank")
     loads: Mapping[str, Load] = section("torques and forces on bodies", Load, "load:load_banks")
-    sensors: Mapping[str, Sensor] = section("signals of motion and loads", SENSORS)
-    blocks: Mapping[str, Block] = section("signals of other signals", BLOCKS)
-    controllers: Mapping[str, Controller] = section(
-        "sampled controllers, which read and make signals", CONTROLLERS
-    )
-    actuators: Mapping[str, Actuator] = section("torques and forces that signals make", ACTUATORS)
+    sensors: Mapping[str, Sensor] = section("sensors: signals of motion and loads", SENSORS)
+    blocks: Mapping[str, Block] = section("signals computed from other signals", BLOCKS)
+    controllers: Mapping[str, Controller] = section("discrete controllers", CONTROLLERS)
+    actuators: Mapping[str, Actuator] = section("torques and forces driven by signals", ACTUATORS)
     damping: Damping | None = component(Damping, "Rayleigh and modal damping of the whole model")
-    scenarios: Mapping[str, Scenario] = section("what is done to the model", Scenario)
+    scenarios: Mapping[str, Scenario] = section("simulation scenarios", Scenario)
 
 
 SECTIONS: dict[str, Section] = {
@@ -184,7 +172,7 @@ _CLASSES: list[type] = []
 
 
 def extensible(cls: type) -> type:
-    """Mark the class whose keys grow with the sections of other packages."""
+    """Register a class whose keys are extended by the sections of other packages."""
     _CLASSES.append(cls)
     return cls
 
@@ -195,7 +183,7 @@ def register(found: Section) -> None:
     Raises
     ------
     ModelError
-        If the name is that of another key.
+        If the name is already in use by another key.
     """
     if _OTHERS.get(found.name) == found:
         return
@@ -210,7 +198,7 @@ def register(found: Section) -> None:
 
 
 def find(name: str) -> Section | None:
-    """Section of this name, of this package or of another; None if there is none."""
+    """Section by name, of this package or of another one; None if not found."""
     if name not in SECTIONS and name not in _OTHERS:
         for found in plugin_objects(Section, name):
             register(found)
@@ -218,16 +206,17 @@ def find(name: str) -> Section | None:
 
 
 def load_others() -> None:
-    """Find the sections of all packages that are installed."""
+    """Register the sections of all installed packages."""
     for found in plugin_objects(Section):
         register(found)
 
 
 def is_other(name: str) -> bool:
-    """Whether a section is known to come from another package."""
+    """Whether a section was registered by another package."""
     return name in _OTHERS
 
 
 def groups_of(machine: Any) -> tuple[str, ...]:
-    """Names of the sections of a model or its parts: all of this package, of others those with contents."""
+    """Names of the sections of a model or its parts: all of this package, and those of other packages in
+    use."""
     return (*GROUPS, *machine.others)

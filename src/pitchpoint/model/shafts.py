@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic shafts among the bodies: what sits where on them, their checks, and where they are cut.
+"""Elastic shafts: representation as bodies, checks, and division into beam elements.
 
-To everything that names a body a shaft is a body with six freedoms, whose origin is the start of the shaft:
-a body represents it among the bodies. Only the rules of the system know that it is a row of stations.
+A shaft is represented by a body with six degrees of freedom and its origin at the start of the shaft. Only
+the rules of the system divide it into stations.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 SAME = 1e-6
-"""Places that differ by less than this share of the length are one."""
+"""Positions that differ by less than this fraction of the length coincide."""
 MOST_PIECES = 2000
-"""Largest number of pieces of one shaft; elastic shafts of machines take ten to a hundred."""
+"""Maximum number of beam elements of one shaft; typical shafts have ten to a hundred."""
 
 
-# --- among the bodies ---------------------------------------------------------------------------------------
+# --- representation as bodies -------------------------------------------------------------------------------
 def stand_in(shaft: Shaft) -> Body:
-    """Body that represents a shaft: its gears, place and markers, and the mass of its sections."""
+    """Body that represents a shaft, with its gears, position, markers and mass."""
     return Body(
         gears=dict(shaft.gears),
         bevel_gears=dict(shaft.bevel_gears),
@@ -50,9 +50,9 @@ def own_bodies(bodies: Mapping[str, Body]) -> dict[str, Body]:
 
 
 def add_shafts(parts: Parts, report: Reader) -> None:
-    """Check the shafts by themselves and put a body in the place of each.
+    """Check the shafts and add a body for each of them.
 
-    Later problems of those bodies are reported for the shafts.
+    Later problems of these bodies are reported for the shafts.
     """
     for path in [p for p in report.tainted if p[0] == "shafts"]:
         report.tainted.add(("bodies", *path[1:]))
@@ -60,7 +60,7 @@ def add_shafts(parts: Parts, report: Reader) -> None:
     for name, shaft in parts.shafts.items():
         if name in parts.bodies:
             report.problem(
-                ("shafts", name), "has the name of a body", remedy="give the shaft a name of its own"
+                ("shafts", name), "has the name of a body", remedy="choose a unique name for the shaft"
             )
             report.tainted.add(("bodies",))
             continue
@@ -72,12 +72,12 @@ def add_shafts(parts: Parts, report: Reader) -> None:
 def _check(name: str, shaft: Shaft, report: Reader) -> None:
     at: Place = ("shafts", name)
     if not shaft.sections:
-        report.problem((*at, "sections"), "is empty", remedy="give one section at least")
+        report.problem((*at, "sections"), "is empty", remedy="give at least one section")
     for k, section in enumerate(shaft.sections):
         if section.bore >= section.diameter:
             report.problem(
                 (*at, "sections", k, "bore"),
-                "leaves nothing of the shaft",
+                "is not smaller than the diameter",
                 value=_mm(section.bore),
                 limit=f"below the diameter {_mm(section.diameter)}",
                 remedy="give diameters, not radii",
@@ -87,16 +87,16 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
         key = "sections" if shaft.largest_piece is None else "largest_piece"
         report.problem(
             (*at, key),
-            f"would cut the shaft of {_mm(shaft.length)} into {pieces:.0f} pieces",
+            f"would divide the shaft of {_mm(shaft.length)} into {pieces:.0f} beam elements",
             value=None if shaft.largest_piece is None else _mm(shaft.largest_piece),
-            limit=f"{MOST_PIECES} pieces",
+            limit=f"{MOST_PIECES} beam elements",
             remedy="check the units of lengths and diameters, or give "
             f"largest_piece: {_mm(1.01 * shaft.length / MOST_PIECES)} or more",
         )
 
 
 def check_shaft_places(parts: Parts, report: Reader) -> None:
-    """Whatever sits on a shaft sits between its ends, once the shafts have their places."""
+    """Check that everything on a shaft is located between its ends."""
     sits = seats_on_shafts(parts)
     for name, shaft in parts.shafts.items():
         if ("shafts", name, "sections") in report.tainted or name not in parts.bodies:
@@ -106,15 +106,15 @@ def check_shaft_places(parts: Parts, report: Reader) -> None:
                 continue
             report.problem(
                 at,
-                f"is not a place on the shaft {name}",
+                f"is not a position on the shaft {name}",
                 value=_mm(place),
                 limit=f"0 to {_mm(shaft.length)} from its start",
-                remedy="places on a shaft count from the start of its first section",
+                remedy="positions are measured from the start of the first section",
             )
 
 
 def on_shaft(shaft: Shaft, place: float) -> bool:
-    """Whether a place from the start of a shaft [m] lies between its ends."""
+    """Whether a position from the start of a shaft [m] is between its ends."""
     slack = SAME * shaft.length
     return -slack <= place <= shaft.length + slack
 
@@ -123,25 +123,25 @@ def _mm(length: float) -> str:
     return f"{round(length * 1e3, 9) + 0.0:.6g} mm"
 
 
-# --- what sits where ----------------------------------------------------------------------------------------
+# --- positions on shafts ------------------------------------------------------------------------------------
 def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
-    """Everything that sits or acts on the shafts: its key in the file, and its place from the start [m].
+    """All elements on the shafts: their keys in the file, and their positions from the start [m].
 
     Parameters
     ----------
     machine
-        A model or the parts of one, with the places of its bodies.
+        A model or its parts, with the positions of its bodies.
 
     Returns
     -------
     dict
-        Places by shaft, for shafts that are among the bodies.
+        Keys and positions by shaft, for shafts that are represented by a body.
     """
     frames = {name: body_frame(machine, name) for name in machine.shafts if name in machine.bodies}
     found: dict[str, list[tuple[Place, float]]] = {name: [] for name in frames}
 
     def along(shaft: str, place: Array) -> float:
-        """Place along the axis of the shaft [m]."""
+        """Position along the axis of the shaft [m]."""
         origin, axes = frames[shaft]
         return float(axes[:, 2] @ place) - (0.0 if origin is None else float(axes[:, 2] @ origin))
 
@@ -179,7 +179,7 @@ def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
 
 
 def bevel_seats(machine: Any, shaft: str) -> list[tuple[Place, float]]:
-    """The same of the bevel gears of a shaft: the middles of their faces."""
+    """Keys and positions of the bevel gears of a shaft: the middles of their faces."""
     found: list[tuple[Place, float]] = []
     for gear, apex in machine.bodies[shaft].bevel_gears.items():
         try:
@@ -190,12 +190,12 @@ def bevel_seats(machine: Any, shaft: str) -> list[tuple[Place, float]]:
 
 
 def middle_of(gear: BevelGear, apex: float) -> float:
-    """Axial place of the middle of the face of a bevel gear whose apex lies at `apex` [m]."""
+    """Axial position of the middle of the face of a bevel gear with its apex at `apex` [m]."""
     return apex + gear.direction * gear.geometry.R_m * math.cos(gear.delta)
 
 
 def _place_on_axis(machine: Any, body: str, part: Any) -> Array:
-    """Where something with a `position` on the axis of a body sits, in the world [m]."""
+    """World position of an element with a `position` on the axis of a body [m]."""
     if body not in machine.bodies:
         return np.zeros(3)
     origin, axes = body_frame(machine, body)
@@ -203,7 +203,7 @@ def _place_on_axis(machine: Any, body: str, part: Any) -> Array:
 
 
 def place_of_load(machine: Any, load: Any) -> Array:
-    """Where a load acts on the axis of its body, or at its marker, in the world [m]."""
+    """World position of a load on the axis of its body, or at its marker [m]."""
     if load.marker is None:
         return _place_on_axis(machine, load.body, load)
     place = place_of(machine, f"{load.body}.{load.marker}")
@@ -212,13 +212,13 @@ def place_of_load(machine: Any, load: Any) -> Array:
 
 # --- stations -----------------------------------------------------------------------------------------------
 def stations_of(machine: Any) -> dict[str, tuple[float, ...]]:
-    """Places of the stations of all shafts, from their starts [m]."""
+    """Positions of the stations of all shafts, from their starts [m]."""
     sits = seats_on_shafts(machine)
     return {name: cut(shaft, [place for _, place in sits[name]]) for name, shaft in machine.shafts.items()}
 
 
 def station_names(name: str, count: int) -> tuple[str, ...]:
-    """Names of the stations of a shaft: the one at its start has the name of the shaft.
+    """Names of the stations of a shaft; the first station has the name of the shaft.
 
     Examples
     --------
@@ -229,17 +229,17 @@ def station_names(name: str, count: int) -> tuple[str, ...]:
 
 
 def cut(shaft: Shaft, wanted: Sequence[float]) -> tuple[float, ...]:
-    """Cut a shaft into pieces and give the places of the stations between them [m].
+    """Divide a shaft into beam elements and return the positions of the stations [m].
 
-    What is wanted comes first, then steps of the diameter and ends that are not there yet, then cuts of
-    pieces that are too long.
+    Stations are placed at `wanted`, then at steps of the diameter and at the ends, then within elements that
+    are too long.
 
     Parameters
     ----------
     shaft
         The shaft.
     wanted
-        Places where something sits [m].
+        Positions of the elements on the shaft [m].
     """
     length = shaft.length
     kept: list[float] = []
@@ -261,7 +261,7 @@ def cut(shaft: Shaft, wanted: Sequence[float]) -> tuple[float, ...]:
 
 
 def section_at(shaft: Shaft, place: float) -> tuple[float, float]:
-    """Diameter and bore at a place [m]."""
+    """Diameter and bore at a position [m]."""
     end = 0.0
     for section in shaft.sections:
         end += section.length
@@ -271,5 +271,5 @@ def section_at(shaft: Shaft, place: float) -> tuple[float, float]:
 
 
 def nearest_station(places: Sequence[float], place: float) -> int:
-    """Number of the station that is nearest to a place, from 0."""
+    """Index of the station nearest to a position."""
     return min(range(len(places)), key=lambda k: abs(places[k] - place))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Places, values and limits of a model file in the words of its messages."""
+"""Text of paths, values and limits of a model file for messages."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SI = {"length": "metres", "angle": "radians"}
 
 
 def dotted(path: Place) -> str:
-    """Path as people write it.
+    """Path in dotted notation.
 
     Examples
     --------
@@ -29,7 +29,7 @@ def dotted(path: Place) -> str:
 
 
 def shown(value: Any) -> str:
-    """A value for a message, never longer than a line."""
+    """Value as text for a message, at most 60 characters."""
     if isinstance(value, Mapping):
         return "a mapping"
     if isinstance(value, list | tuple):
@@ -43,7 +43,7 @@ def shown(value: Any) -> str:
 
 
 def limit_text(description: Key) -> str:
-    """Allowed range in the units people use."""
+    """Allowed range in customary units."""
     if description.range_words:
         return description.range_words
     parts = []
@@ -57,7 +57,7 @@ def limit_text(description: Key) -> str:
 
 
 def example(description: Key) -> str:
-    """A value that a user could write."""
+    """Example of a valid value."""
     if description.sample:
         return description.sample
     if description.kind in ("quantity", "quantities"):

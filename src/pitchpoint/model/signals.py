@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Signals of a model: who makes and who reads them, which follow others at once, their text in reports."""
+"""Signals of a model: sources, readers, direct feedthrough, and their text in reports."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ if TYPE_CHECKING:
 
 
 SECTIONS = ("sensors", "blocks", "controllers", "actuators")
-"""Sections of a file that have to do with signals."""
+"""Sections of a file that define signals or use them."""
 TIME = "t"
-"""Name of the time where a formula takes it."""
+"""Name of the time in formulas."""
 LAW_ARGUMENTS = ("t", "x", "p")
 CONTROLLER_ARGUMENTS = ("t", "inputs", "state", "parameters")
-"""What functions of blocks and of controllers are called with."""
+"""Arguments of the functions of blocks and controllers."""
 
 
 def made(machine: Any) -> Iterator[tuple[str, Place]]:
-    """Every signal that a model or its parts make, with the place of its name."""
+    """All signals that a model or its parts define, with the path of the name."""
     for section in ("sensors", "blocks"):
         for name in getattr(machine, section):
             yield name, (section, name)
@@ -42,7 +42,7 @@ def made(machine: Any) -> Iterator[tuple[str, Place]]:
 
 
 def read(machine: Any) -> Iterator[tuple[str, Place]]:
-    """Every signal that something reads, with the place where it is named; the time is none."""
+    """All signals that are read, with the path of the reference; without the time."""
     for name, block in machine.blocks.items():
         for signal, at in inputs(block):
             if signal != TIME or not isinstance(block, bl.FormulaBlock):
@@ -57,7 +57,7 @@ def read(machine: Any) -> Iterator[tuple[str, Place]]:
 
 
 def inputs(block: bl.Block) -> list[tuple[str, Place]]:
-    """Signals that a block is made of, with the keys that name them."""
+    """Input signals of a block, with the keys that name them."""
     if isinstance(block, bl.Sum):
         return [(signal, ("inputs", signal)) for signal in block.inputs]
     if isinstance(block, bl.FormulaBlock):
@@ -66,9 +66,10 @@ def inputs(block: bl.Block) -> list[tuple[str, Place]]:
 
 
 def at_once(machine: Any) -> dict[str, list[str]]:
-    """For every signal those that it follows without a state between; loads follow whatever acts.
+    """Direct feedthrough: for every signal and actuator, the signals that it depends on without a state
+    between.
 
-    Actuators are among them under their names.
+    Load sensors depend on all actuators.
     """
     found: dict[str, list[str]] = {name: [] for name, _ in made(machine)}
     for name, part in machine.actuators.items():
@@ -83,7 +84,7 @@ def at_once(machine: Any) -> dict[str, list[str]]:
 
 
 def has_state_between(block: bl.Block) -> bool:
-    """Whether the output of a block does not follow its input at once."""
+    """Whether a block has no direct feedthrough from input to output."""
     if isinstance(block, bl.TransferFunction):
         return len(block.numerator) < len(block.denominator) or block.numerator[0] == 0.0
     return isinstance(block, bl.Integrator | bl.Filter)
@@ -99,7 +100,7 @@ RATES = (
 
 
 def rates_behind(machine: Any) -> dict[str, str]:
-    """For every actuator that follows a rate, through whatever blocks, the sensor of it."""
+    """For every actuator that depends on a rate, directly or through blocks, the sensor of the rate."""
     found = {}
     for name, part in machine.actuators.items():
         waiting, seen = [part.signal], set()
@@ -128,7 +129,7 @@ Line = tuple[str, str, str, str]
 
 
 def signal_lines(model: Model) -> list[Line]:
-    """One line for every signal and every actuator: its name, what it is, what it is made of, who reads it.
+    """One line for every signal and actuator: name, kind, inputs, readers.
 
     Parameters
     ----------
@@ -173,9 +174,7 @@ def signals_without_effect(model: Model) -> list[Message]:
     """A remark for every controller whose signals nothing reads, and for keys without effect."""
     used = {signal for signal, _ in read(model)}
     found = [
-        remark(
-            f"controllers.{name}.output", f"nothing reads {output}: it acts on nothing and is only recorded"
-        )
+        remark(f"controllers.{name}.output", f"nothing reads {output}: it is only recorded")
         for name, part in model.controllers.items()
         for output in outputs_of(part)
         if output not in used

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mass and inertia of gears, shafts and bodies from solids of CAD programs, and what is wrong with these."""
+"""Mass and inertia of gears, shafts and bodies from CAD solids."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.solid import SolidReference
 
 ROUND = 1e-6
-"""What a solid may differ from a round one about the z axis, per its size: STL files hold seven digits."""
+"""Relative tolerance of axisymmetry about the z axis: STL files have seven digits."""
 
 
 @dataclasses.dataclass(frozen=True)
 class SolidMass:
-    """Mass of a solid along the axes of its body."""
+    """Mass properties of a solid in the axes of its body."""
 
     mass: float
     """[kg]."""
     center: Triple
-    """Centre of mass from the origin of the body [m]; x and y are exactly zero where it is round."""
+    """Centre of mass relative to the origin of the body [m]; x and y are exactly zero if axisymmetric."""
     polar: float
     """Moment of inertia about an axis along z through the centre of mass [kg m^2]."""
     central: float
     """Mean moment of inertia about diameters through the centre of mass [kg m^2]."""
     tensor: tuple[float, ...] | None
-    """Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass [kg m^2]; None where it is round about z."""
+    """Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass [kg m^2]; None if axisymmetric about z."""
 
 
 @functools.lru_cache(maxsize=64)
 def _placed(part: SolidReference, density: float, volume: float, center: Any, moments: Any) -> SolidMass:
-    """Solid of given integrals, turned into the axes of the body."""
+    """Mass properties from the integrals of a solid, rotated into the axes of the body."""
     xx, yy, zz, xy, yz, zx = moments
     turn = frame(part.axes)
     about = density * turn.T @ np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]]) @ turn
@@ -56,7 +56,7 @@ def _placed(part: SolidReference, density: float, volume: float, center: Any, mo
 
 
 def solid_mass(part: SolidReference) -> SolidMass:
-    """Mass of the solid of a body.
+    """Mass properties of the solid of a body.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def solid_mass(part: SolidReference) -> SolidMass:
     Raises
     ------
     GeometryError
-        If its file is none that gives a mass.
+        If the file does not contain a solid with a mass.
     """
     solid = part.solid()
     return _placed(part, part.density_for(), solid.volume, solid.center, solid.moments)

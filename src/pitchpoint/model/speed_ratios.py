@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ratios of speed between bodies: what gives them, and the start speeds that follow from the given ones."""
+"""Speed ratios between bodies, and the initial speeds that follow from given speeds."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 SPEED_TOLERANCE = 1e-6
-"""Relative difference up to which two given speeds fit a gear ratio."""
+"""Relative tolerance of given speeds from the gear ratio."""
 
 Link = tuple[Place, str, str, float]
-"""Mesh or coupling by its place, the two bodies it joins, speed of the second per speed of the first."""
+"""Path of a mesh or coupling, its two bodies, speed of the second over speed of the first."""
 
 
 def links_of(parts: Parts) -> list[Link]:
-    """What gives two bodies a speed ratio: meshes, what couples them in torsion, ratios of two spins."""
+    """All links with a speed ratio: meshes, torsional couplings, ratios of two spins."""
     found: list[Link] = []
     for name, mesh in parts.meshes.items():
         bodies = [parts.body_of(g) for g in mesh.gears]
@@ -53,7 +53,7 @@ def links_of(parts: Parts) -> list[Link]:
 
 
 def _bevel_links(parts: Parts) -> list[Link]:
-    """Bevel meshes; spins count about the z axes of bodies, and cones open along these or against them."""
+    """Links of bevel meshes; the sign depends on the directions in which the pitch cones open."""
     found: list[Link] = []
     for name, mesh in parts.bevel_meshes.items():
         one, two = (parts.body_of(g) for g in mesh.gears)
@@ -70,18 +70,20 @@ def _is_spin(parts: Parts, place: tuple[str, int, str]) -> bool:
 
 
 def ratios(parts: Parts) -> dict[str, list[tuple[str, float]]]:
-    """Speed ratios between neighbouring bodies: body -> [(neighbour, speed of it per own speed)]."""
+    """Speed ratios between neighbouring bodies: body -> [(neighbour, its speed over the speed of the
+    body)]."""
     out: dict[str, list[tuple[str, float]]] = {}
     for place, one, two, ratio in links_of(parts):
         if place[0] != "ratios" and not same_base(parts, one, two):
-            continue  # the spins count from different frames: see `carried_trains`
+            continue  # the spins refer to different frames: see `carried_trains`
         out.setdefault(one, []).append((two, ratio))
         out.setdefault(two, []).append((one, 1.0 / ratio))
     return out
 
 
 def train_of(parts: Parts, body: str) -> set[str]:
-    """Bodies that a body turns by meshes and couplings between bodies with one base; itself among them."""
+    """Bodies driven by a body through meshes and couplings between bodies with the same parent, with
+    itself."""
     links = ratios(parts)
     found, queue = {body}, deque([body])
     while queue:
@@ -93,9 +95,9 @@ def train_of(parts: Parts, body: str) -> set[str]:
 
 
 def locked_links(parts: Parts, body: str) -> list[Link]:
-    """Links that keep a body from turning.
+    """Links that block the rotation of a body.
 
-    They contradict the ratios of the rest of a loop that the body is in, or are meshes with a fixed body.
+    They contradict the other ratios of a loop through the body, or are meshes with a fixed body.
     """
     turning = start_speeds(parts, {body: 1.0})[0]
     if has_carriers(parts, joined := links_of(parts)):
@@ -120,7 +122,7 @@ def fixed_bodies(parts: Parts) -> set[str]:
 def start_speeds(
     parts: Parts, given: Mapping[str, float], held: Sequence[str] = ()
 ) -> tuple[dict[str, float], list[tuple[str, float]]]:
-    """Speeds of all bodies at the start, and the given ones that do not fit the others.
+    """Initial speeds of all bodies, and given speeds that contradict others.
 
     Parameters
     ----------
@@ -129,14 +131,14 @@ def start_speeds(
     given
         Speeds of some bodies [rad/s].
     held
-        Bodies that a scenario holds at their speed.
+        Bodies whose speed a scenario keeps constant.
 
     Returns
     -------
     tuple
-        Speed by body [rad/s], 0 for bodies that nothing sets in motion, and for those that a torsional
-        support or the scenario holds while the given speeds leave it open; and (body, fitting speed) for each
-        given speed that contradicts an earlier one.
+        Speed by body [rad/s], 0 for bodies without drive and for bodies on a torsional support or in `held`
+        whose speed does not follow from the given ones; and (body, consistent speed) for each given speed
+        that contradicts an earlier one.
     """
     if has_carriers(parts, joined := links_of(parts)):
         return carried_speeds(parts, joined, given, [*supported_bodies(parts), *held], SPEED_TOLERANCE)
@@ -161,7 +163,7 @@ def start_speeds(
 
 
 def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
-    """Meshes of a body and the number of teeth it has in each of them."""
+    """Meshes of a body with its number of teeth in each of them."""
     return {
         name: gears[g].number_of_teeth
         for meshes, gears, own in (
@@ -175,7 +177,7 @@ def sweep_meshes(parts: Parts, body: str) -> dict[str, int]:
 
 
 def trains(parts: Parts) -> list[set[str]]:
-    """Bodies that turn together, by meshes and by couplings that carry torque."""
+    """Gear trains: sets of bodies connected by meshes and torsional couplings."""
     groups: list[set[str]] = [{name} for name in parts.bodies]
     for link in ({one, two} for _, one, two, _ in links_of(parts)):
         touched = [g for g in groups if g & link]

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What ties the turns of bodies by stiffness: to the ground, or two bodies on one axis to each other.
+"""Torsional stiffness between bodies and ground, or between two bodies on one axis.
 
-Teeth and given speeds come first: a body on a torsion spring that is given a speed starts with it and swings.
-What they leave open, such as the ring of a planet set on a torque arm, starts at rest where one of these
-supports holds it.
-"""
+Gear ratios and given speeds take precedence: a body on a torsion spring with a given speed starts with it and
+oscillates. A body whose speed they do not determine, such as a ring gear on a torque arm, starts at rest if
+it has a torsional support."""
 
 from __future__ import annotations
 
@@ -27,14 +26,14 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 SAME = 1e-9
-"""Share of the largest stiffness, cosine from one, and distance [m] that count as zero."""
+"""Relative stiffness, deviation of a cosine from one, and distance [m] that count as zero."""
 
 
 def supported_bodies(parts: Parts) -> list[str]:
-    """Bodies that stiffness or a closed brake holds against turning from what does not move, brakes last.
+    """Bodies that are supported in rotation by a stiffness to a fixed body or by a closed brake, brakes last.
 
-    Torsion springs, springs with a lever, bushings, bearings with torsional stiffness; brakes that are closed
-    at t = 0.
+    Torsion springs, springs with a lever arm, bushings, bearings with torsional stiffness; brakes that are
+    closed at t = 0.
     """
     found = [s.bodies[0] for s in parts.torsion_springs.values() if len(s.bodies) == 1 and s.stiffness > 0.0]
     for spring in parts.springs.values():
@@ -57,7 +56,7 @@ def supported_bodies(parts: Parts) -> list[str]:
 
 
 def bushed_pairs(parts: Parts) -> dict[str, tuple[str, str]]:
-    """Bodies on one axis that a bushing with torsional stiffness turns together, by the bushing."""
+    """Pairs of coaxial bodies that are coupled by a bushing with torsional stiffness, by bushing."""
     found = {}
     for name, bushing in parts.bushings.items():
         one, two = (split(end)[0] for end in bushing.ends)
@@ -74,13 +73,14 @@ def bushed_pairs(parts: Parts) -> dict[str, tuple[str, str]]:
 
 
 def _held(parts: Parts, ends: Sequence[str]) -> str | None:
-    """The one of two bodies that moves, if the other is ground or does not move."""
+    """The moving one of two bodies, if the other is ground or fixed."""
     moving = [e for e in ends if e != GROUND and not (e in parts.bodies and parts.bodies[e].moves == "fixed")]
     return moving[0] if len(moving) == 1 and moving[0] in parts.mechanism.seats else None
 
 
 def _has_lever(parts: Parts, spring: Spring, body: str) -> bool:
-    """Whether the line of a spring passes the axis of its body, neither through it nor along it."""
+    """Whether a spring has a lever arm about the axis of its body: neither intersects it nor is parallel to
+    it."""
     at, frame = seat_frame(parts, parts.mechanism.seats[body])
     places = [place_of(parts, end) for end in spring.ends]
     if any(place is None for place in places):
@@ -90,7 +90,7 @@ def _has_lever(parts: Parts, spring: Spring, body: str) -> bool:
 
 
 def _resists(parts: Parts, bushing: Bushing, body: str) -> bool:
-    """Whether a bushing puts a force or moment against a turn of one of its bodies about its axis."""
+    """Whether a bushing resists a rotation of one of its bodies about the axis of the body."""
     end = next(e for e in bushing.ends if split(e)[0] == body)
     directions = bushing.ends[1] if split(bushing.ends[1])[0] != GROUND else bushing.ends[0]
     at, frame = seat_frame(parts, parts.mechanism.seats[body])
@@ -105,7 +105,7 @@ def _resists(parts: Parts, bushing: Bushing, body: str) -> bool:
 
 
 def _closed_at_start(capacity: Law) -> bool:
-    """Whether a brake can hold anything at t = 0; the capacity of a Python function is taken to."""
+    """Whether a brake has a capacity at t = 0; assumed for a Python function."""
     if isinstance(capacity, Constant):
         return capacity.value > 0.0
     if isinstance(capacity, TableLaw):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Components to plain data, in the keys and units of model files; the inverse of `read`."""
+"""Conversion of a model to plain data with the keys and units of model files; the inverse of `read`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def quantity_text(value: float, dimension: str) -> float | str:
-    """Shortest text that reads back to exactly this SI value, in the unit people use if possible.
+    """Shortest text that reads back to exactly this SI value, in the customary unit if possible.
 
     Examples
     --------
@@ -42,12 +42,12 @@ def quantity_text(value: float, dimension: str) -> float | str:
 
 
 def plain(model: Model) -> dict[str, Any]:
-    """Nested dictionaries as a file would hold them; values equal to their defaults are omitted.
+    """Nested dictionaries as in a model file; values equal to their defaults are omitted.
 
     Parameters
     ----------
     model
-        The model. Names of Python files become relative to its own file.
+        The model. Paths of Python files become relative to the model file.
     """
     base = Path(model.file).parent if model.file else Path()
     out: dict[str, Any] = _Writer(base).component(model)
@@ -55,7 +55,7 @@ def plain(model: Model) -> dict[str, Any]:
 
 
 def model_text(model: Model) -> str:
-    """The model as JSON, which is YAML too: a text that reads back to an equal model, written in no time."""
+    """The model as JSON, which is valid YAML and reads back to an equal model; faster than a YAML writer."""
     return json.dumps(plain(model), ensure_ascii=False)
 
 
@@ -63,25 +63,25 @@ class _Writer:
     def __init__(self, base: Path) -> None:
         self.base = base
         self.within: Any = None
-        """Component whose key is being written."""
+        """Component being written."""
 
     def component(self, part: Any) -> dict[str, Any]:
-        """Keys and values of a part that differ from its defaults."""
+        """Keys and values that differ from the defaults."""
         defaults = defaults_of(type(part))
         out: dict[str, Any] = {}
         for name, key in keys_of(type(part)).items():
             self.within = part
             value = getattr(part, name)
             if name == "bodies" and isinstance(value, Mapping):
-                value = own_bodies(value)  # those that represent shafts follow from them
-            # the stiffness law is always written: no reader should have to look up this choice
+                value = own_bodies(value)  # without the bodies that represent shafts
+            # the stiffness law is always written: its default should not need looking up
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue
             out[name] = self.value(key, value)
         return out
 
     def value(self, key: Key, value: Any) -> Any:
-        """A value as its kind of key is written."""
+        """Value of a key, by the kind of the key."""
         writer = _WRITERS.get(key.kind)
         return value if writer is None else writer(self, key, value)
 
@@ -90,11 +90,11 @@ class _Writer:
         return quantity_text(value, key.dimension)
 
     def quantities(self, key: Key, value: Any) -> list[Any]:
-        """Several of them."""
+        """List of numbers with units."""
         return [quantity_text(v, key.dimension) for v in value]
 
     def grid(self, key: Key, value: Any) -> list[list[Any]]:
-        """Rows of them."""
+        """Rows of numbers with units."""
         return [self.quantities(key, row) for row in value]
 
     def points(self, key: Key, value: Points) -> list[list[Any]]:
@@ -102,7 +102,7 @@ class _Writer:
         return self.grid(key, value.xy)
 
     def pitch(self, key: Key, value: Any) -> Any:
-        """Pitch deviations: of both flanks, or one list for all."""
+        """Pitch deviations: by flank, or one list for both flanks."""
         return self.component(value) if isinstance(value, FlankPitch) else self.quantities(key, value)
 
     def matrix(self, key: Key, value: Any) -> list[list[float]]:
@@ -118,22 +118,22 @@ class _Writer:
         return list(value)
 
     def nested(self, key: Key, value: Any) -> dict[str, Any]:
-        """A part inside a part."""
+        """Nested component."""
         return self.component(value)
 
     def nested_list(self, key: Key, value: Any) -> list[dict[str, Any]]:
-        """Parts in a list."""
+        """List of components."""
         return [self.component(v) for v in value]
 
     def nested_names(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
-        """Parts by name, with their type where there are several."""
+        """Components by name, with their type if there are several."""
         return {
             name: {**({TYPE: v.form} if isinstance(key.of, dict) else {}), **self.component(v)}
             for name, v in value.items()
         }
 
     def variant(self, key: Key, value: Any) -> dict[str, Any]:
-        """A part that its law identifies."""
+        """Component that is identified by its law."""
         return {"law": value.law, **self.component(value)}
 
     def speeds(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
@@ -141,7 +141,7 @@ class _Writer:
         return {name: quantity_text(v, key.dimension) for name, v in value.items()}
 
     def gears(self, key: Key, value: Mapping[str, float]) -> Any:
-        """Gears of a body: their names, with places if one of them has one."""
+        """Gears of a body: their names, with positions unless all are zero."""
         if not any(value.values()):
             return list(value)
         return {name: quantity_text(v, "length") for name, v in value.items()}
@@ -167,20 +167,20 @@ class _Writer:
         return "balance" if isinstance(value, Balance) else self.python(key, value)
 
     def laws(self, key: Key, value: Any) -> list[Any]:
-        """Several of them."""
+        """List of laws."""
         return [self.law(key, v) for v in value]
 
     def file(self, key: Key, value: str) -> str:
-        """A path as seen from the file that is written."""
+        """Path relative to the model file."""
         return self.relative(value)
 
     def relative(self, name: str) -> str:
-        """Name of a file from the directory of the model file."""
+        """Path relative to the directory of the model file."""
         file = Path(name)
         return (file.relative_to(self.base) if file.is_relative_to(self.base) else file).as_posix()
 
     def center(self, key: Key, value: Any) -> Any:
-        """A center: one coordinate along the axis, or three."""
+        """Centre of mass: axial position, or three coordinates."""
         return self.quantities(key, value) if isinstance(value, tuple) else self.quantity(key, value)
 
     def displacements(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
@@ -192,11 +192,11 @@ class _Writer:
         return {name: quantity_text(v, RATES[self.within.dimension(name)]) for name, v in value.items()}
 
     def mapping(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
-        """Names and values as they are."""
+        """Names and values, unchanged."""
         return dict(value)
 
     def motions(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
-        """Laws by coordinate; several for one coordinate in a list."""
+        """Laws by coordinate; a list if a coordinate has several."""
         out = {}
         for name, laws in value.items():
             found = [self.law(Key("law", "", dimension=DISPLACEMENTS[name]), law) for law in laws]
@@ -204,7 +204,7 @@ class _Writer:
         return out
 
     def terms(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
-        """Factors by name; those that are lever arms with their unit."""
+        """Coefficients by name; lengths with their unit."""
         return {n: quantity_text(float(v), "length") if isinstance(v, Arm) else v for n, v in value.items()}
 
     def python(self, key: Key, value: PythonLaw) -> Any:

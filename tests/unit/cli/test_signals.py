@@ -135,7 +135,7 @@ def test_idle_keys_are_told(file: Path) -> None:
     )
     file.write_text(text, encoding="utf-8")
     said = keys_without_effect(load_model(file, allow_code=True))
-    assert "controllers.loop.output: nothing reads u: it acts on nothing and is only recorded" in said
+    assert "controllers.loop.output: nothing reads u: it is only recorded" in said
     assert "blocks.p.filter_time: has no effect without derivative" in said
 
 

@@ -198,8 +198,8 @@ WRONG = {
     "a number": ("3", "radial: 1", "faults.f", "is not a mapping"),
     "another type": ("{type: slack}", "radial: 1", "faults.f.type", "allowed are loose"),
     "no clearance": ("{type: loose}", "radial: 1", "faults.f.clearance", "is missing"),
-    "torsion": (FAULT, "radial: 1, torsion: 1", "faults.f", "holds the spin of rotor"),
-    "not round": (FAULT, "x: 1, y: 3", "stiffness", "is not the same in all radial directions"),
+    "torsion": (FAULT, "radial: 1, torsion: 1", "faults.f", "constrains the spin of rotor"),
+    "not round": (FAULT, "x: 1, y: 3", "stiffness", "is not radially isotropic"),
 }
 
 

@@ -31,7 +31,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "two meshes of one pair": (
         [("loads:", "  again: {gears: [g2, g1], center_distance: 150 mm}\nloads:")],
         "meshes.again.gears",
-        "are the gears of stage already",
+        "are already the gears of stage",
     ),
     "held twice": (
         [steady("hold: [driver, driver], duration: 1 s")],
@@ -41,17 +41,17 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "held and fixed": (
         [FIXED, NO_LOAD, steady("hold: [driven], duration: 1 s")],
         "scenarios.steady.hold",
-        "fixed and cannot turn",
+        "fixed and cannot rotate",
     ),
     "driven and fixed": (
         [FIXED, NO_LOAD, steady("drive: {driven: {speed: 3 rpm}}, duration: 1 s")],
         "scenarios.steady.drive.driven",
-        "fixed and cannot turn",
+        "fixed and cannot rotate",
     ),
     "a form of other methods": (
         [steady("duration: 1 s, form: SI1")],
         "scenarios.steady.form",
-        "is none that generalized_alpha has",
+        "is not available with generalized_alpha",
     ),
     "an angle by Python": (
         [steady("drive: {driver: {angle: {python: 'a.py:f'}}}, duration: 1 s")],
@@ -76,27 +76,27 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "step beyond counting": (
         [steady("duration: 1 s, step: 1e-20")],
         "scenarios.steady.step",
-        "makes 1e+20 steps",
+        "gives 1e+20 steps",
     ),
     "samples beyond counting": (
         [steady("duration: 1 s, sample_rate: 1e13 Hz")],
         "scenarios.steady.sample_rate",
-        "makes 1e+13 steps",
+        "gives 1e+13 steps",
     ),
     "step as long as the window": (
         [steady("duration: 1 s, step: 0.5 s")],
         "scenarios.steady.step",
-        "longer than half the time that is measured",
+        "longer than half the evaluated time",
     ),
     "negative spring": (
         [("loads:", matrix({(1, 1): -1.0}))],
         "bearings.b.stiffness.matrix",
-        "pushes away",
+        "is not positive semidefinite",
     ),
     "indefinite matrix": (
         [("loads:", matrix({(0, 4): 2.0, (4, 0): 2.0}))],
         "bearings.b.stiffness.matrix",
-        "pushes away",
+        "is not positive semidefinite",
     ),
     "unknown function": (
         [("torque: 150 N m}", "torque: 150 N m * sinus(time)}")],
@@ -145,7 +145,7 @@ def test_three_gears_in_a_loop_lock_each_other() -> None:
         )
     still = text + "scenarios:\n  s: {duration: 1 s}\n"
     assert loads_model(still).meshes["ca"].theta == pytest.approx(4.18879, abs=1e-5)
-    with pytest.raises(ModelError, match=r"cannot turn A: meshes\.bc locks B and C"):
+    with pytest.raises(ModelError, match=r"cannot rotate A: meshes\.bc locks B and C"):
         loads_model(text + "scenarios:\n  s: {speed: {A: 10 rpm}, duration: 1 s}\n")
 
 

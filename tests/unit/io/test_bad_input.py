@@ -187,7 +187,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         + "bodies:\n  one: {gears: [a, b]}\n  two: {gears: [b], position: [1, 0, 0]}\n",
         "bodies.two.gears",
         6,
-        "sits on one already",
+        "is already on one",
     ),
     "mesh inside a body": (
         pair(gear("a"), gear("b"), "", "bodies:\n  one: {gears: [a, b]}\n"),
@@ -222,7 +222,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         pair(gear("a"), gear("b"), "", BODIES % (", position: [0, 0, 0]", ", position: [90 mm, 0, 30 mm]")),
         "meshes.m.gears",
         5,
-        "10 mm lie between",
+        "the gap between their faces is 10 mm",
     ),
     "load on a fixed body": (
         pair(
@@ -239,7 +239,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         pair(gear("a"), gear("b"), "", BODIES % ("", "") + "loads:\n  l: {body: one, force: [0, 3 N, 0]}\n"),
         "loads.l.force",
         10,
-        "only turns",
+        "only rotates",
     ),
     "formula that is Python": (
         pair(gear("a"), gear("b"), "", BODIES % ("", "") + "loads:\n  l: {body: one, torque: t.__class__}\n"),
@@ -284,7 +284,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         ),
         "scenarios.s.speed.two",
         10,
-        "does not fit the ratio",
+        "does not match the gear ratio",
     ),
     "no duration": (
         pair(gear("a"), gear("b"), "", BODIES % ("", "") + "scenarios:\n  s: {speed: {one: 100 rpm}}\n"),
@@ -331,7 +331,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         pair(gear("a", more="initial_angle: 0"), gear("b", more="initial_angle: 0")),
         "gears.b.initial_angle",
         3,
-        "leave initial_angle out",
+        "remove initial_angle",
     ),
     "wrong law": (
         pair(gear("a"), gear("b"), "stiffness: {law: dim3990}"),

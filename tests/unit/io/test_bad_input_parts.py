@@ -78,7 +78,7 @@ def test_rims_and_webs_larger_than_the_gear(keys: str, where: str, limit: str) -
     (problem,) = problems("gears:\n" + gear("a", more=keys))
     assert problem.where == f"gears.a.{where}"
     assert problem.limit == limit
-    assert "reduce it, or leave it out" in str(problem.remedy)
+    assert "reduce it, or remove it" in str(problem.remedy)
 
 
 def test_rims_and_webs_up_to_the_size_of_the_gear() -> None:

@@ -80,10 +80,10 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "a name twice": (
         [("  error: {", "  turn: {"), ("input: error", "input: turn"), ("[error]", "[turn]")],
         "blocks.turn",
-        "sensors.turn makes signal[turn]",
+        "sensors.turn defines signal[turn]",
     ),
-    "an output twice": ([("[extra]", "[extra, extra]")], "controllers.loop.outputs[1]", "is taken"),
-    "an actuator with the name of a signal": ([("  drive: {", "  u: {")], "actuators.u", "is taken"),
+    "an output twice": ([("[extra]", "[extra, extra]")], "controllers.loop.outputs[1]", "is already used"),
+    "an actuator with the name of a signal": ([("  drive: {", "  u: {")], "actuators.u", "is already used"),
     "an output with a dot": (
         [("[extra]", "[ex.tra]"), ("signal: extra", "signal: u")],
         "controllers.loop.ex.tra",
@@ -96,7 +96,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
             block("{type: transfer_function, input: u, numerator: [1, 2], denominator: [3, 4]}"),
         ],
         "blocks.more",
-        "follows itself at once: more <- u <- error <- more",
+        "is part of an algebraic loop: more <- u <- error <- more",
     ),
     "a loop over a load": (
         [sensor("{type: load, at: drum, quantity: moment}"), ("{speed: -1}", "{speed: -1, more: 1}")],
@@ -121,7 +121,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "one body": (
         [sensor("{type: frames, quantity: angle, ends: [motor, motor]}")],
         "sensors.more.ends",
-        "lie on one body",
+        "are on the same body",
     ),
     "unknown coordinate": (
         [sensor("{type: joint, coordinate: axle.spin}")],
@@ -138,7 +138,11 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         "sensors.speed.derivative",
         "limit >= 0 and <=",
     ),
-    "load of nothing": ([sensor("{type: load, at: shaft}")], "sensors.more.at", "which nothing holds"),
+    "load of nothing": (
+        [sensor("{type: load, at: shaft}")],
+        "sensors.more.at",
+        "which has no joint reaction",
+    ),
     "load of ground": ([sensor("{type: load, at: ground}")], "sensors.more.at", "which no joint carries"),
     "unknown observation": (
         [sensor("{type: observation, channel: 'tensin[link]'}")],
@@ -158,9 +162,9 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "a signal heard": (
         [sensor("{type: observation, channel: 'signal[speed]'}")],
         "sensors.more.channel",
-        "read it by its name",
+        "use the signal by its name",
     ),
-    "limits the wrong way": ([("[-5, 5]", "[5, -5]")], "blocks.u.limits", "5 to -5 leave no room"),
+    "limits the wrong way": ([("[-5, 5]", "[5, -5]")], "blocks.u.limits", "5 to -5 are not increasing"),
     "one limit": ([("[-5, 5]", "[5]")], "blocks.u.limits", "limit 2 entries"),
     "no number": ([("proportional: 2", "proportional: two")], "blocks.u.proportional", "such as 1500 rpm"),
     "NaN": ([("proportional: 2", "proportional: .nan")], "blocks.u.proportional", "not a finite number"),
@@ -170,7 +174,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "derivative without filter": (
         [("integral: 3,", "integral: 3, derivative: 1,")],
         "blocks.u.filter_time",
-        "a derivative needs one",
+        "required for the derivative part",
     ),
     "no tracking time": (
         [("integral: 3,", "integral: -3,")],
@@ -225,14 +229,14 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "leading zero": (
         [block("{type: transfer_function, input: turn, numerator: [1], denominator: [0, 2]}")],
         "blocks.more.denominator[0]",
-        "leave leading zeros out",
+        "remove leading zeros",
     ),
     "no time constant": (
         [block("{type: filter, input: turn, time_constant: 0 s}")],
         "blocks.more.time_constant",
         "limit > 0",
     ),
-    "no file": ([(LOOP, "'lows.py:loop'")], "controllers.loop.function", "'lows.py', which is not there"),
+    "no file": ([(LOOP, "'lows.py:loop'")], "controllers.loop.function", "'lows.py', which does not exist"),
     "no function": ([(LOOP, "'laws.py:lop'")], "controllers.loop.function", "did you mean loop?"),
     "too few arguments": (
         [(LOOP, "'laws.py:law'")],
@@ -266,7 +270,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "limits of a sampled controller": (
         [controller("{type: pid, input: error, output: w, proportional: 1, period: 1 ms, limits: [1, 1]}")],
         "controllers.more.limits",
-        "leave no room",
+        "are not increasing",
     ),
     "askew": ([("[drum, motor]", "[drum, cross]")], "actuators.trim.bodies", "are tilted by 90 deg"),
     "ground first": (
@@ -279,7 +283,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "strut on one body": (
         [actuator("{type: strut, signal: u, ends: [motor, motor]}")],
         "actuators.more.ends",
-        "lie on one body",
+        "are on the same body",
     ),
 }
 

@@ -59,7 +59,7 @@ WRONG = {
         "gears.a.faults.one.angle",
         "range",
     ),
-    "type: pitting, tooth: 1, flank: left": ("gears.a.faults.one.patches", "neither patches nor pattern"),
+    "type: pitting, tooth: 1, flank: left": ("gears.a.faults.one.patches", "is missing, and pattern too"),
     PITS.format("position: 21 mm", "diameter: 60 mm", 2): (PATCH + "position", "lies outside the face width"),
     PITS.format("position: 1 mm", "diameter: 50 mm", 2): (
         PATCH + "diameter",
@@ -71,10 +71,13 @@ WRONG = {
     ),
     "type: pitting, tooth: 1, flank: left, pattern: {number: 3, length: 2 mm, height: 0.1 mm, depth: 1 um}": (
         "gears.a.faults.one.pattern.height",
-        "is the least that may come out",
+        "of the smallest random pit",
     ),
-    "type: wear, flank: left": ("gears.a.faults.one.depth", "is not the one way"),
-    "type: wear, flank: left, depth: 9 um, cycles: 1e6": ("gears.a.faults.one.depth", "is not the one way"),
+    "type: wear, flank: left": ("gears.a.faults.one.depth", "does not define the wear uniquely"),
+    "type: wear, flank: left, depth: 9 um, cycles: 1e6": (
+        "gears.a.faults.one.depth",
+        "does not define the wear uniquely",
+    ),
     "type: wear, flank: left, depth: 9": ("gears.a.faults.one.depth", "larger than the module"),
     "type: pitch_error, tooth: 1, amount: 5": ("gears.a.faults.one.amount", "larger than the module"),
 }

@@ -132,8 +132,8 @@ def swapped(first: int, second: int) -> list[str]:
 GOOD = [HEAD, *tooth_lines()]
 # (lines of the file, keys, words that the sentence must hold)
 BAD: dict[str, tuple[list[str], str, list[str]]] = {
-    "no heading": (tooth_lines(), "tooth: real.csv", ["without a heading", "line 1", "x [mm],y [mm]"]),
-    "heading without units": (["x,y", *tooth_lines()], "tooth: real.csv", ["without a heading"]),
+    "no heading": (tooth_lines(), "tooth: real.csv", ["has no header line", "line 1", "x [mm],y [mm]"]),
+    "heading without units": (["x,y", *tooth_lines()], "tooth: real.csv", ["has no header line"]),
     "unit of angle": (
         ["x [deg],y [mm]", *tooth_lines()],
         "tooth: real.csv",
@@ -143,7 +143,7 @@ BAD: dict[str, tuple[list[str], str, list[str]]] = {
     "NaN": (changed(9, "nan,1"), "tooth: real.csv", ["line 9", "'nan,1'", "finite numbers"]),
     "words": (changed(9, "12 mm,1"), "tooth: real.csv", ["line 9", "'12 mm,1'"]),
     "missing value": (changed(9, "12"), "tooth: real.csv", ["line 9", "is not a point"]),
-    "empty": ([], "tooth: real.csv", ["without a heading"]),
+    "empty": ([], "tooth: real.csv", ["has no header line"]),
     "heading only": ([HEAD], "tooth: real.csv", ["0 points are too few", "10 to 2000"]),
     "few points": (GOOD[:8], "tooth: real.csv", ["7 points are too few", "10 to 2000"]),
     "half a tooth": (GOOD[:24], "tooth: real.csv", ["same side of the x axis", "line 2"]),
@@ -175,7 +175,7 @@ BAD: dict[str, tuple[list[str], str, list[str]]] = {
         ["ends before the tip form diameter 96 mm", "% of the roll", "limit 10 %"],
     ),
     "nothing": (GOOD, "", ["gives no points"]),
-    "too much": (GOOD, "tooth: real.csv, both: real.csv", ["gives tooth and both at once"]),
+    "too much": (GOOD, "tooth: real.csv, both: real.csv", ["gives tooth and both together"]),
     "absent tooth": (
         points_csv(REAL, 10).splitlines(),
         "tooth: real.csv, number: 30",

@@ -53,7 +53,7 @@ def with_(scenario: str, text: str = BLADE) -> str:
 def test_an_end_that_is_left_behind_is_told_with_its_line(how: str) -> None:
     (said,) = ends_left_behind(loads_model(with_(SPINNING[how])))
     assert said.startswith(
-        "beams.blade (line 9): tip hangs on ground (motion: free) and begins at rest while"
+        "beams.blade (line 9): tip moves against ground (motion: free) and starts at rest while"
     )
     assert "disc moves in run" in said
     assert "{type: free, bodies: [disc, tip]}" in said

@@ -67,7 +67,7 @@ def test_given_mass_takes_the_place_of_that_of_the_geometry():
             "",
             "bevel_gears.a (line 2): gives none of its keys; give",
         ),
-        ("pitch_cone_angle", "mate_teeth: 20, pitch_cone_angle", "pitch_cone_angle and mate_teeth at once"),
+        ("pitch_cone_angle", "mate_teeth: 20, pitch_cone_angle", "pitch_cone_angle and mate_teeth together"),
         ("mean_normal_module: 2.5 mm, ", "", "give exactly one of mean_normal_module"),
         ("face_width", "spiral_angle: 30 deg, face_width", "a spiral bevel gear is left or right handed"),
         ("face_width", "shaft_angle: 80 deg, face_width", "shaft_angle (line 2): requires mate_teeth"),
@@ -97,7 +97,7 @@ def test_what_is_wrong_is_told_at_its_key(old, new, words):
 
 
 def test_a_gear_sits_on_one_body_and_has_a_name_of_its_own():
-    with pytest.raises(ModelError, match="carries a, which sits on one already"):
+    with pytest.raises(ModelError, match="carries a, which is already on one"):
         loads_model(ALONE % ("+z", "") + "  two: {bevel_gears: [a]}\n")
     with pytest.raises(ModelError, match="has the name of a gear"):
         loads_model("gears:\n" + cylindrical("a") + ALONE % ("+z", ""))

@@ -50,7 +50,11 @@ def test_a_sound_file_has_its_pair_and_backlash():
             ("backlash", "normal and base_tangent"),
         ),
         ("backlash: {normal: 0.05 mm}", "damping: {ratio: 0.1, d_in: 3}", ("damping", "d_in and ratio")),
-        ("backlash: {normal: 0.05 mm}", "damping: {pair: 3}", ("damping.pair", "law constant knows none")),
+        (
+            "backlash: {normal: 0.05 mm}",
+            "damping: {pair: 3}",
+            ("damping.pair", "describes the whole mesh"),
+        ),
         ("backlash: {normal: 0.05 mm}", "shaft_angle: 80 deg", ("pitch cone angles of this shaft angle",)),
         ("position: [-0.0, -0.0, -0.0]", "position: [0, 0.3 mm, 0]", ("0.3 mm apart", "one apex", "first")),
         ("hand: left", "hand: right", ("hands that do not fit an external pair", "opposite hands")),
@@ -119,7 +123,7 @@ def test_gears_of_one_body_and_gears_without_a_body():
         .replace("bevel_gears: {b: 0.0}", "bevel_gears: {}")
         .replace("{a: 0.0}", "{a: 0.0, b: 0.0}")
     )
-    assert "joins two gears of the body first" in told(one)
+    assert "connects two gears of the body first" in told(one)
     none = bevel_file().replace("bevel_gears: {b: 0.0}, ", "").replace("motion: torsion", "motion: fixed")
     assert "no body carries it" in told(none)
 
@@ -130,7 +134,7 @@ def test_carriers_are_refused():
     message = told(
         text.replace("inertia: 3e-2 kg m^2}", "inertia: 3e-2 kg m^2, axes: {z: [1, 0, 0], x: [0, 1, 0]}}")
     )
-    assert "hang on different bodies" in message
+    assert "have different parent bodies" in message
 
 
 def test_teeth_that_stand_in_each_other_are_told():
@@ -156,7 +160,7 @@ def test_faults_need_a_law_of_single_teeth_and_gears_on_one_base():
     example = Path(__file__).parents[3] / "examples" / "bevel-drive" / "differential.yaml"
     rides = example.read_text(encoding="utf-8").replace("opens: -z", FAULT.replace("+z", "-z"), 1)
     refused = told(rides.replace("{law: constant, value: 2e8}", "{law: din3990}"))
-    assert "bevel_gears.left.faults have faults of single teeth, which are not followed" in refused
+    assert "bevel_gears.left.faults have tooth faults, which are not supported" in refused
 
 
 def test_names_of_meshes_are_their_own():

@@ -82,10 +82,10 @@ def test_all_problems_at_once_with_their_lines(tmp_path: Path) -> None:
     for line, word in (
         (2, "modell (line 2): is an unknown key; did you mean model?"),
         (4, "is an empty list"),
-        (5, "is a column of every table"),
+        (5, "is a reserved column name"),
         (6, "factors.other (line 6): 3 is not a mapping"),
         (7, "has lists for 2 paths"),
-        (9, "changes a.e, as again does"),
+        (9, "changes a.e, as does again"),
         (10, "factors.words.z (line 10): 5 is not a mapping of paths"),
         (11, "'200 %' is out of range (limit >= 0 and <= 1)"),
         (12, "seeds (line 12): 0 is out of range"),
@@ -140,5 +140,5 @@ def test_the_only_scenario_over_time_is_meant(tmp_path: Path) -> None:
     model = load_model(written(tmp_path).replace("plan.yaml", "pair.yaml"))
     assert check_plan(plan_of(tmp_path), model, ()).scenario == "steady"
     two = model.replace("scenarios", {**model.scenarios, "other": model.scenarios["steady"]})
-    with pytest.raises(ModelError, match="is missing; name one over time; there are: steady, other"):
+    with pytest.raises(ModelError, match="is missing; name a time response; there are: steady, other"):
         check_plan(plan_of(tmp_path), two, ())

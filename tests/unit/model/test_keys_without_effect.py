@@ -181,7 +181,7 @@ def test_friction_of_a_prescribed_stiffness_is_said_to_act_at_the_pitch_point(la
     friction = ", friction: {mu: 0.1, v_eps: 1e-9}"
     (text,) = sentences(law=law, mesh=friction, motion=motion)
     assert text.startswith("meshes.s.friction: the law ")
-    assert "no effect but on vibration and sideways motion" in text
+    assert "acts only on vibration and lateral motion" in text
     assert sentences(law=law, motion=motion) == ()
     assert sentences(law=law, mesh=", friction: {mu: 0}", motion=motion) == ()
 

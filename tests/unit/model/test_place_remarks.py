@@ -49,7 +49,7 @@ def test_a_carrier_without_a_place_would_turn_about_a_pin() -> None:
     (sentence,) = told(text)
     assert sentence == (
         "bodies.carrier: has no position and takes that of joints.pin0, [120 mm, 0 mm, 0 mm], so that it "
-        "turns about an axis there; if its axis is another one, give position: [x, y, z]"
+        "rotates about an axis there; for another axis, give position: [x, y, z]"
     )
     with pytest.warns(ValidityWarning, match="takes that of joints.pin0"):
         warn_of_remarks(loads_model(text))

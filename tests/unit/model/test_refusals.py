@@ -78,7 +78,7 @@ def test_rings_lie_at_one_place(section: str, keys: str) -> None:
     text = ROTOR + f"{section}:\n  b: {{ends: [r.m, ground], {keys}}}\n"
     problem = only(text % "200 mm")
     assert (problem.where, problem.value, problem.limit) == (f"{section}.b.ends", "r.m and ground", "1 mm")
-    assert "lie 200 mm from each other" in problem.text
+    assert "are 200 mm apart in the initial position" in problem.text
     frame = "{motion: fixed, position: [0 mm, 0 mm, 200 mm]}"
     assert frame in str(problem.remedy)
     remedied = (text % "200 mm").replace("ground", "frame").replace(section, f"  frame: {frame}\n{section}")
@@ -106,7 +106,7 @@ def test_nothing_turns_against_a_fixed_mate(scenario: str) -> None:
     head = FIXED_MATE.partition("scenarios:")[0]
     problem = only(head + f"scenarios:\n  s: {{{scenario}, duration: 1 s}}\n")
     assert problem.where.endswith(".driver")
-    assert "cannot turn driver: meshes.stage meshes it" in problem.text
+    assert "cannot rotate driver: meshes.stage connects its gear train" in problem.text
     assert "driven, which is fixed" in problem.text
 
 
@@ -145,7 +145,7 @@ def test_a_shaft_of_too_many_pieces(keys: str) -> None:
     text = f"shafts:\n  s: {{sections: [{{length: 100 km, {keys}}}\n"
     problem = only(text)
     assert problem.where == f"shafts.s.{'largest_piece' if 'largest' in keys else 'sections'}"
-    assert "pieces" in str(problem.limit)
+    assert "beam elements" in str(problem.limit)
     assert "check the units" in str(problem.remedy)
 
 

@@ -72,7 +72,7 @@ RING = ", type: internal, tip_diameter: 176 mm"
 )
 def test_negative_backlash_is_said_aloud(more, mesh, value, remedy):
     model = loads_model(PAIR.format(more=more, mesh=mesh))
-    with pytest.warns(ValidityWarning, match=f"{value}: both flanks carry without load; .*{remedy}"):
+    with pytest.warns(ValidityWarning, match=f"{value}: both flanks are in contact without load; .*{remedy}"):
         compile_model(model)
     (text,) = negative_backlash(model)
     assert text.startswith("meshes.s: the backlash along the base tangent is ")
@@ -123,7 +123,7 @@ def test_a_bushing_whose_ends_are_drawn_apart_is_named():
     """0.3 m and 0.4 m at right angles: 500 mm. On ground it ends where the other end is drawn."""
     (told,) = bushings_at_a_distance(loads_model(APART.replace("END", "far")))
     assert told == (
-        "bushings.mount (line 8): casing.foot and far lie 500 mm apart as drawn, "
+        "bushings.mount (line 8): casing.foot and far are 500 mm apart in the initial position, "
         "and the bushing pulls them together"
     )
     for end in ("wall.here", "ground"):

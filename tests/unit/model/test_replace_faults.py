@@ -155,7 +155,7 @@ def test_a_plan_puts_faults_in(tmp_path: Path, capsys: pytest.CaptureFixture[str
     (tmp_path / "plan.yaml").write_text(wrong, encoding="utf-8")
     capsys.readouterr()
     assert run_command(["dataset", str(tmp_path / "plan.yaml"), "-o", str(out), "--quiet"]) == 2
-    assert "(line 6): is refused: gears.a.faults.old.tooth: 20 is not a tooth" in capsys.readouterr().err
+    assert "(line 6): is rejected: gears.a.faults.old.tooth: 20 is not a tooth" in capsys.readouterr().err
 
 
 WRONG = """\

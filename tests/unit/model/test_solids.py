@@ -272,7 +272,10 @@ def test_values_of_a_solid_can_be_replaced(folder: Path) -> None:
             {"GEAR_SOLID": ", density: 1 g/cm^3, material: steel"},
             "solid.density .line 5.: cannot be combined with material",
         ),
-        ({"GEAR_SOLID": ", origin: [0, 0, 0]"}, "solid.origin .line 5.: has no effect: a gear lies where"),
+        (
+            {"GEAR_SOLID": ", origin: [0, 0, 0]"},
+            "solid.origin .line 5.: is for solids of bodies only: the position of a gear",
+        ),
         ({"GEAR_SOLID": ", axes: {z: [0, 0, 0]}"}, "solid.axes.z .line 5.: is not a direction"),
         (
             {"GEAR_SOLID": ", axes: {z: [0, 1, 1]}"},
@@ -281,11 +284,11 @@ def test_values_of_a_solid_can_be_replaced(folder: Path) -> None:
         ({"GEAR_SOLID": ", color: red"}, "solid.color .line 5.:"),
         (
             {"BOX_SOLID": ", axes: {z: [0, 0, 1], x: [1, 0, 1]}"},
-            "solid.axes.x .line 11.: 45 deg is not at right",
+            "solid.axes.x .line 11.: 45 deg is not perpendicular",
         ),
         (
             {"BOX": ", inertia: 1 kg m^2"},
-            "bodies.box.inertia .line 11.: cannot be combined with a solid that is not round",
+            "bodies.box.inertia .line 11.: cannot be combined with a solid that is not axisymmetric",
         ),
     ],
 )
@@ -301,7 +304,7 @@ def test_what_is_wrong_with_a_solid_is_told_with_its_line(folder: Path, parts: d
         (
             "file: gear.stl",
             "file: none.stl",
-            "solid.file .line 5.: 'none.stl' names a file that is not there",
+            "solid.file .line 5.: 'none.stl' names a file that does not exist",
         ),
         ("gear.stl, unit: 1 mm", "gear.stl", "solid.unit .line 4.: is missing: an STL file does not contain"),
         ("gear.stl, unit: 1 mm", "gear.stl, unit: 1 km", "is an unlikely size"),

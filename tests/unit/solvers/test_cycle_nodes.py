@@ -12,7 +12,7 @@ from pitchpoint.system.rules.mesh_laws import mean_stiffness, mesh_laws
 from tests.support.machines import compiled, pair
 
 pytestmark = pytest.mark.filterwarnings(
-    "ignore:.*both flanks carry without load", "ignore:.*has no effect as slices"
+    "ignore:.*both flanks are in contact without load", "ignore:.*has no effect as slices"
 )
 
 TABLE = "values: [0.6, 0.8, 0.95, 1, 0.9, 0.8, 0.7]"

@@ -55,7 +55,7 @@ def test_a_coupling_without_torsion_joins_no_train():
 
 
 def test_a_coupling_with_torsion_makes_one_train():
-    with pytest.raises(ModelError, match="is balance, like that of o on the same train"):
+    with pytest.raises(ModelError, match="is balance, like that of o in the same gear train"):
         compiled(two_pairs("radial: 1e8 N/m, torsion: 1e4 N m/rad", BALANCED, FREE))
     loads = BALANCED.replace("o2: {body: D, torque: balance}", "o2: {body: D, torque: 75 N m}")
     system = compiled(two_pairs("torsion: 1e4 N m/rad", loads, FREE.replace(", C: 50 rad/s", "")), "on")[1]

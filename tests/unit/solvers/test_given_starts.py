@@ -102,7 +102,8 @@ def test_a_drive_that_gives_the_angle_decides(tmp_path: Path, capsys: pytest.Cap
         shown = capsys.readouterr()
         said = " ".join((shown.out + shown.err).split())
         for key in ("start", "speed"):
-            told = f"joints.main.{key} (line {LINE}): spin has no effect in s, whose drive of crank decides"
+            words = "spin has no effect in s, where the drive of crank determines it"
+            told = f"joints.main.{key} (line {LINE}): {words}"
             assert said.count(told) == 1
             assert said.count(f"joints.main.{key}") == 1
     assert len(keys_without_effect(load_model(file))) == 2

@@ -78,7 +78,7 @@ def test_a_twist_of_the_body_turns_what_counts_from_its_x_axis():
 @pytest.mark.parametrize(
     ("axes", "words"),
     [
-        ("{z: [-1, 0, 0]}", "opposite directions"),
+        ("{z: [-1, 0, 0]}", "have opposite z axes"),
         ("{z: [1, 0.1, 0]}", "5.71059 deg apart"),
         ("{z: [0, 0, 1]}", "90 deg apart"),
     ],
@@ -102,7 +102,7 @@ def test_the_axis_of_the_joint_is_asked_of_the_body():
         loads_model(text)
     (problem,) = caught.value.problems
     assert (problem.where, problem.line) == ("bodies.one.gears", 7)
-    assert "axes whose z lies along it" in problem.remedy
+    assert "axes with z along it" in problem.remedy
     fine = loads_model(text.replace("position: [0, 0, 0]}", "position: [0, 0, 0], axes: {z: [1, 0, 0]}}"))
     assert fine.bodies["two"].orientation == fine.bodies["one"].axes
 

@@ -146,13 +146,17 @@ scenarios:
     [
         (("{diameter: 20 mm}", "{}"), "beams.rod.section (line 4)", "give diameter, or width and height"),
         (("{diameter: 20 mm}", "{diameter: 20 mm, width: 3 mm}"), "beams.rod.section (line 4)", "width"),
-        (("20 mm}", "20 mm, bore: 20 mm}"), "beams.rod.section.bore (line 4)", "leaves nothing of the beam"),
-        (("20 mm}", "20 mm, shear: [0.8, 0.8]}"), "beams.rod.section.shear (line 4)", "leave it out"),
+        (
+            ("20 mm}", "20 mm, bore: 20 mm}"),
+            "beams.rod.section.bore (line 4)",
+            "is not smaller than the diameter",
+        ),
+        (("20 mm}", "20 mm, shear: [0.8, 0.8]}"), "beams.rod.section.shear (line 4)", "remove it"),
         (("axis: [0, 1, 0]", "axis: [1, 0, 0]"), "beams.rod.axis (line 4)", "points along the beam"),
         (("axis: [0, 1, 0]", "axis: [0, 0, 0]"), "beams.rod.axis (line 4)", "has no direction"),
-        (("[ground, tip.end]", "[tip, tip.end]"), "beams.rod.ends (line 4)", "lie on one body, tip"),
+        (("[ground, tip.end]", "[tip, tip.end]"), "beams.rod.ends (line 4)", "are on the same body, tip"),
         (("[ground, tip.end]", "[ground, tip.edn]"), "beams.rod.ends[1] (line 4)", "did you mean end?"),
-        (("position: [1 m, 0, 0]", "position: [0, 0, 0]"), "beams.rod.ends (line 4)", "lie at one place"),
+        (("position: [1 m, 0, 0]", "position: [0, 0, 0]"), "beams.rod.ends (line 4)", "coincide"),
         (("pieces: 8", "pieces: 0"), "beams.rod.pieces (line 4)", ">= 1"),
     ],
 )

@@ -67,7 +67,9 @@ def test_forces_are_those_of_the_textbook_and_stiff_shafts_tend_to_rigid_bodies(
 
 
 def test_a_gear_beyond_the_ends_of_its_shaft_is_told():
-    with pytest.raises(ModelError, match=r"shafts.second.bevel_gears.b.*is not a place on the shaft second"):
+    with pytest.raises(
+        ModelError, match=r"shafts.second.bevel_gears.b.*is not a position on the shaft second"
+    ):
         loads_model(
             FILE.replace("DIAMETER", "30 mm").replace("YOUNG", "206 GPa").replace("{b: 60 mm}", "{b: 260 mm}")
         )

@@ -198,7 +198,7 @@ CASES = {
         FLAT,
         [("permanent: true", "permanent: true\n    margin: 1 mm")],
         "curve_contacts.c.margin",
-        "what never parts has no law",
+        "has no effect on a permanent contact",
     ),
     "curves without law": (FLAT, [("    permanent: true\n", "")], "curve_contacts.c.law", "is missing"),
     "a cup that never leaves a plane": (
@@ -208,7 +208,7 @@ CASES = {
             ("shape: sphere, radius: 100 mm, hollow: true", "shape: plane"),
         ],
         "surface_contacts.c.permanent",
-        "is of a plane and a torus",
+        "is between a plane and a torus",
     ),
     "a law of what never parts": (
         CAM,
@@ -220,7 +220,7 @@ CASES = {
         CAM,
         [("shape: circle, radius: 30 mm,", "shape: circle,")],
         "cam_contacts.c.curve.radius",
-        "the circle has one",
+        "required for shape circle",
     ),
     "a polygon of two corners": (
         CAM,
@@ -232,7 +232,7 @@ CASES = {
         CAM,
         [("shape: circle, radius: 30 mm, x: [0 mm], y: [10 mm]", "shape: involute, radius: 1, roll: [1, 1]")],
         "cam_contacts.c.curve.roll",
-        "two different angles",
+        "two different positive angles",
     ),
     "an unknown shape": (
         CAM,
@@ -256,19 +256,19 @@ CASES = {
         BALL,
         [("shape: sphere, radius: 10 mm", "shape: sphere")],
         "surface_contacts.c.first.radius",
-        "the sphere needs it",
+        "required for shape sphere",
     ),
     "a cone on a plane": (
         BALL,
         [("shape: sphere, radius: 10 mm", "shape: cone, half_angle: 10 deg")],
         "surface_contacts.c",
-        "a cone and a plane, which is not known",
+        "a cone and a plane, which is not supported",
     ),
     "a file that is not there": (
         BALL,
         [("shape: plane", "shape: triangles, file: nowhere.npy")],
         "surface_contacts.c.second.file",
-        "names a file that is not there",
+        "names a file that does not exist",
     ),
 }
 

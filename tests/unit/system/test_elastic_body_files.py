@@ -153,8 +153,8 @@ def test_what_a_file_says_is_kept(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("rod.npz", "rood.npz", "elastic_bodies.rod.file: 'rood.npz' names a file that is not there"),
-        ("modes: 6", "modes: 6\n    below: 1 kHz", "elastic_bodies.rod: gives modes and below at once"),
+        ("rod.npz", "rood.npz", "elastic_bodies.rod.file: 'rood.npz' names a file that does not exist"),
+        ("modes: 6", "modes: 6\n    below: 1 kHz", "elastic_bodies.rod: gives modes and below together"),
         ("modes: 6", "modes: 40", "elastic_bodies.rod.modes: 40 is out of range"),
         (
             "nodes: {big: {}, small: {position: [0, 0, 300 mm]}}",
@@ -185,7 +185,7 @@ def test_a_torque_on_a_rotor_needs_a_place_on_it(tmp_path):
         crank_with(tmp_path, text)
     (told,) = [p for p in error.value.problems if p.where == "loads.t.body"]
     assert told.line == 1 + text[: text.index("loads:")].count("\n")
-    assert told.text == "names the elastic body rod, which bends, without a place on it"
+    assert told.text == "names the elastic body rod, without a node"
     assert told.remedy == (
         "name a body {mass: 0 kg} here that a joint of type fixed carries at rod.big or rod.small"
     )
@@ -247,8 +247,8 @@ def test_the_hash_of_a_model_covers_its_files(tmp_path):
     [
         ("modes_of_nothing: 1", "elastic_bodies.rod: has no matrices"),
         ("file: rod.npz\n    mass_file: m.mtx", "elastic_bodies.rod.mass_file: cannot be combined with file"),
-        ("stiffness_file: k.mtx", "lacks mass_file and place_file in addition to stiffness_file"),
-        ("stiffness_file: kk.mtx", "'kk.mtx' names a file that is not there"),
+        ("stiffness_file: k.mtx", "requires mass_file and place_file in addition to stiffness_file"),
+        ("stiffness_file: kk.mtx", "'kk.mtx' names a file that does not exist"),
     ],
 )
 def test_wrong_choices_of_files_are_told(tmp_path, given, words):

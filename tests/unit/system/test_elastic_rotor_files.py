@@ -224,8 +224,12 @@ def test_a_turning_pair_runs_like_the_shafts(tmp_path):
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("rotor: true", "rotor: false", "are fixed to input, which counts no turns about their axis"),
-        ("{body: journal_1, torque", "{body: input, torque", "names the elastic body input, which bends"),
+        (
+            "rotor: true",
+            "rotor: false",
+            "are fixed to input, which does not count revolutions about their axis",
+        ),
+        ("{body: journal_1, torque", "{body: input, torque", "body input, without a node"),
         ("modes: 12", "below: 1 kHz", "input.static_shapes: cannot be combined with below"),
         ("rotor: true", "rotor: yes please", "input.rotor: "),
         ("speed: {input:", "speed: {journal_1:", "has no spin"),

@@ -14,7 +14,7 @@ from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
 from tests.support.mechanism_files import accelerations
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*nothing names")  # each test needs some of the markers
+pytestmark = pytest.mark.filterwarnings("ignore:.*is not used")  # each test needs some of the markers
 
 ARM = """\
 bodies:
@@ -221,7 +221,7 @@ CASES = {
     "clutch on ground": (
         "clutches:\n  c: {bodies: [ground, wheel], capacity: 3 N m}",
         "clutches.c.bodies",
-        "write the one body alone",
+        "give one body only",
     ),
     "clutch of nobody": (
         "clutches:\n  c: {bodies: [arm, wheal], capacity: 3 N m}",
@@ -237,12 +237,12 @@ CASES = {
         "maxwells:\n  c: {ends: [arm, post], stiffness: 1, damping: 1}\n"
         "clutches:\n  c: {bodies: [arm], capacity: 1}",
         "clutches.c",
-        "has the name of one of maxwells",
+        "has the name of an element of maxwells",
     ),
     "a ratio of a bushing": (
         "bushings:\n  b: {ends: [arm, ground], stiffness: {radial: 1}, damping: {ratio: 0.1}}",
         "bushings.b.damping.ratio",
-        "has no meaning",
+        "is not defined",
     ),
     "radial and x": (
         "bushings:\n  b: {ends: [arm, ground], stiffness: {radial: 1, x: 2}}",
@@ -252,12 +252,12 @@ CASES = {
     "a spring on one body": (
         "springs:\n  s: {ends: [arm, arm.tip], stiffness: 1}",
         "springs.s.ends",
-        "lie on one body",
+        "are on the same body",
     ),
     "too many balls": (
         f"{BALLS}, elements: 90, stiffness: 1}}",
         "rolling_bearings.r.elements",
-        "have no room",
+        "do not fit on a pitch circle",
     ),
     "balls without grooves": (
         f"{BALLS}, elements: 9}}",
@@ -267,7 +267,7 @@ CASES = {
     "rollers in grooves": (
         f"{BALLS}, elements: 9, type: roller, grooves: [0.52, 0.52]}}",
         "rolling_bearings.r.grooves",
-        "is not for a bearing of type roller",
+        "does not apply to a bearing of type roller",
     ),
     "an unbalance of what is fixed": (
         "unbalances:\n  u: {body: post, mass: 1, position: [0, 0, 0]}",
@@ -278,7 +278,7 @@ CASES = {
         "  slide: {type: cylindrical, bodies: [ground, disc], position: [0, 0, 0]}\n"
         "unbalances:\n  u: {body: disc, mass: 1, position: [0, 0, 0]}",
         "unbalances.u.body",
-        "inertia about its axis alone",
+        "only a polar moment of inertia",
     ),
     "an unknown marker": (
         "loads:\n  f: {body: arm, marker: tap, force: [1, 0, 0]}",

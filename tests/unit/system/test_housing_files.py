@@ -234,8 +234,8 @@ def test_nodes_of_a_tilted_body_move_as_its_bodies_do(tmp_path, spin):
         ("housing: arm.eye", "housing: arm", "names the elastic body arm, without a node"),
         ("housing: arm.eye", "housing: arm.eyes", "did you mean eye?"),
         ("housing: arm.eye", "housing: shaft", "is the body that runs in the bearing"),
-        ("housing: arm.eye", "housing: arm.foot", "bearings.eye.housing: lies 300 mm from the bearing"),
-        ("tilt: 4e4}", "tilt: 4e4, torsion: 1}", "holds the spin of shaft against the housing arm"),
+        ("housing: arm.eye", "housing: arm.foot", "bearings.eye.housing: is 300 mm away from the bearing"),
+        ("tilt: 4e4}", "tilt: 4e4, torsion: 1}", "constrains the spin of shaft relative to the housing arm"),
         ("{body: shaft, housing: arm.eye", "{body: arm", "give housing: arm.foot or arm.eye"),
     ],
 )

@@ -310,12 +310,16 @@ def test_a_shaft_survives_writing_and_changing():
 @pytest.mark.parametrize(
     ("line", "new", "words"),
     [
-        ("position: [0, 0, 20 mm]", "position: [0, 0, 200 mm]", "a.position: 200 mm is not a place on"),
+        ("position: [0, 0, 20 mm]", "position: [0, 0, 200 mm]", "a.position: 200 mm is not a position on"),
         ("length: 60 mm, ", "", "shafts.input.sections[0].length: is missing"),
-        ("bore: 10 mm", "bore: 50 mm", "sections[1].bore: 50 mm leaves nothing of the shaft (limit below"),
+        (
+            "bore: 10 mm",
+            "bore: 50 mm",
+            "sections[1].bore: 50 mm is not smaller than the diameter (limit below",
+        ),
         ("[{length: 180 mm, diameter: 50 mm}]", "[]", "shafts.output.sections: has 0 entries"),
-        ("g2: 90 mm", "g2: 190 mm", "shafts.output.gears.g2: 190 mm is not a place on the shaft output"),
-        ("g2: 90 mm", "g1: 90 mm", "shafts.output.gears: carries g1, which sits on input already"),
+        ("g2: 90 mm", "g2: 190 mm", "shafts.output.gears.g2: 190 mm is not a position on the shaft output"),
+        ("g2: 90 mm", "g1: 90 mm", "shafts.output.gears: carries g1, which is already on input"),
         ("g2: 90 mm", "g3: 90 mm", "shafts.output.gears: names the gear 'g3', which does not exist"),
         ("diameter: 40 mm", "diamter: 40 mm", "is an unknown key"),
         ("bodies: {}", "bodies: {input: {inertia: 1}}", "shafts.input: has the name of a body"),
@@ -339,5 +343,7 @@ def test_wrong_shafts_are_told_with_line_and_remedy(tmp_path, line, new, words):
 def test_a_shaft_in_python_is_checked_too():
     with pytest.raises(ModelError, match=r"shafts\.s\.sections: is empty.*one section"):
         Model(shafts={"s": Shaft(sections=(), position=(0.0, 0.0, 0.0))})
-    with pytest.raises(ModelError, match=r"shafts\.s\.sections\[0\]\.bore: 40 mm leaves nothing"):
+    with pytest.raises(
+        ModelError, match=r"shafts\.s\.sections\[0\]\.bore: 40 mm is not smaller than the diameter"
+    ):
         Model(shafts={"s": Shaft(sections=(ShaftSection(length=0.1, diameter=0.03, bore=0.04),))})

@@ -60,7 +60,7 @@ EYE_AXES = np.column_stack([(1.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0)])
 TIP_AXES = np.column_stack([(0.0, 0.0, 1.0), (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)])[:, [0, 1, 2]]
 TIP_AXES[:, 1] = np.cross(TIP_AXES[:, 2], TIP_AXES[:, 0])
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*nothing names")
+pytestmark = pytest.mark.filterwarnings("ignore:.*is not used")
 
 
 def described(text, folder=None):

@@ -195,7 +195,7 @@ CASES = {
     "turned": (PLATE, [], binary(TURNED), "surface_contacts.c.first.file", "are used in the same direction"),
     "inside out": (PLATE, [], binary(BOX[:, ::-1]), "surface_contacts.c.first.file", "is inside out"),
     "cut off": (PLATE, [], ROUND[:-9], "surface_contacts.c.first.file", "not a whole STL file"),
-    "not there": (PLATE, [], None, "surface_contacts.c.first.file", "names a file that is not there"),
+    "not there": (PLATE, [], None, "surface_contacts.c.first.file", "names a file that does not exist"),
     "a file of a plane": (
         PLATE,
         [("shape: plane", "shape: plane, unit: 1 mm")],
@@ -208,14 +208,14 @@ CASES = {
         [("file: part.stl, unit: 1 mm", "unit: 1 mm")],
         ROUND,
         "surface_contacts.c.first.file",
-        "the triangles needs it",
+        "required for shape triangles",
     ),
     "side by side": (
         ROLLER,
         [("    line: true\n", "")],
         None,
         "surface_contacts.c",
-        "0 deg between their axes is of two cylinders side by side",
+        "0 deg between their axes is between parallel cylinders",
     ),
     "a line of a plane": (
         ROLLER,
@@ -232,7 +232,7 @@ CASES = {
         [("radius: 30 mm, length: 100 mm", "radius: 10 mm, length: 100 mm, hollow: true")],
         None,
         "surface_contacts.c.second.radius",
-        "does not go into the bore",
+        "does not fit into the bore",
     ),
     "two bores": (
         ROLLER,
@@ -242,14 +242,14 @@ CASES = {
         ],
         None,
         "surface_contacts.c",
-        "is of a hollow cylinder and a cylinder, which is not known",
+        "is between a hollow cylinder and a cylinder, which is not supported",
     ),
     "a line without length": (
         ROLLER,
         [("radius: 10 mm, length: 40 mm", "radius: 10 mm")],
         None,
         "surface_contacts.c.second.length",
-        "the cylinder needs it",
+        "required for shape cylinder",
     ),
 }
 

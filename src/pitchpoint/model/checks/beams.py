@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of beams: sections of one shape, ends at two places."""
+"""Checks of beams: cross-section, ends, direction of axis 1."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 
 def check_beams(parts: Parts, report: Reader) -> None:
-    """Everything about a beam that more than one key decides, once bodies have their places."""
+    """Check all beams after the bodies have been located."""
     for name, beam in parts.beams.items():
         at: Place = ("beams", name)
         if name in parts.bodies and beam.pieces > 1:
-            report.problem(at, "has the name of a body", remedy="give the beam a name of its own")
+            report.problem(at, "has the name of a body", remedy="choose a unique name for the beam")
         if (*at, "section") not in report.tainted:
             _section(beam.section, (*at, "section"), report)
         if (*at, "ends") not in report.tainted:
@@ -41,15 +41,13 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
         )
         return
     if section.bore and given != SHAPES[0]:
-        report.problem((*at, "bore"), "is for round sections", remedy="give diameter, or leave it out")
+        report.problem((*at, "bore"), "is for round sections only", remedy="give diameter, or remove it")
     if any(section.shear) and given != SHAPES[2]:
-        report.problem(
-            (*at, "shear"), "follows from the shape of round and rectangular sections", remedy="leave it out"
-        )
+        report.problem((*at, "shear"), "is for general sections only", remedy="remove it")
     if section.diameter is not None and section.bore >= section.diameter:
         report.problem(
             (*at, "bore"),
-            "leaves nothing of the beam",
+            "is not smaller than the diameter",
             value=f"{section.bore * 1e3:.6g} mm",
             limit=f"below the diameter {section.diameter * 1e3:.6g} mm",
             remedy="give diameters, not radii",
@@ -58,7 +56,7 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
         report.problem(
             (*at, "bending"),
             f"has {len(section.bending)} entries",
-            remedy="give two second moments: against bending towards axis 1 and towards axis 2",
+            remedy="give two second moments of area: for bending in the direction of axis 1 and axis 2",
         )
 
 
@@ -74,9 +72,9 @@ def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
     if not length > 1e-9:
         report.problem(
             (*at, "ends"),
-            "lie at one place",
+            "coincide",
             value=f"({', '.join(f'{x * 1e3:.6g}' for x in first)}) mm",
-            remedy="place the bodies, or name markers of them, so that the beam has a length",
+            remedy="correct the positions of the bodies or markers, so that the beam has a length",
         )
         return
     if beam.axis is not None:
@@ -86,12 +84,12 @@ def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
 def _axis(beam: Beam, along: np.ndarray, at: Place, report: Reader) -> None:
     axis = unit(beam.axis or (0.0, 0.0, 0.0))
     if not np.any(axis):
-        report.problem((*at, "axis"), "has no direction", remedy="give a direction across the beam")
+        report.problem((*at, "axis"), "has no direction", remedy="give a direction perpendicular to the beam")
     elif abs(float(axis @ along)) > ALONG:
         angle = math.degrees(math.acos(min(1.0, abs(float(axis @ along)))))
         report.problem(
             (*at, "axis"),
             "points along the beam",
             value=f"{angle:.3g} deg from it",
-            remedy="give a direction across the beam",
+            remedy="give a direction perpendicular to the beam",
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the faults of bearings, and where the elements and tracks of rolling ones are."""
+"""Checks of bearing faults, and the geometry of races and elements of rolling bearings."""
 
 from __future__ import annotations
 
@@ -20,15 +20,16 @@ if TYPE_CHECKING:
 
 
 def track_radius(part: RollingBearing, inner: bool) -> float:
-    """Radius of the circle on which the elements touch a race [m]."""
+    """Radius of the contact circle of the elements on a race [m]."""
     reach = 0.5 * part.element_diameter * math.cos(part.contact_angle)
     return 0.5 * part.pitch_diameter + (-reach if inner else reach)
 
 
 def element_angles(part: RollingBearing, severity: float | None = None) -> NDArray[np.float64]:
-    """Azimuth of every element against the cage [rad], shape (elements,); their mean is that of even gaps.
+    """Azimuth of every element relative to the cage [rad], shape (elements,); the mean is that of even
+    spacing.
 
-    `severity` takes the place of that of every fault.
+    `severity` replaces the severity of every fault.
     """
     n = part.elements
     found: NDArray[np.float64] = 2.0 * math.pi / n * np.arange(n, dtype=np.float64)
@@ -41,7 +42,7 @@ def element_angles(part: RollingBearing, severity: float | None = None) -> NDArr
 
 
 def check_bearing_faults(name: str, bearing: RollingBearing, report: Reader) -> None:
-    """Faults lie on elements that exist, spalls on a part of their track, elements do not overlap."""
+    """Check element numbers, spall sizes and element spacing of bearing faults."""
     numbered = True
     for label, fault in bearing.faults.items():
         at: Place = ("rolling_bearings", name, "faults", label)
@@ -52,7 +53,7 @@ def check_bearing_faults(name: str, bearing: RollingBearing, report: Reader) -> 
                 f"does not exist in a bearing of {bearing.elements} elements",
                 value=str(fault.element),
                 limit=f"0 to {bearing.elements - 1}",
-                remedy="elements count from 0",
+                remedy="elements are numbered from 0",
             )
         if not isinstance(fault, CageFault | LooseBearing):
             _spall(bearing, fault, at, report)
@@ -62,7 +63,7 @@ def check_bearing_faults(name: str, bearing: RollingBearing, report: Reader) -> 
 
 
 def check_seat(name: str, bearing: Bearing, report: Reader) -> None:
-    """The ring of a loose bearing turns and travels in its seat: springs are alike all round, and apart."""
+    """Check that a loose bearing has no torsional stiffness and is radially isotropic and decoupled."""
     at: Place = ("bearings", name)
     if not bearing.faults or at in report.tainted:
         return
@@ -70,9 +71,9 @@ def check_seat(name: str, bearing: Bearing, report: Reader) -> None:
     if bearing.stiffness.matrix6()[5][5] != 0.0:
         report.problem(
             (*at, "faults", label),
-            f"lets the ring turn in its seat, and the bearing holds the spin of {bearing.body}",
+            f"lets the ring rotate in its seat, but the bearing constrains the spin of {bearing.body}",
             limit="torsion: 0",
-            remedy="leave torsion out",
+            remedy="remove torsion",
         )
     matrices = {"stiffness": bearing.stiffness.matrix6()}
     if bearing.damping is not None:
@@ -82,7 +83,8 @@ def check_seat(name: str, bearing: Bearing, report: Reader) -> None:
         if matrix[0][0] != matrix[1][1] or crossed:
             report.problem(
                 (*at, key),
-                "is not the same in all radial directions and apart from the others; the bearing is loose",
+                "is not radially isotropic and decoupled from the other directions, as a loose bearing "
+                "requires",
                 remedy="give radial, axial and tilt",
             )
 
@@ -104,18 +106,18 @@ def _spall(bearing: RollingBearing, fault: SpallFault, at: Place, report: Reader
 
 
 def _room(bearing: RollingBearing, at: Place, report: Reader) -> None:
-    """Elements of a worn cage do not pass through each other."""
+    """Check that the elements of a worn cage do not overlap."""
     angles = element_angles(bearing, 1.0)
     gaps = np.diff(np.append(angles, angles[0] + 2.0 * math.pi))
     ratio = bearing.element_diameter / bearing.pitch_diameter
     if ratio >= 1.0 or 2.0 * math.pi / bearing.elements < 2.0 * math.asin(ratio):
-        return  # reported elsewhere, or elements that touch already
+        return  # reported elsewhere, or elements without spacing
     least = 2.0 * math.asin(ratio)
     if gaps.min() < least:
         most = (2.0 * math.pi / bearing.elements - least) * (bearing.elements - 1)
         report.problem(
             at,
-            "pushes the other elements into each other",
+            "makes the other elements overlap",
             limit=f"<= {math.degrees(most):.6g} deg for all wider gaps together",
-            remedy="widen less",
+            remedy="reduce it",
         )

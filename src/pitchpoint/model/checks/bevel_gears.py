@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of bevel gears and their meshes: keys, shapes, places, gears that do not fit, teeth that overlap."""
+"""Checks of bevel gears and their meshes: keys, geometry, positions, pairing, overlapping teeth."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ if TYPE_CHECKING:
 
 
 def check_bevel_gears(parts: Parts, report: Reader) -> None:
-    """Report all that is wrong with bevel gears by themselves, and two bodies that carry one of them.
+    """Check the geometry of bevel gears, and that each is on one body only.
 
     Parameters
     ----------
     parts
-        The parts of the model; gears whose shape is impossible are noted there.
+        The parts of the model; gears with impossible geometry are added to `misshapen`.
     report
-        Where problems go.
+        Collects the problems.
     """
     _carriers(parts, report)
     for name, gear in parts.bevel_gears.items():
         at: Place = ("bevel_gears", name)
         if name in parts.known("gears"):
-            report.problem(at, "has the name of a gear", remedy="call one of the two otherwise")
+            report.problem(at, "has the name of a gear", remedy="rename one of the two")
         before = len(report.problems)
         _choices(gear, at, report)
         if len(report.problems) > before or at in report.tainted:
@@ -47,21 +47,21 @@ def check_bevel_gears(parts: Parts, report: Reader) -> None:
 
 
 def _carriers(parts: Parts, report: Reader) -> None:
-    """Every bevel gear sits on one body."""
+    """Check that every bevel gear is on one body only."""
     carriers: dict[str, str] = {}
     for name, body in parts.bodies.items():
         for gear in body.bevel_gears:
             if gear in carriers:
                 report.problem(
                     ("bodies", name, "bevel_gears"),
-                    f"carries {gear}, which sits on {carriers[gear]} already",
-                    remedy="leave it on one of the two bodies",
+                    f"carries {gear}, which is already on {carriers[gear]}",
+                    remedy="keep it on one of the two bodies",
                 )
             carriers.setdefault(gear, name)
 
 
 def _choices(gear: BevelGear, at: Place, report: Reader) -> None:
-    """Keys of which exactly one is allowed, and the hand of spirals."""
+    """Check the hand of spiral gears and the keys of the shaft angle."""
     if gear.spiral_angle > 0.0 and gear.hand is None:
         report.problem(
             (*at, "hand"),
@@ -73,7 +73,7 @@ def _choices(gear: BevelGear, at: Place, report: Reader) -> None:
 
 
 def _impossible(gear: BevelGear) -> list[Message]:
-    """What makes a gear or its body impossible."""
+    """Problems of the geometry of a gear or its blank."""
     problems = gear.geometry.problems()
     if not problems:
         _ = gear.blank
@@ -81,30 +81,30 @@ def _impossible(gear: BevelGear) -> list[Message]:
 
 
 PLACE_TOLERANCE = 1e-6
-"""Distance of two apexes over the cone distance, and angle [rad], up to which places count as the same."""
+"""Tolerance of the distance of two apexes, relative to the cone distance, and of the shaft angle [rad]."""
 
 
 def check_bevel_names(parts: Parts, report: Reader) -> None:
-    """Every bevel mesh names two bevel gears that exist and sit on two bodies; every pair once."""
+    """Check that every bevel mesh connects existing gears of two bodies, and every pair only once."""
     seen: dict[frozenset[str], str] = {}
     for name, mesh in parts.bevel_meshes.items():
         at: Place = ("bevel_meshes", name, "gears")
         if name in parts.known("meshes"):
-            report.problem(at[:2], "has the name of a mesh", remedy="call one of the two otherwise")
+            report.problem(at[:2], "has the name of a mesh", remedy="rename one of the two")
         if mesh.gears[0] == mesh.gears[1]:
             continue
         first = seen.setdefault(frozenset(mesh.gears), name)
         if first != name:
-            report.problem(at, f"are the gears of {first} already", remedy="leave one of the two meshes out")
+            report.problem(at, f"are already the gears of {first}", remedy="remove one of the two meshes")
         if all(parts.has("bevel_gears", gear) for gear in mesh.gears):
             _carried(parts, mesh, at, report)
 
 
 def _carried(parts: Parts, mesh: BevelMesh, at: Place, report: Reader) -> None:
-    """Both gears sit on bodies, and not on the same one."""
+    """Check that the gears of a mesh are on two bodies."""
     bodies = [parts.body_of(gear) for gear in mesh.gears]
     if bodies[0] is not None and bodies[0] == bodies[1]:
-        report.problem(at, f"joins two gears of the body {bodies[0]}", remedy="put them on two bodies")
+        report.problem(at, f"connects two gears of the body {bodies[0]}", remedy="put them on two bodies")
     complete = parts.bodies and set(parts.bodies) == parts.known("bodies")
     for gear, body in zip(mesh.gears, bodies, strict=True):
         if body is None and complete and ("bodies",) not in report.tainted:
@@ -116,7 +116,7 @@ def _carried(parts: Parts, mesh: BevelMesh, at: Place, report: Reader) -> None:
 
 
 def check_bevel_pairs(parts: Parts, report: Reader) -> None:
-    """Gears of a bevel mesh fit each other, meet in one apex at their shaft angle, and hang on one base."""
+    """Check the geometry, the position and the parent bodies of the gears of every bevel mesh."""
     sound = {}
     for name, mesh in parts.bevel_meshes.items():
         gears = [g for g in mesh.gears if g in parts.bevel_gears and g not in parts.misshapen]
@@ -136,7 +136,7 @@ def check_bevel_pairs(parts: Parts, report: Reader) -> None:
 
 
 def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
-    """Whether apexes and directions are where the pair requires them; reports the deviation."""
+    """Check that apexes and shaft angle of a mesh agree with the positions; True without problems."""
     from pitchpoint.model.carried_trains import carrying
 
     first, second = (apex_of(parts, gear) for gear in mesh.gears)
@@ -154,7 +154,7 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
             f"have their apexes {1e3 * apart:.6g} mm apart, at {_point(apex1)} and {_point(apex2)}",
             value=" and ".join(mesh.gears),
             limit="one apex",
-            remedy=f"correct the positions of {one} and {two}, or the places of the gears on them",
+            remedy=f"correct the positions of {one} and {two}, or of the gears on them",
         )
     angle = math.atan2(float(np.linalg.norm(np.cross(way1, way2))), float(way1 @ way2))
     if abs(angle - pair.Sigma) > PLACE_TOLERANCE:
@@ -172,19 +172,19 @@ def _meet(parts: Parts, name: str, mesh: BevelMesh, report: Reader) -> bool:
     if rides and faulty:
         report.problem(
             (*at, "gears"),
-            "have faults of single teeth, which are not followed where a gear rides on a carrier",
+            "have tooth faults, which are not supported for a gear on a carrier",
             value=" and ".join(faulty),
-            limit="gears that turn against one body",
-            remedy="remove the faults, or let both gears turn against the same body",
+            limit="gears that rotate relative to one body",
+            remedy="remove the faults, or let both gears rotate relative to the same body",
         )
     if rides is None:
         report.problem(
             (*at, "gears"),
-            f"sit on {one} and {two}, which hang on different bodies, none of which turns about the axis of "
-            "the other gear",
+            f"are on {one} and {two}, which have different parent bodies, none of which rotates about the "
+            "axis of the other gear",
             value=" and ".join(mesh.gears),
-            remedy="let both turn against the same body, or one against a carrier that turns about the "
-            "axis of the other",
+            remedy="let both rotate relative to the same body, or one relative to a carrier that rotates "
+            "about the axis of the other",
         )
     return len(report.problems) == before
 
@@ -194,7 +194,7 @@ def _point(place: np.ndarray) -> str:
 
 
 def _check_teeth(parts: Parts, report: Reader) -> None:
-    """Teeth of gears that are placed twice must find the gaps of their mates."""
+    """Check that teeth do not overlap if the angle of a gear is determined twice."""
     angles = assemble_bevels(parts)
     for name, mesh in parts.bevel_meshes.items():
         pair = bevel_pair(parts, mesh)
@@ -207,5 +207,5 @@ def _check_teeth(parts: Parts, report: Reader) -> None:
                 ("bevel_meshes", name),
                 f"lets teeth of {mesh.gears[0]} and {mesh.gears[1]} overlap by {over * 1e3:.4g} mm",
                 limit=f"{room * 1e3:.4g} mm off the middle of the gap",
-                remedy="leave initial_angle out on one of the gears, or change the loop of meshes",
+                remedy="remove initial_angle of one of the gears, or change the loop of meshes",
             )

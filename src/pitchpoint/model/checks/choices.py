@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Keys of a component that exclude each other or belong together, by their descriptions."""
+"""Checks of mutually exclusive and dependent keys, from the key descriptions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def check_given(parts: Parts, report: Reader) -> None:
 
 
 def check_keys(value: Any, at: Place, report: Reader) -> None:
-    """Check them for a component, a list or a mapping of components, and all that is in it."""
+    """Check a component, or a list or mapping of components, including nested components."""
     if isinstance(value, Mapping):
         for name, each in value.items():
             check_keys(each, (*at, str(name)), report)
@@ -46,8 +46,8 @@ def _component(part: Any, at: Place, report: Reader) -> None:
 
 
 def exactly_one(part: Any, keys: Iterable[str], at: Place, report: Reader) -> None:
-    """Report a component that gives none or several of some keys."""
+    """Report a component that gives none or several of mutually exclusive keys."""
     given = [k for k in keys if getattr(part, k) is not None]
     if len(given) != 1 and at not in report.tainted:
-        message = "gives none of its keys" if not given else f"gives {' and '.join(given)} at once"
+        message = "gives none of its keys" if not given else f"gives {' and '.join(given)} together"
         report.problem(at, message, remedy=f"give exactly one of {', '.join(keys)}")

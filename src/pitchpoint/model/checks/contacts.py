@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of contacts: pairs of shapes that can touch, sizes, axes, files of triangles, contact laws."""
+"""Checks of contacts: supported pairs of shapes, sizes, axes, triangle files, contact laws."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 
-#: Sizes that a surface needs against a sphere or triangles.
+#: Sizes required of a surface in contact with a sphere or triangles.
 SIZES: dict[str, tuple[str, ...]] = {
     "plane": (),
     "sphere": ("radius",),
@@ -32,18 +32,18 @@ SIZES: dict[str, tuple[str, ...]] = {
     "torus": ("radius", "tube"),
     "triangles": ("file",),
 }
-#: Sizes that both surfaces of other pairs need; the order of a pair with a plane does not matter.
+#: Sizes required of both surfaces of other pairs; the order of a pair with a plane does not matter.
 PAIRS: dict[tuple[str, str], tuple[tuple[str, ...], tuple[str, ...]]] = {
     ("cylinder", "plane"): (("radius", "length"), ()),
     ("torus", "plane"): (("radius", "tube"), ()),
     ("cylinder", "cylinder"): (("radius", "length"), ("radius", "length")),
 }
 PARALLEL = 0.02
-"""Sine between two axes below which cylinders do not cross."""
+"""Sine of the angle between two axes below which cylinders are parallel."""
 
 
 def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Reader) -> None:
-    """A contact of two surfaces.
+    """Check a contact of two surfaces.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
     name, contact
         Its name and the contact.
     report
-        Takes the problems.
+        Collects the problems.
     """
     at: Place = ("surface_contacts", name)
     one, two = (contact.first, "first"), (contact.second, "second")
@@ -60,7 +60,7 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
     for part, key in (one, two):
         check_file(part, (*at, key), report)
     if contact.line and shapes != {"cylinder"}:
-        report.problem((*at, "line"), "has no effect: only two cylinders have a choice", remedy="remove it")
+        report.problem((*at, "line"), "has no effect: it is for two cylinders only", remedy="remove it")
     if contact.permanent:
         _held(contact, at, report)
     if "triangles" in shapes or any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
@@ -75,9 +75,9 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
         hollow = "hollow " * (one[0].hollow or two[0].hollow)
         report.problem(
             at,
-            f"is of a {hollow}{pair[0]} and a {pair[1]}, which is not known",
-            remedy="spheres and triangles touch everything, cylinder and torus a plane, cylinders each "
-            "other; use triangles for others",
+            f"is between a {hollow}{pair[0]} and a {pair[1]}, which is not supported",
+            remedy="supported are spheres and triangles with any surface, cylinder and torus on a plane, "
+            "two cylinders; use triangles for others",
         )
         return
     for (part, key), needed in zip((one, two), PAIRS[pair], strict=True):
@@ -89,28 +89,29 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
 
 
 def _held(contact: SurfaceContact, at: Place, report: Reader) -> None:
-    """Only a sphere on a smooth surface can be kept in contact."""
+    """Check that a permanent contact is that of a sphere on a smooth surface."""
     shapes = [contact.first.shape, contact.second.shape]
     balls = [p.shape == "sphere" and not p.hollow for p in (contact.first, contact.second)]
     if not any(balls) or "triangles" in shapes:
         report.problem(
             (*at, "permanent"),
-            f"is of a {shapes[0]} and a {shapes[1]}; what stays is a sphere on any surface but triangles",
+            f"is between a {shapes[0]} and a {shapes[1]}; only a sphere on a surface "
+            "other than triangles can be permanent",
             remedy="give a law instead",
         )
 
 
 def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
-    """The triangles of a surface, and keys that only they have.
+    """Check the triangles of a surface, and keys that are for triangles only.
 
     Parameters
     ----------
     part
         The surface.
     at
-        Its place in the model.
+        Its path in the model.
     report
-        Takes the problems.
+        Collects the problems.
     """
     if part.shape != "triangles":
         for key in ("file", "unit", "open"):
@@ -139,7 +140,7 @@ def check_file(part: ContactSurface, at: Place, report: Reader) -> None:
 
 
 def _bore(contact: SurfaceContact, at: Place, report: Reader) -> None:
-    """What goes into a bore is thinner than it."""
+    """Check that the cylinder in a bore is smaller than the bore."""
     pin, bore = contact.first, contact.second
     if pin.hollow:
         pin, bore = bore, pin
@@ -147,15 +148,15 @@ def _bore(contact: SurfaceContact, at: Place, report: Reader) -> None:
         key = "first" if pin is contact.first else "second"
         report.problem(
             (*at, key, "radius"),
-            "does not go into the bore",
+            "does not fit into the bore",
             value=f"{pin.radius:g} m",
             limit=f"< {bore.radius:g} m",
-            remedy="give the play between them",
+            remedy="leave a clearance between them",
         )
 
 
 def _crossed(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -> None:
-    """Cylinders that touch at one place have axes that cross."""
+    """Check that cylinders with point contact are not parallel."""
     from pitchpoint.model.frames import GROUND, axes_of, split
 
     if (*at, "ends") in report.tainted or any(
@@ -167,7 +168,7 @@ def _crossed(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -
     if sine < PARALLEL:
         report.problem(
             at,
-            "is of two cylinders side by side, which touch at no single place",
+            "is between parallel cylinders, which have no single contact point",
             value=f"{math.degrees(math.asin(sine)):.3g} deg between their axes",
             remedy="write line: true, and the law for the whole line",
         )
@@ -176,15 +177,15 @@ def _crossed(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -
 def _sizes(part: ContactSurface, needed: tuple[str, ...], at: Place, report: Reader) -> None:
     for key in needed:
         if getattr(part, key) is None and (*at, key) not in report.tainted:
-            report.problem((*at, key), f"is missing: the {part.shape} needs it", remedy=f"add {key}")
+            report.problem((*at, key), f"is missing: required for shape {part.shape}", remedy=f"add {key}")
     if part.half_angle is not None and part.half_angle >= 0.5 * math.pi:
         report.problem(
-            (*at, "half_angle"), "is not a cone", limit="< 90 deg", remedy="give the half of its angle"
+            (*at, "half_angle"), "is not a cone", limit="< 90 deg", remedy="give half of the cone angle"
         )
 
 
 def check_contacts(parts: Parts, report: Reader) -> None:
-    """Everything about a contact that more than one key decides."""
+    """Check all contacts for missing and contradicting keys."""
     for name, cam in parts.cam_contacts.items():
         _cam(cam, ("cam_contacts", name), report)
     for name, pair in parts.curve_contacts.items():
@@ -209,15 +210,15 @@ def _cam(cam: CamContact, at: Place, report: Reader) -> None:
 def _permanent(
     part: CamContact | CurveContact | SurfaceContact, at: Place, forces: tuple[str, ...], report: Reader
 ) -> None:
-    """What never parts has no law, and all else has one."""
+    """Check that a contact has a law unless it is permanent."""
     if part.permanent:
         for key in forces:
             if getattr(part, key) is not None:
-                report.problem((*at, key), "has no effect: what never parts has no law", remedy="remove it")
+                report.problem((*at, key), "has no effect on a permanent contact", remedy="remove it")
     elif part.law is None and (*at, "law") not in report.tainted:
         report.problem(
             (*at, "law"),
-            "is missing: bodies that may part",
+            "is missing: required unless the contact is permanent",
             remedy="add law: {force: 1 kN, depth: 0.1 mm}, or permanent: true",
         )
 
@@ -247,13 +248,15 @@ def _friction(friction: ContactFriction, at: Place, report: Reader) -> None:
 
 def _curve(curve: ContactCurve, at: Place, report: Reader) -> None:
     if curve.shape in ("circle", "involute") and curve.radius is None:
-        report.problem((*at, "radius"), f"is missing: the {curve.shape} has one", remedy="add radius: 20 mm")
+        report.problem(
+            (*at, "radius"), f"is missing: required for shape {curve.shape}", remedy="add radius: 20 mm"
+        )
     if curve.shape == "involute":
         roll = curve.roll
         if len(roll) != 2 or not min(roll, default=0.0) > 0.0 or roll[0] == roll[1]:
             report.problem(
                 (*at, "roll"),
-                "is not two different angles above zero",
+                "are not two different positive angles",
                 remedy="write for example [10 deg, 40 deg]",
             )
         return

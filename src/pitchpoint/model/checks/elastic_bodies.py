@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic bodies among the bodies: each is represented by a body with markers at the nodes; its checks."""
+"""Elastic bodies: representation as bodies with markers at the nodes, and checks."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ AXIAL = (
     "torsion_maxwells",
     "clutches",
 )
-"""Sections whose parts need the axis of a body."""
+"""Sections whose elements require the axis of a body."""
 
 MATRICES = ("stiffness_file", "mass_file", "place_file")
 """Files of an elastic body with one matrix each."""
@@ -32,32 +32,32 @@ ALL_FILES = ("file", *MATRICES, "spin_stiffness_file")
 
 
 def stand_in(part: ElasticBody) -> Body:
-    """Body that represents an elastic one: free, with markers at its nodes."""
+    """Body that represents an elastic body: free, with markers at its nodes."""
     return Body(motion="free", position=part.position, axes=part.axes, markers=part.nodes, elastic=part)
 
 
 def add_elastic_bodies(parts: Parts, report: Reader) -> None:
-    """Check the elastic bodies by themselves and put a body in the place of each."""
+    """Check the elastic bodies and add a body for each of them."""
     group = "elastic_bodies"
     for path in [p for p in report.tainted if p[0] == group]:
         report.tainted.add(("bodies", *path[1:]))
     parts.names["bodies"] = parts.known("bodies") | parts.known(group)
     for name, part in parts.elastic_bodies.items():
         if name in parts.bodies:
-            report.problem((group, name), "has the name of a body", remedy="give it a name of its own")
+            report.problem((group, name), "has the name of a body", remedy="choose a unique name")
             report.tainted.add(("bodies",))
             continue
         if part.static_shapes and part.below is not None:
             report.problem(
                 (group, name, "static_shapes"),
-                "cannot be combined with below: the shapes count among a number of modes",
+                "cannot be combined with below: static shapes require a number of modes",
                 remedy="give for example modes: 12 instead of below",
             )
         _files(name, part, report)
         if not part.nodes and (group, name, "nodes") not in report.tainted:
             report.problem(
                 (group, name, "nodes"),
-                "is empty: nothing could hold the body",
+                "is empty: the body cannot be supported",
                 remedy="name the nodes of joints and forces, such as {eye: {position: [0, 0, 0]}}",
             )
         report.aliases["bodies", name] = (group, name)
@@ -65,7 +65,7 @@ def add_elastic_bodies(parts: Parts, report: Reader) -> None:
 
 
 def _files(name: str, part: ElasticBody, report: Reader) -> None:
-    """One archive, or the three files of Matrix Market matrices."""
+    """Check that either one archive or the three Matrix Market files are given."""
     at: Place = ("elastic_bodies", name)
     if at in report.tainted or any((*at, k) in report.tainted for k in ("file", *MATRICES)):
         return
@@ -84,12 +84,14 @@ def _files(name: str, part: ElasticBody, report: Reader) -> None:
         )
     elif given and (missing := [k for k in MATRICES if k not in given]):
         report.problem(
-            at, f"lacks {' and '.join(missing)} in addition to {' and '.join(given)}", remedy="give all three"
+            at,
+            f"requires {' and '.join(missing)} in addition to {' and '.join(given)}",
+            remedy="give all three",
         )
 
 
 def check_elastic_bodies(parts: Parts, report: Reader) -> None:
-    """What acts on an elastic body acts at its nodes, and it has no spin axis."""
+    """Check that elements act on elastic bodies at nodes only."""
     elastic = set(parts.elastic_bodies)
     part_of = parts.elastic_bodies
     if not elastic:
@@ -109,7 +111,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                 remedy = "use a bushing at {}" if group != "loads" else "give marker: NODE and a force"
                 what = "which has no axis"
                 if part_of[body].rotor:
-                    what = "which bends, without a place on it"
+                    what = "without a node"
                     remedy = "name a body {{mass: 0 kg}} here that a joint of type fixed carries at {}"
                 elif group == "bearings":
                     remedy = "name the body that runs in it, and give housing: {}"
@@ -121,7 +123,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                 str(load.reaction),
                 ("loads", name, "reaction"),
                 "which has no axis",
-                "make two loads of it",
+                "use two loads",
                 report,
             )
 

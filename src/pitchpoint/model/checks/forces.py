@@ -28,14 +28,14 @@ TURNING = ("torsion_springs", "torsion_maxwells", "clutches")
 
 
 def check_forces(parts: Parts, report: Reader) -> None:
-    """Everything about one of them that more than one key decides."""
+    """Check loads and force elements for contradicting keys."""
     for name, load in parts.loads.items():
         _load(parts, name, load, report)
     for name, bushing in parts.bushings.items():
         if bushing.damping is not None and bushing.damping.ratio is not None:
             report.problem(
                 ("bushings", name, "damping", "ratio"),
-                "has no meaning: a bushing has no inertia of its own",
+                "is not defined: a bushing has no inertia",
                 remedy="give radial, axial, tilt and torsion, or a matrix",
             )
     _turning(parts, report)
@@ -50,7 +50,7 @@ def check_forces(parts: Parts, report: Reader) -> None:
 
 
 def check_unbalances(parts: Parts, report: Reader) -> None:
-    """Unbalances sit on bodies that move and know how their mass lies, once it is known how they move."""
+    """Check that unbalances are on moving bodies with sufficient mass properties."""
     for name, unbalance in parts.unbalances.items():
         at: Place = ("unbalances", name, "body")
         body = parts.bodies.get(unbalance.body)
@@ -59,30 +59,30 @@ def check_unbalances(parts: Parts, report: Reader) -> None:
         elif body is not None and _is_polar(body):
             report.problem(
                 at,
-                f"names {unbalance.body}, which has inertia about its axis alone",
-                remedy=f"give transverse_inertia of {unbalance.body} too",
+                f"names {unbalance.body}, which has only a polar moment of inertia",
+                remedy=f"also give transverse_inertia of {unbalance.body}",
             )
 
 
 def _is_polar(body: Body) -> bool:
-    """Whether a body has inertia about its axis alone and does more than spin about it on ground."""
+    """Whether a body has only a polar inertia, but more motion than a spin about its axis on ground."""
     alone = body.is_round and body.inertia is not None and body.transverse_inertia is None
     alone = alone and body.solid is None
     return alone and not body.gears and not body.bevel_gears and body.moves != "torsion"
 
 
 def _turning(parts: Parts, report: Reader) -> None:
-    """Bodies of elements that act about spin axes."""
+    """Check the bodies of torsional elements."""
     for group in TURNING:
         for name, part in getattr(parts, group).items():
             at: Place = (group, name, "bodies")
             for body in part.bodies:
                 if body == GROUND:
-                    report.problem(at, "names ground", remedy="write the one body alone: the other is ground")
+                    report.problem(at, "names ground", remedy="give one body only: the other end is ground")
                 else:
                     known(parts, "bodies", body, at, report)
             if len(set(part.bodies)) < len(part.bodies):
-                report.problem(at, f"names {part.bodies[0]} twice", remedy="name two bodies, or one alone")
+                report.problem(at, f"names {part.bodies[0]} twice", remedy="name two bodies, or only one")
 
 
 def _capacity(name: str, clutch: Clutch, report: Reader) -> None:
@@ -92,7 +92,7 @@ def _capacity(name: str, clutch: Clutch, report: Reader) -> None:
     values = [clutch.capacity.value] if isinstance(clutch.capacity, Constant) else []
     values += clutch.capacity.values if isinstance(clutch.capacity, TableLaw) else []
     if any(v < 0.0 for v in values):
-        report.problem(at, "is negative", limit=">= 0", remedy="leave the sign out: friction brakes")
+        report.problem(at, "is negative", limit=">= 0", remedy="give the magnitude: friction always brakes")
 
 
 def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
@@ -100,7 +100,7 @@ def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
     if bearing.element_diameter * bearing.elements > math.pi * bearing.pitch_diameter:
         report.problem(
             (*at, "elements"),
-            f"have no room on a circle of {bearing.pitch_diameter * 1e3:.6g} mm",
+            f"do not fit on a pitch circle of {bearing.pitch_diameter * 1e3:.6g} mm",
             value=str(bearing.elements),
             limit=f"<= {int(math.pi * bearing.pitch_diameter / bearing.element_diameter)}",
             remedy="correct the number or the diameters",
@@ -119,7 +119,7 @@ def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
     if getattr(bearing, other) is not None:
         report.problem(
             (*at, other),
-            f"is not for a bearing of type {bearing.type}",
+            f"does not apply to a bearing of type {bearing.type}",
             remedy=f"give {own}, or correct type",
         )
     elif bearing.stiffness is None and getattr(bearing, own) is None and at not in report.tainted:
@@ -127,19 +127,19 @@ def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
 
 
 def _states(parts: Parts, report: Reader) -> None:
-    """Elements with a state of their own are distinguished by their names."""
+    """Check that elements with internal states have unique names."""
     seen: dict[str, str] = {}
     for group, names in states_of(parts).items():
         for name in names:
             first = seen.setdefault(name, group)
             if first != group:
                 report.problem(
-                    (group, name), f"has the name of one of {first}", remedy="give it a name of its own"
+                    (group, name), f"has the name of an element of {first}", remedy="choose a unique name"
                 )
 
 
 def states_of(machine: Any) -> dict[str, list[str]]:
-    """Names of the elements that have a state, by section; of a model or the parts of one."""
+    """Names of the elements with internal states, by section."""
     return {
         "maxwells": list(machine.maxwells),
         "torsion_maxwells": list(machine.torsion_maxwells),
@@ -148,7 +148,7 @@ def states_of(machine: Any) -> dict[str, list[str]]:
 
 
 def check_loads(parts: Parts, report: Reader) -> None:
-    """Loads do something, and balance has one meaning."""
+    """Check that loads have an effect and that every gear train has at most one `balance`."""
     balanced = [n for n, load in parts.loads.items() if isinstance(load.torque, Balance)]
     for name, load in parts.loads.items():
         at: Place = ("loads", name)
@@ -163,7 +163,7 @@ def check_loads(parts: Parts, report: Reader) -> None:
         if body.moves == "torsion" and sideways and _on_axis(load, body):
             report.problem(
                 (*at, "force"),
-                f"acts on the axis of {load.body}, which only turns",
+                f"acts on the axis of {load.body}, which only rotates",
                 remedy="give the body motion: planar or free, or the load a position off the axis",
             )
     for train in trains(parts):
@@ -171,7 +171,7 @@ def check_loads(parts: Parts, report: Reader) -> None:
         for name in names[1:]:
             report.problem(
                 ("loads", name, "torque"),
-                f"is balance, like that of {names[0]} on the same train; their split is open",
+                f"is balance, like that of {names[0]} in the same gear train; their split is undetermined",
                 remedy="give all but one torque as a value",
             )
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Problems and warnings of the geometry of gears and pairs, at the keys of the file."""
+"""Checks of the geometry of gears and gear pairs, reported at the keys of the file."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 OFFSET_TOLERANCE = 1e-4
-"""Base pitches by which an assembly may exceed its backlash: the deflection of elastic teeth."""
+"""Base pitches by which an assembly may exceed its backlash: the elastic deflection of the teeth."""
 
 
 def check_gear(parts: Parts, name: str, report: Reader) -> None:
-    """Report everything that makes one gear impossible; hands and modules of its pairs are still checked."""
+    """Check the geometry, modifications, deviations, faults and blank of one gear."""
     gear = parts.gears[name]
 
     def problems() -> list[Message]:
-        """What makes it impossible, at the keys of the file."""
+        """Problems of the geometry, at the keys of the file."""
         return [at_tip_diameter(gear, problem) for problem in gear.geometry.problems()]
 
     if not impossible_shape(parts, ("gears", name), problems, report):
@@ -42,7 +42,7 @@ def check_gear(parts: Parts, name: str, report: Reader) -> None:
 
 
 def impossible_shape(parts: Parts, at: Place, find: Callable[[], list[Message]], report: Reader) -> bool:
-    """Whether something makes the shape of the gear at a place impossible; it is reported and noted there.
+    """Whether the geometry of a gear is impossible; reports the problems and adds the gear to `misshapen`.
 
     Parameters
     ----------
@@ -51,9 +51,9 @@ def impossible_shape(parts: Parts, at: Place, find: Callable[[], list[Message]],
     at
         Section and name of the gear.
     find
-        Lists the problems, or raises one.
+        Returns the problems, or raises one.
     report
-        Where problems go.
+        Collects the problems.
     """
     try:
         problems = find()
@@ -66,16 +66,16 @@ def impossible_shape(parts: Parts, at: Place, find: Callable[[], list[Message]],
 
 
 def at_tip_diameter(gear: Gear, problem: Message, where: str = "") -> Message:
-    """A thin or pointed tooth, reported at the tip diameter where the file gives one.
+    """Problem of a thin or pointed tooth, moved to the tip diameter if the file gives one.
 
     Parameters
     ----------
     gear
         The gear, as in the model.
     problem
-        What its geometry reports.
+        Problem reported by its geometry.
     where
-        Place of the gear in the problem.
+        Path of the gear in the problem.
     """
     if gear.tip_diameter is None or problem.where != at_key(where, "profile_shift_coefficient"):
         return problem
@@ -85,11 +85,11 @@ def at_tip_diameter(gear: Gear, problem: Message, where: str = "") -> Message:
     shape = gear.geometry
 
     def spare(d_a: float) -> float:
-        """Thickness at the tip above the limit, at a tip diameter [m]."""
+        """Tip tooth thickness less the limit, at a tip diameter [m]."""
         return tip_thickness(shape.replace(tip_diameter=d_a)) - TIP_THICKNESS_LIMIT * shape.m_n
 
     try:
-        # signed diameters: towards the root is down for internal gears, too
+        # signed diameters: they decrease towards the root, also for internal gears
         ends = (max(shape.d_Ff, shape.d_b), shape.sign * gear.tip_diameter)
         if not spare(ends[0]) > 0.0 > spare(ends[1]):
             return problem
@@ -106,32 +106,32 @@ def at_tip_diameter(gear: Gear, problem: Message, where: str = "") -> Message:
 
 
 def _check_wheel_body(gear: Gear, at: Place, report: Reader) -> None:
-    """Report a rim or web that is larger than the gear it is part of."""
+    """Report a rim or web that is larger than the gear."""
     shape = gear.geometry
-    room = 0.5 * (shape.d_f - gear.bore_diameter)  # of an external gear, from the root to the bore
+    room = 0.5 * (shape.d_f - gear.bore_diameter)  # external gear: from root to bore
     rim = gear.rim_thickness
     if not shape.is_internal and rim is not None and 0.0 < room < rim * (1.0 - 1e-9):
         report.problem(
             (*at, "rim_thickness"),
-            "is more than lies between root and bore",
+            "exceeds the distance between root and bore",
             value=f"{rim * 1e3:.6g} mm",
             limit=f"<= {room * 1e3:.6g} mm",
-            remedy="reduce it, or leave it out for a solid gear",
+            remedy="reduce it, or remove it for a solid gear",
             taint=False,
         )
     if gear.web_thickness is not None and gear.web_thickness > gear.face_width:
         report.problem(
             (*at, "web_thickness"),
-            "is wider than the gear",
+            "exceeds the face width",
             value=f"{gear.web_thickness * 1e3:.6g} mm",
             limit=f"<= {gear.face_width * 1e3:.6g} mm",
-            remedy="reduce it, or leave it out for a web of the face width",
+            remedy="reduce it, or remove it for a web of the face width",
             taint=False,
         )
 
 
 def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
-    """Report reliefs that do not fit the flanks they are cut into."""
+    """Report modifications that do not fit the flanks."""
     from pitchpoint.geometry.modifications import modification_problems
 
     for side in ("left", "right", "both") if gear.modifications is not None else ():
@@ -147,7 +147,7 @@ def _check_modifications(gear: Gear, at: Place, report: Reader) -> None:
 
 
 def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:
-    """Report deviations that no tooth can have."""
+    """Report impossible deviations."""
     from pitchpoint.geometry.deviations import deviation_problems
 
     if gear.deviations is not None:
@@ -156,7 +156,7 @@ def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:
 
 
 def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
-    """Make the pair of a mesh, settle its centre distance, report everything that makes it impossible."""
+    """Create the gear pair of a mesh, determine its centre distance and report problems of its geometry."""
     one, two = (parts.gears[g] for g in mesh.gears)
     if (
         one.x is None
@@ -190,7 +190,7 @@ def _pair(one: CylindricalGear, two: CylindricalGear, distance: float | None) ->
     try:
         return GearPair.from_profile_shifts(one, two)
     except GeometryError:
-        # Gears that cannot belong together are better explained by that than by a missing centre distance.
+        # For gears that cannot mesh, report the mismatch rather than a missing centre distance.
         guess = GearPair.at_distance(one, two, 0.5 * (abs(one.d) + abs(two.d)))
         if guess.problems("", ("", ""), gears=False) and _mismatched(one, two):
             return guess
@@ -202,7 +202,7 @@ def _mismatched(one: CylindricalGear, two: CylindricalGear) -> bool:
 
 
 def check_phasing(parts: Parts, report: Reader) -> None:
-    """Teeth of gears that are placed twice must find the gaps of their mates."""
+    """Check that teeth do not overlap if the angle of a gear is determined twice."""
     meshes = {n: m for n, m in parts.meshes.items() if n in parts.pairs}
     offsets = assemble(parts.gears, meshes).offset
     for name, offset in offsets.items():
@@ -218,21 +218,21 @@ def check_phasing(parts: Parts, report: Reader) -> None:
             ("gears", second, "initial_angle") if given else ("meshes", name),
             f"lets teeth of {mesh.gears[0]} and {second} overlap by {(abs(offset) - room) * 1e3:.4g} mm",
             limit=f"{room * 1e3:.4g} mm off the middle of the gap",
-            remedy="leave initial_angle out on one of the gears"
+            remedy="remove initial_angle of one of the gears"
             if given
             else "change the directions or teeth of the loop of meshes",
         )
 
 
 def gap(pair: GearPair, mesh: Mesh) -> float:
-    """Total gap along the base tangent at the centre distance of the mesh [m]: given, or of the geometry."""
+    """Backlash along the base tangent at the centre distance of the mesh [m]: as given, or from geometry."""
     if mesh.backlash is None:
         return pair.j_bt
     return along_base_tangent(mesh.backlash, pair.alpha_wt, pair.gear1.beta_b)
 
 
 def along_base_tangent(given: Backlash, alpha: float, beta_b: float) -> float:
-    """Gap along the base tangent [m] of a backlash in any of its directions, which has exactly one.
+    """Convert a backlash, given in one of its directions, to the base tangent [m].
 
     `alpha` and `beta_b` are the transverse working pressure angle and the base helix or spiral angle [rad].
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Keys of gears, meshes and six-component springs that exclude or contradict each other."""
+"""Checks of contradicting keys of gears, meshes and six-component springs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pitchpoint.model.reading.reader import Reader
 
 
 def check_meshes(parts: Parts, report: Reader) -> None:
-    """Keys and laws of meshes that do not go together."""
+    """Check keys and laws of meshes."""
     every = [(group, *item) for group in ("meshes", "bevel_meshes") for item in getattr(parts, group).items()]
     for group, name, mesh in every:
         at: Place = (group, name)
@@ -25,21 +25,21 @@ def check_meshes(parts: Parts, report: Reader) -> None:
 
 
 def _losses(mesh: Mesh | BevelMesh, at: Place, report: Reader) -> None:
-    """Damping and friction that the stiffness law of a mesh does not know, or that contradict themselves."""
+    """Check that damping and friction are compatible with the stiffness law of a mesh."""
     law, damping, friction = mesh.stiffness, mesh.damping, mesh.friction
     if isinstance(law, Hertz):
         for name, part in (("damping", damping), ("damper", mesh.damper)):
             if part is not None and part.ratio is not None:
                 report.problem(
                     (*at, name, "ratio"),
-                    "has no meaning for the law hertz, whose stiffness grows with the load",
+                    "is not defined for the law hertz, whose stiffness depends on the load",
                     remedy="give a damping",
                 )
     if damping is not None and damping.pair is not None and law.law not in OF_PAIRS:
         report.problem(
             (*at, "damping", "pair"),
-            f"belongs to a tooth pair, and the law {law.law} knows none",
-            remedy=f"give d_in, or take one of the laws {', '.join(OF_PAIRS)}",
+            f"is for single tooth pairs, and the law {law.law} describes the whole mesh",
+            remedy=f"give d_in, or use one of the laws {', '.join(OF_PAIRS)}",
         )
     if friction is not None:
         speed = friction.static_speed
@@ -48,7 +48,7 @@ def _losses(mesh: Mesh | BevelMesh, at: Place, report: Reader) -> None:
                 (*at, "friction", "static_speed"),
                 f"{speed:g} m/s is not below v_eps",
                 limit=f"< {friction.v_eps:g} m/s",
-                remedy="raise v_eps or lower it",
+                remedy="increase v_eps or reduce it",
             )
 
 
@@ -69,7 +69,7 @@ def _stiffness(law: Any, at: Place, report: Reader) -> None:
 
 
 def _fourier_minimum(law: Fourier) -> float:
-    """Smallest relative stiffness over one period, from 32 points per harmonic."""
+    """Minimum relative stiffness over one period, from 32 points per harmonic."""
     count = max(len(law.cosine), len(law.sine))
     steps = 32 * count
     return min(
@@ -81,7 +81,7 @@ def _fourier_minimum(law: Fourier) -> float:
 
 
 def check_choices(parts: Parts, report: Reader) -> None:
-    """Keys of which exactly one or at most one is allowed."""
+    """Check mutually exclusive keys of meshes, six-component springs and gears."""
     check_meshes(parts, report)
     for group in ("bearings", "couplings", "bushings"):
         for name, part in getattr(parts, group).items():
@@ -154,6 +154,6 @@ def _gear_choices(name: str, gear: Any, report: Reader) -> None:
     ):
         report.problem(
             (*at, "tooth_profile"),
-            f"gives {' and '.join(profile.given)} at once" if profile.given else "gives no points",
+            f"gives {' and '.join(profile.given)} together" if profile.given else "gives no points",
             remedy="give tooth, or both, or left and right",
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of markers, joints, rods, ratios and shapes of mass one by one, before anything is placed."""
+"""Checks of single joints, before positions are computed."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 MOST_TILT = math.radians(85.0)
-"""Largest beta of a start, well before alpha and spin turn about one axis [rad]."""
+"""Maximum initial beta, well below the singularity of alpha and spin [rad]."""
 
 
 def check_joints(parts: Parts, report: Reader) -> None:
-    """Every joint has the keys that its type needs."""
+    """Check that every joint has the keys required by its type."""
     for name, joint in parts.joints.items():
         at: Place = ("joints", name)
         if at in report.tainted:
@@ -27,7 +27,7 @@ def check_joints(parts: Parts, report: Reader) -> None:
         if joint.type == "screw" and not joint.lead:
             what = "is missing" if joint.lead is None else "is zero"
             report.problem(
-                (*at, "lead"), f"{what}: a screw moves along its axis", remedy="add lead: 5 mm, per turn"
+                (*at, "lead"), f"{what}: a screw joint requires a lead", remedy="add for example lead: 5 mm"
             )
         if joint.type in FUNCTIONS:
             _functions(joint, at, report)
@@ -35,10 +35,10 @@ def check_joints(parts: Parts, report: Reader) -> None:
         if joint.type in ("spherical", "free", "shaft") and abs(joint.start.get("beta", 0.0)) > MOST_TILT:
             report.problem(
                 (*at, "start", "beta"),
-                "is a right angle or more, where alpha and spin cannot be distinguished",
+                "is close to a right angle or above, where alpha and spin cannot be distinguished",
                 value=f"{math.degrees(joint.start['beta']):.6g} deg",
                 limit=f"<= {math.degrees(MOST_TILT):.6g} deg",
-                remedy="turn the joint and its bodies by their axes instead",
+                remedy="rotate the joint and its bodies by `axes` instead",
             )
         for key in ("start", "speed"):
             for word in getattr(joint, key):
@@ -52,25 +52,29 @@ def check_joints(parts: Parts, report: Reader) -> None:
 
 
 def _friction(joint: Joint, at: Place, report: Reader) -> None:
-    """Friction of joints with one direction; a pin has a radius, a slide has none."""
+    """Check the friction of revolute and prismatic joints."""
     part = joint.friction
     if part is None:
         return
     if joint.type not in ("revolute", "prismatic"):
         report.problem(
             (*at, "friction"),
-            f"is not for a joint of type {joint.type}",
-            remedy="split it into revolute and prismatic joints, or leave friction out",
+            f"is not available for a joint of type {joint.type}",
+            remedy="split it into revolute and prismatic joints, or remove friction",
         )
     elif joint.type == "revolute" and part.radius is None and (*at, "friction") not in report.tainted:
-        report.problem((*at, "friction", "radius"), "is missing: that of the pin", remedy="add radius: 10 mm")
+        report.problem(
+            (*at, "friction", "radius"), "is missing: the radius of the pin", remedy="add radius: 10 mm"
+        )
     elif joint.type == "prismatic" and (part.radius is not None or part.shoulder_radius):
         key = "radius" if part.radius is not None else "shoulder_radius"
-        report.problem((*at, "friction", key), "is that of a pin, and a slide has none", remedy="remove it")
+        report.problem(
+            (*at, "friction", key), "is the radius of a pin; a prismatic joint has none", remedy="remove it"
+        )
 
 
 def _functions(joint: Joint, at: Place, report: Reader) -> None:
-    """A joint made of functions has some, and each of its coordinates moves something."""
+    """Check the functions and coordinates of joints of type `moved` and `user`."""
     if not joint.motion and (*at, "motion") not in report.tainted:
         report.problem(
             (*at, "motion"), "is missing", remedy="add for example motion: {x: 2 mm * sin(t / 1 s)}"
@@ -79,7 +83,7 @@ def _functions(joint: Joint, at: Place, report: Reader) -> None:
         if joint.coordinates:
             report.problem(
                 (*at, "coordinates"),
-                "belong to a joint of type user",
+                "are for joints of type user only",
                 remedy="write type: user, or remove them",
             )
         return
@@ -90,7 +94,7 @@ def _functions(joint: Joint, at: Place, report: Reader) -> None:
         if word not in used and ("joints",) not in report.tainted:
             report.problem(
                 (*at, "coordinates", word),
-                "moves nothing: no function of motion uses it",
+                "has no effect: no function of motion uses it",
                 remedy="use or remove it",
             )
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Masses and inertias: given in one way, physically possible, and sufficient for the motion of the body."""
+"""Checks of masses and inertias: unique, physically possible, and sufficient for the motion of the body."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _SUM = {"inertia": "polar", "mass": "mass", "transverse_inertia": "transverse"}
 
 
 def check_masses(parts: Parts, report: Reader) -> None:
-    """The distribution of mass is given once, and is possible."""
+    """Check that the mass properties of every body are unique and physically possible."""
     for name, body in parts.bodies.items():
         at: Place = ("bodies", name)
         if at in report.tainted:
@@ -47,13 +47,13 @@ def check_masses(parts: Parts, report: Reader) -> None:
         elif body.solid is not None and not body.is_round and others:
             report.problem(
                 (*at, others[0]),
-                "cannot be combined with a solid that is not round about the z axis of the body",
-                remedy=f"remove {' and '.join(others)}, or turn the solid by its axes and origin",
+                "cannot be combined with a solid that is not axisymmetric about the z axis of the body",
+                remedy=f"remove {' and '.join(others)}, or align the solid by its axes and origin",
             )
         elif not body.is_round and others:
             report.problem(
                 (*at, "center_of_mass"),
-                f"lies off the axis, and {' and '.join(others)} do not define its inertia about it",
+                f"is off the axis, and {' and '.join(others)} do not define the inertia about it",
                 remedy="give inertia_tensor about the centre of mass instead",
             )
 
@@ -62,11 +62,11 @@ def _tensor(body: Body, at: Place, report: Reader) -> None:
     if body.inertia_tensor is None or at in report.tainted:
         return
     least, middle, most = (float(v) for v in np.linalg.eigvalsh(matrix(body.inertia_tensor)))
-    # moments from drawings are rounded to a few digits
+    # tolerance for moments rounded to a few digits
     if least < -1e-6 * most or least + middle < most * (1.0 - 1e-4):
         report.problem(
             at,
-            "is that of no mass",
+            "is not physically possible",
             value=f"principal moments {least:.6g}, {middle:.6g}, {most:.6g} kg m^2",
             limit="none negative, none above the sum of the other two",
             remedy="check the order Ixx, Iyy, Izz, Ixy, Iyz, Izx, the units and the signs of the products",
@@ -74,7 +74,7 @@ def _tensor(body: Body, at: Place, report: Reader) -> None:
 
 
 def check_motions(parts: Parts, report: Reader) -> None:
-    """Bodies that move have inertia; fixed bodies carry no loads and bearings."""
+    """Check that moving bodies have inertia, and that loads and bearings are not on fixed bodies."""
     for name in parts.bodies:
         _inertia(parts, name, report)
     fixed = {n for n, b in parts.bodies.items() if b.moves == "fixed"}
@@ -83,21 +83,21 @@ def check_motions(parts: Parts, report: Reader) -> None:
             if part.body in fixed and getattr(part, "housing", None) in (None, GROUND):
                 report.problem(
                     (group, name, "body"),
-                    f"names {part.body}, which is fixed and feels nothing",
+                    f"names {part.body}, which is fixed: it has no effect",
                     remedy="remove it, or give the body a motion",
                 )
 
 
 def _inertia(parts: Parts, name: str, report: Reader) -> None:
-    """Mass and inertia of one body, as far as its motion needs them."""
+    """Check the mass and inertia of one body that its motion requires."""
     body = parts.bodies[name]
     if body.moves == "joint" or not body.is_round or body.elastic is not None:
-        return  # checked with the mechanism: what hangs on it counts; of an elastic one the file decides
+        return  # checked with the mechanism; elastic bodies have the mass of their file
     needed = [k for k in INERTIAS[body.moves] if ("bodies", name, k) not in report.tainted]
     given = {k: getattr(body, k) for k in needed if getattr(body, k) is not None}
     total = None
     if _readable(parts, body, report):
-        # whatever is computed with the body needs all data of its gears
+        # the inertia of the body requires all data of its gears
         carried = (*body.gears, *body.bevel_gears)
         if asks_gears(body) and not all(_has_inertia(parts, g, report) for g in carried):
             return
@@ -117,7 +117,7 @@ def _inertia(parts: Parts, name: str, report: Reader) -> None:
 
 
 def _readable(parts: Parts, body: Body, report: Reader) -> bool:
-    """Whether every gear of a body could be read and has a possible shape."""
+    """Whether all gears of a body could be read and have valid geometry."""
     return all(
         g in getattr(parts, group) and (group, g) not in report.tainted and g not in parts.misshapen
         for group in ("gears", "bevel_gears")
@@ -126,7 +126,7 @@ def _readable(parts: Parts, body: Body, report: Reader) -> bool:
 
 
 def _transverse(name: str, body: Body, total: BodyInertia, report: Reader) -> None:
-    """A body that tilts needs inertia about its centre of mass too, not only about the origin."""
+    """Report a tilting body without transverse inertia about its centre of mass."""
     least = total.mass * total.center * total.center
     place = f"the centre of mass at {total.center * 1e3:.6g} mm from the origin"
     if body.transverse_inertia is None:
@@ -134,12 +134,12 @@ def _transverse(name: str, body: Body, total: BodyInertia, report: Reader) -> No
             ("bodies", name, "transverse_inertia"),
             f"of the gears is zero about {place}, but the body tilts (motion: free)",
             limit=f"> {least:.6g} kg m^2 about the origin",
-            remedy="give transverse_inertia, counted about the origin",
+            remedy="give transverse_inertia about the origin",
         )
         return
     report.problem(
         ("bodies", name, "transverse_inertia"),
-        f"counts about the origin and leaves nothing about {place}",
+        f"refers to the origin and leaves no inertia about {place}",
         value=f"{body.transverse_inertia:.6g} kg m^2",
         limit=f"> {least:.6g} kg m^2, mass * center_of_mass^2",
         remedy=f"add {least:.6g} kg m^2 if it was meant about the centre of mass, or "
@@ -148,7 +148,7 @@ def _transverse(name: str, body: Body, total: BodyInertia, report: Reader) -> No
 
 
 def _has_inertia(parts: Parts, gear: str, report: Reader) -> bool:
-    """Whether mass and inertia of a gear are defined; a bore that is too large is reported."""
+    """Whether mass and inertia of a gear can be computed; reports the problem if not."""
     group = "gears" if gear in parts.gears else "bevel_gears"
     try:
         if group == "gears":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the whole mechanism: what hangs where, whether places meet, what gears and bearings need."""
+"""Checks of the mechanism: kinematic tree, joint positions and axes, axes of gears and bearings."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 CLOSE = 1e-6
-"""Distance of two markers over the size of the machine, and angle [rad], up to which they count as one."""
+"""Tolerance of the distance of two markers, relative to the size of the model, and of angles [rad]."""
 
 
 def check_mechanism(parts: Parts, report: Reader) -> None:
-    """Everything about tree and loops, once bodies are placed."""
+    """Check tree and loops after the bodies have been located."""
     if any(set(getattr(parts, g)) != parts.known(g) or (g,) in report.tainted for g in ("bodies", "joints")):
-        return  # what is missing or wrong may be what the rest hangs on
+        return  # other parts may depend on what is missing or wrong
     before = len(report.problems)
     _floating(parts, report)
     _seats(parts, report)
@@ -69,36 +69,36 @@ def _floating(parts: Parts, report: Reader) -> None:
     for name in parts.mechanism.floating:
         joints = [n for n, j in parts.joints.items() if name in {split(e)[0] for e in j.bodies}]
         if joints and all(parts.joints[n].cut for n in joints):
-            message = f"floats: {' and '.join(joints)} have cut: true and carry nothing"
+            message = f"floats: {' and '.join(joints)} have cut: true and carry no body"
             remedy = f"remove cut: true from {joints[0]}, or give the body motion: torsion"
         elif joints:
-            verb = "join" if joints[1:] else "joins"
-            message = f"floats: {' and '.join(joints)} {verb} it to bodies that hang on nothing"
-            remedy = "join one of them to ground, or give it motion: torsion"
+            verb = "connect" if joints[1:] else "connects"
+            message = f"floats: {' and '.join(joints)} {verb} it only to other floating bodies"
+            remedy = "connect one of them to ground, or give it motion: torsion"
         else:
-            message = "floats: no joint carries it, and it gives no motion"
+            message = "floats: it has neither a joint nor a motion"
             remedy = "add a joint, such as {type: revolute, bodies: [ground, BODY]}, or give motion: torsion"
         report.problem(("bodies", name), message, remedy=remedy.replace("BODY", name))
 
 
 def _seats(parts: Parts, report: Reader) -> None:
-    """Joints that the tree could not take as they are written."""
+    """Report joints that do not fit into the tree."""
     for name, joint in parts.joints.items():
         first, second = (split(e)[0] for e in joint.bodies)
         moved = [b for b in (first, second) if b != GROUND and parts.bodies[b].motion is not None]
-        moved = [b for b in moved if not parts.bodies[b].stands_in]  # joints add to the motion of those
+        moved = [b for b in moved if not parts.bodies[b].stands_in]  # joints add to their motion
         if GROUND in (first, second) and moved:
             report.problem(
                 ("bodies", moved[0], "motion"),
-                f"defines how {moved[0]} moves against ground, and so does the joint {name}",
+                f"defines the motion of {moved[0]} against ground, as does the joint {name}",
                 value=str(parts.bodies[moved[0]].motion),
-                remedy="leave motion out, or the joint",
+                remedy="remove motion or the joint",
             )
             continue
         if joint.type in FUNCTIONS and name in parts.mechanism.cut:
             report.problem(
                 ("joints", name, "bodies"),
-                f"cannot close a loop with a joint of type {joint.type}: something carries {second} already",
+                f"cannot close a loop with a joint of type {joint.type}: another joint carries {second}",
                 remedy="write cut: true at another joint of the loop; it moves the second of its bodies",
             )
         seat = parts.mechanism.carrier(name)
@@ -106,13 +106,13 @@ def _seats(parts: Parts, report: Reader) -> None:
             key = "start" if joint.start else "speed"
             report.problem(
                 ("joints", name, key),
-                f"counts the other way round: the joint carries {seat.body}, not {seat.parent}",
-                remedy=f"write bodies: [{', '.join(reversed(joint.bodies))}] and turn the values round",
+                f"has the opposite sense: the joint carries {seat.body}, not {seat.parent}",
+                remedy=f"write bodies: [{', '.join(reversed(joint.bodies))}] and reverse the values",
             )
 
 
 def _rigid(parts: Parts) -> dict[str, str]:
-    """For every body the first one that it cannot move against, by fixed joints of the tree."""
+    """For every body the first body that it is rigidly connected to by fixed joints of the tree."""
     group = {GROUND: GROUND}
     for name, seat in parts.mechanism.seats.items():
         group[name] = group.get(seat.parent, seat.parent) if seat.kind == "fixed" else name
@@ -120,7 +120,7 @@ def _rigid(parts: Parts) -> dict[str, str]:
 
 
 def _cuts(parts: Parts, report: Reader) -> None:
-    """Joints that close loops between bodies that cannot move, and values that they have no room for."""
+    """Report cut joints between rigidly connected bodies, and initial values of cut joints."""
     group = _rigid(parts)
     for name in parts.mechanism.cut:
         joint = parts.joints[name]
@@ -128,42 +128,42 @@ def _cuts(parts: Parts, report: Reader) -> None:
         if group[first] == group[second] and rows_of(joint) > 0 and joint.type not in FUNCTIONS:
             report.problem(
                 ("joints", name, "bodies"),
-                f"join {first} and {second}, which fixed joints hold together already",
+                f"connect {first} and {second}, which are already connected by fixed joints",
                 value=" and ".join(joint.bodies),
-                remedy="leave it out, or one of the fixed joints",
+                remedy="remove it, or one of the fixed joints",
             )
         for key in ("start", "speed"):
             if getattr(joint, key):
                 report.problem(
                     ("joints", name, key),
-                    "belongs to a joint that closes a loop and has no coordinates of its own",
+                    "is not possible for a joint that closes a loop: it has no independent coordinates",
                     remedy="give it to the other joints of the loop, or write cut: true at one of them",
                 )
 
 
 def _placed(parts: Parts, report: Reader) -> None:
-    """Every joint has a place; reported for those from which the others would follow."""
+    """Check that every joint has a position; reported for joints that would locate the others."""
     if not all_linked_known(parts, report):
-        return  # what broke before would have given it
+        return  # a consequence of problems reported before
     lost = {n: j for n, j in parts.joints.items() if joint_place(parts, j) is None}
     near = [n for n, j in lost.items() if any(place_of(parts, e) is not None for e in j.bodies)]
     for name in near or list(lost)[:1]:
         report.problem(
             ("joints", name, "position"),
-            "is missing: neither a marker nor a body defines where the joint is",
-            remedy="give position: [x, y, z], or a marker of a body with a place",
+            "is missing: neither a marker nor a body defines the position of the joint",
+            remedy="give position: [x, y, z], or a marker of a body of known position",
         )
 
 
 def _size(parts: Parts) -> float:
-    """Extent of the machine [m]."""
+    """Size of the model [m]."""
     places = [p for j in parts.joints.values() if (p := joint_place(parts, j)) is not None]
     places += [np.array(b.origin) for b in parts.bodies.values() if b.origin is not None]
     return max(1e-3, float(np.ptp(np.array(places), axis=0).max())) if places else 1e-3
 
 
 def _meet(parts: Parts, report: Reader) -> None:
-    """The markers of a joint meet where the joint is, and their frames agree."""
+    """Check that the markers of a joint coincide with it and that their axes agree."""
     size = _size(parts)
     for name, joint in parts.joints.items():
         at: Place = ("joints", name)
@@ -177,11 +177,11 @@ def _meet(parts: Parts, report: Reader) -> None:
                 where = "position" if joint.position is not None else "bodies"
                 report.problem(
                     (*at, where),
-                    f"do not meet: {end} lies {apart * 1e3:.6g} mm from the joint"
+                    f"do not coincide: {end} is {apart * 1e3:.6g} mm from the joint"
                     if where == "bodies"
-                    else f"lies {apart * 1e3:.6g} mm from {end}",
+                    else f"is {apart * 1e3:.6g} mm from {end}",
                     value=_shown(place) if where == "position" else " and ".join(joint.bodies),
-                    remedy=f"correct a place, or leave the position of {split(end)[0]} out: it follows",
+                    remedy=f"correct a position, or remove that of {split(end)[0]}: it follows",
                 )
         _frames_agree(parts, name, report)
 
@@ -205,7 +205,7 @@ def _frames_agree(parts: Parts, name: str, report: Reader) -> None:
                 ("joints", name, "bodies" if joint.axes is None else "axes"),
                 f"do not agree with the axes of {end}, which are tilted by {math.degrees(angle):.6g} deg",
                 limit="0 deg where all coordinates are zero",
-                remedy="correct the axes of a marker, or turn the body by its axes; start turns the joint",
+                remedy="correct the axes of a marker, or rotate the body by `axes`; start rotates the joint",
             )
             return
 
@@ -222,15 +222,15 @@ def _rods(parts: Parts, report: Reader) -> None:
         if rod.length is None and float(np.linalg.norm(ends[0] - ends[1])) <= CLOSE * _size(parts):
             report.problem(
                 ("rods", name, "ends"),
-                "lie at one place, so the rod has no direction",
+                "coincide, so the rod has no direction",
                 value=" and ".join(rod.ends),
-                remedy="correct the markers, or join the bodies by a spherical joint",
+                remedy="correct the markers, or connect the bodies by a spherical joint",
             )
 
 
-# --- what needs an axis -------------------------------------------------------------------------------------
+# --- elements on axes -------------------------------------------------------------------------------------
 def _axes(parts: Parts, report: Reader) -> None:
-    """Gears, bearings, couplings and loads act about the z axis of a body: it must be that of its joint."""
+    """Check that the z axis of bodies with gears, bearings, couplings or loads is the axis of their joint."""
     for name, seat in parts.mechanism.seats.items():
         body = parts.bodies[name]
         if body.gears or body.bevel_gears:
@@ -249,7 +249,7 @@ def _axes(parts: Parts, report: Reader) -> None:
             for user in users:
                 report.problem(
                     (group, user, key),
-                    f"needs the z axis of {name}, which is not that of its joint {seat.joint}",
+                    f"acts on the z axis of {name}, which is not the axis of its joint {seat.joint}",
                     remedy=f"put the origin of {name} on the axis of {seat.joint} and its z axis along it",
                 )
         turning = [("loads", n, "body") for n, p in parts.loads.items() if p.body == name and p.torque]
@@ -260,13 +260,13 @@ def _axes(parts: Parts, report: Reader) -> None:
             if not _parallel(parts, seat):
                 report.problem(
                     at,
-                    f"turns about the z axis of {name}, which is not that of the joint {seat.joint}",
-                    remedy=f"give {name} axes whose z lies along the axis of {seat.joint}",
+                    f"acts about the z axis of {name}, which is not the axis of the joint {seat.joint}",
+                    remedy=f"give {name} axes with z along the axis of {seat.joint}",
                 )
 
 
 def _polar(parts: Parts, report: Reader) -> None:
-    """A polar inertia alone is enough for bodies that turn about their own axis, and for no others."""
+    """Check that bodies with only a polar inertia rotate about their own axis."""
     for name, seat in parts.mechanism.seats.items():
         body = parts.bodies[name]
         if seat.joint is None or not body.is_round or body.inertia is None or body.gears or body.bevel_gears:
@@ -276,7 +276,8 @@ def _polar(parts: Parts, report: Reader) -> None:
         if body.transverse_inertia is None and axial_offset(parts, seat) is None:
             report.problem(
                 ("bodies", name, "inertia"),
-                f"does not define the inertia about the axis of {seat.joint}, not the z axis of {name}",
+                f"does not define the inertia about the axis of {seat.joint}, which is not "
+                f"the z axis of {name}",
                 remedy="give inertia_tensor about the centre of mass, or also transverse_inertia",
             )
 
@@ -287,7 +288,7 @@ def _parallel(parts: Parts, seat: Seat) -> bool:
 
 
 def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """Gears turn about the z axis of their body: the joint that carries it lies there and counts turns."""
+    """Check that gears rotate about the axis of their joint and that the joint counts revolutions."""
     body = parts.bodies[name]
     at: Place = ("bodies", name, "gears" if body.gears else "bevel_gears")
     carried = ", ".join((*body.gears, *body.bevel_gears))
@@ -296,22 +297,22 @@ def _gear_axis(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
     if seat.kind in ("spherical", "free", "universal", *FUNCTIONS):
         report.problem(
             at,
-            f"cannot turn with a joint of type {seat.kind}, which counts no turns",
+            f"cannot rotate with a joint of type {seat.kind}, which does not count revolutions",
             value=carried,
-            remedy="carry the body by a revolute, cylindrical, screw, planar or shaft joint",
+            remedy="use a revolute, cylindrical, screw, planar or shaft joint for the body",
         )
     elif seat.joint is not None and axial_offset(parts, seat) is None:
         more = f"; write its bodies as [{seat.parent}, {name}]" if seat.turned else ""
         report.problem(
             at,
-            f"turn about the z axis of {name}, which is not that of the joint {seat.joint}",
+            f"rotate about the z axis of {name}, which is not the axis of the joint {seat.joint}",
             value=carried,
-            remedy=f"give {name} an origin on the axis of {seat.joint}, and axes whose z lies along it{more}",
+            remedy=f"give {name} an origin on the axis of {seat.joint}, and axes with z along it{more}",
         )
 
 
 def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
-    """A gear that is fixed to something does not turn, or turns with a body about the same axis."""
+    """Check that a fixed gear is at rest, or rotates with a body about the same axis."""
     root = seat
     while root.kind == "fixed" and root.parent in parts.mechanism.seats:
         root = parts.mechanism.seats[root.parent]
@@ -319,14 +320,14 @@ def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
         return
     remedy = f"give {name} and {root.body} the same z axis"
     if root.kind not in COUNTED:
-        remedy = f"carry {root.body} by a revolute, cylindrical, screw, planar or shaft joint"
+        remedy = f"use a revolute, cylindrical, screw, planar or shaft joint for {root.body}"
         if root.body in parts.elastic_bodies:
             remedy = (
                 f"write rotor: true at the elastic body {root.body}, whose z axis is the axis of the gears"
             )
     report.problem(
         ("bodies", name, "gears"),
-        f"are fixed to {root.body}, which counts no turns about their axis",
+        f"are fixed to {root.body}, which does not count revolutions about their axis",
         value=", ".join((*parts.bodies[name].gears, *parts.bodies[name].bevel_gears)),
         remedy=remedy,
     )
@@ -334,7 +335,7 @@ def _standing_gear(parts: Parts, name: str, seat: Seat, report: Reader) -> None:
 
 # --- coordinates --------------------------------------------------------------------------------------------
 def _coordinates(parts: Parts, report: Reader) -> None:
-    """Coordinates that scenarios drive by name; those named by a body are checked with the scenario."""
+    """Check the joint coordinates driven by scenarios; spins of bodies are checked with the scenarios."""
     for name, scenario in parts.scenarios.items():
         for word, drive in scenario.drive.items():
             if "." not in word:
@@ -350,13 +351,13 @@ def _coordinates(parts: Parts, report: Reader) -> None:
             if wrong:
                 report.problem(
                     (*at, wrong[0]),
-                    f"drives a coordinate that is {'a turn' if found[2] == 'angle' else 'a travel'}",
+                    f"drives a {'rotational' if found[2] == 'angle' else 'translational'} coordinate",
                     remedy=f"give {' or '.join(wanted)}",
                 )
 
 
 def coordinates_listed(parts: Parts) -> str:
-    """All coordinates that can be named."""
+    """List of all joint coordinates, for messages."""
     found = [
         f"{seat.joint}.{word}"
         for seat in parts.mechanism.seats.values()
@@ -364,11 +365,11 @@ def coordinates_listed(parts: Parts) -> str:
         for word in seat.coordinates
         if not isinstance(coordinate(parts.mechanism, parts, f"{seat.joint}.{word}"), str)
     ]
-    return f"there are {', '.join(found)}" if found else "there is none; a body is named for its spin"
+    return f"there are {', '.join(found)}" if found else "there is none; name a body for its spin"
 
 
 def _ratios(parts: Parts, report: Reader) -> None:
-    """Terms are coordinates, and all of them have one dimension."""
+    """Check that the terms of ratios are coordinates and have the same dimension."""
     for name, ratio in parts.ratios.items():
         at: Place = ("ratios", name, "terms")
         if at in report.tainted:
@@ -384,7 +385,7 @@ def _ratios(parts: Parts, report: Reader) -> None:
             shown = ", ".join(f"{w}: {('angle', 'length', 'length^2')[k]}" for w, k in lengths.items())
             report.problem(
                 at,
-                "add up angles and lengths",
+                "combine angles and lengths",
                 value=shown,
-                remedy="give turns a radius, such as 30 mm, and travels a plain number, such as -1",
+                remedy="give rotations a radius, such as 30 mm, and translations a plain number, such as -1",
             )

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Inertia of a mechanism where the file places it: every free direction needs some.
+"""Inertia of a mechanism in its initial position: every free coordinate requires inertia.
 
-The mass matrix itself would take the square of the number of bodies. It is factorised body by body instead,
-from the tips of the tree to its roots: what a body adds to the one it hangs on is its inertia less the part
-that its own joint releases (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 7). The mass matrix is
-singular where the inertia that the joint of some body then feels is.
-"""
+Instead of the full mass matrix, whose size is quadratic in the number of bodies, articulated-body inertias
+are computed from the leaves of the tree to its roots: a body adds to its parent its inertia less the part
+released by its joint (R. Featherstone, Rigid Body Dynamics Algorithms, 2008, ch. 7). The mass matrix is
+singular if the articulated-body inertia projected on the coordinates of a joint is singular."""
 
 from __future__ import annotations
 
@@ -26,33 +25,35 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 NOTHING = 1e-20
-"""Share of mass times size squared that is round-off: places are off by 1e-16 of their size at most."""
+"""Fraction of mass times size squared that is round-off: positions have a relative error of 1e-16."""
 SINGULAR = 1e-11
-"""Least eigenvalue of the inertia that a joint feels, over that with all joints behind it locked."""
+"""Minimum eigenvalue of the projected inertia of a joint, relative to that with all outboard joints
+locked."""
 ROUND_OFF = 1e-3
-"""Share of mass times distance squared that counts as inertia there: sums over bodies lose 1e-14 of it."""
+"""Fraction of mass times distance squared added to the reference inertia: sums over bodies lose 1e-14 of
+it."""
 
 Column = tuple[Array, Array, Array]
-"""Translation, axis of turn and a point of that axis: how one coordinate moves what hangs on it."""
+"""Motion by one coordinate: translation, axis of rotation and a point on the axis."""
 
 
 @dataclass
 class Link:
-    """One body of the tree with the coordinates of its joint, all in world axes."""
+    """A body of the tree with the coordinates of its joint, in world axes."""
 
     parent: int
-    """Number of the body it hangs on, -1 for one on ground."""
+    """Index of the parent body, -1 for ground."""
     names: list[str]
     own: list[Column]
     mass: float
     center: Array
-    """Centre of mass, the point that the inertia and the motion of the body count about [m]."""
+    """Centre of mass, reference point of inertia and motion of the body [m]."""
     about: Array
-    """Tensor of inertia about it [kg m^2]."""
+    """Inertia tensor about the centre of mass [kg m^2]."""
     felt: Array = field(default_factory=lambda: np.zeros((6, 6)))
-    """Inertia of the body and of the released bodies that hang on it, turns first."""
+    """Articulated-body inertia of the body, rotations first."""
     locked: Array = field(default_factory=lambda: np.zeros((6, 6)))
-    """The same if the joints of the bodies on it were locked."""
+    """Inertia of the body with all outboard joints locked."""
 
     def __post_init__(self) -> None:
         for whole in (self.felt, self.locked):
@@ -61,18 +62,18 @@ class Link:
 
     @property
     def moves(self) -> Array:
-        """Motion of the centre of mass by each coordinate, columns (6, n): turn, then translation."""
+        """Motion of the centre of mass by each coordinate, columns (6, n): rotation, then translation."""
         moved = [np.append(turn, shift + _cross(turn, self.center - at)) for shift, turn, at in self.own]
         return np.array(moved).reshape(-1, 6).T
 
 
 def _cross(a: Array, b: Array) -> Array:
-    """Cross product of two vectors; that of NumPy spends its time on shapes."""
+    """Cross product of two vectors; faster than NumPy for single vectors."""
     return np.array((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))
 
 
 def columns(parts: Parts, seat: Seat) -> list[tuple[str, Column]]:
-    """Columns of the coordinates of one body, by name; none for joints made of functions."""
+    """Columns of the coordinates of a body, by name; empty for joints defined by functions."""
     if seat.kind == "user":
         return []
     place, axes = seat_frame(parts, seat)
@@ -90,7 +91,8 @@ def columns(parts: Parts, seat: Seat) -> list[tuple[str, Column]]:
 
 
 def tree_of(parts: Parts) -> list[Link]:
-    """Bodies with what they hang on, parents first; elastic ones are fixed, their mass is in their files."""
+    """Bodies of the tree, parents first; elastic bodies are treated as ground, their mass is in their
+    files."""
     links: list[Link] = []
     numbers = {GROUND: -1}
     for name, seat in parts.mechanism.seats.items():
@@ -109,11 +111,11 @@ def tree_of(parts: Parts) -> list[Link]:
 
 
 def alone(links: list[Link]) -> list[tuple[str, float]]:
-    """Inertia that every coordinate moves while all others are fixed [kg or kg m^2], by its name."""
+    """Inertia moved by every coordinate with all others fixed [kg or kg m^2], by name."""
     children: dict[int, list[int]] = {}
     for k, link in enumerate(links):
         children.setdefault(link.parent, []).append(k)
-    order: list[int] = []  # what hangs on a body follows it, without others between
+    order: list[int] = []  # depth first: the descendants of a body follow it contiguously
     ends: dict[int, int] = {}
     stack = [(k, False) for k in reversed(children.get(-1, []))]
     while stack:
@@ -137,7 +139,7 @@ def alone(links: list[Link]) -> list[tuple[str, float]]:
 
 
 def yielding(links: list[Link]) -> list[tuple[str, float]]:
-    """Coordinates that move together without any inertia, with their shares; none if there are none."""
+    """Coordinates of a combined motion without inertia, with their rates; empty if there is none."""
     pivots: dict[int, tuple[Array, Any]] = {}
     for k in reversed(range(len(links))):
         link = links[k]
@@ -161,7 +163,7 @@ def yielding(links: list[Link]) -> list[tuple[str, float]]:
 
 
 def _shifted(apart: Array) -> Array:
-    """Motion of a point `apart` [m] from that of another one of the same body, (6, 6)."""
+    """Transformation of the motion of a body to another reference point at the offset `apart` [m], (6, 6)."""
     X = np.eye(6)
     X[3:, :3] = [
         [0.0, apart[2], -apart[1]],
@@ -174,7 +176,7 @@ def _shifted(apart: Array) -> Array:
 def _motion(
     links: list[Link], pivots: dict[int, tuple[Array, Any]], root: int, x: Array
 ) -> list[tuple[str, float]]:
-    """Rates of all coordinates behind a joint that moves by `x`, such that no inertia is felt."""
+    """Rates of all outboard coordinates of a joint moving at `x` for which the inertia vanishes."""
     motion = {root: links[root].moves @ x}
     found = list(zip(links[root].names, x.tolist(), strict=True))
     for k in range(root + 1, len(links)):
@@ -190,13 +192,13 @@ def _motion(
 
 
 def check_inertia(parts: Parts, report: Reader) -> None:
-    """Report coordinates, or motions of several of them, that no inertia resists."""
+    """Report coordinates, or combined motions of several coordinates, without inertia."""
     if not parts.joints and all(b.is_round for b in parts.bodies.values()):
         return
     try:
         links = tree_of(parts)
     except GeometryError:
-        return  # a gear that cannot be, reported where its shape is checked
+        return  # invalid gear geometry is reported elsewhere
     inertia = dict(diagonal := alone(links))
     least = NOTHING * sum(k.mass * max(1.0, float(k.center @ k.center)) for k in links)
     for name, value in diagonal:
@@ -210,8 +212,8 @@ def check_inertia(parts: Parts, report: Reader) -> None:
         return
     report.problem(
         _place(parts, involved[0]),
-        f"has no inertia when {' and '.join(involved)} move together in some way",
-        remedy="give mass or inertia to a body between them, or take one of these coordinates out",
+        f"has no inertia in a combined motion of {' and '.join(involved)}",
+        remedy="give mass or inertia to a body between them, or remove one of these coordinates",
     )
 
 
@@ -230,7 +232,7 @@ def _report(parts: Parts, coordinate: str, report: Reader) -> None:
         remedy += f", or write cut: true at {seat.joint}, so that {others[0]} carries {seat.body}"
     report.problem(
         _place(parts, coordinate),
-        f"moves nothing that has {'inertia' if turn else 'mass'} by its {word}",
+        f"moves no {'inertia' if turn else 'mass'} by its coordinate {word}",
         limit="> 0",
         remedy=remedy,
     )

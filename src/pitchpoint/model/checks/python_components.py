@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Components made in Python pass the same checks of type, finiteness and range as those of a file."""
+"""Checks of components created in Python: type, finiteness and range, as for a file."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from pitchpoint.model.show import shown
 
 
 def recheck(part: Any, place: Place, report: Reader) -> None:
-    """Report every field of a component that a file could not hold.
+    """Report every field of a component that would be invalid in a file.
 
     Parameters
     ----------
     part
         Any component.
     place
-        Its place in the model.
+        Its path in the model.
     report
-        Where problems go.
+        Collects the problems.
     """
     defaults = defaults_of(type(part))
     for name, key in keys_of(type(part)).items():
@@ -54,7 +54,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
         elif not (key.kind == "quantities" and any(isinstance(v, str) for v in value)):
             report.value(key, value, place)
         else:
-            report.problem(place, "holds texts", remedy="give numbers in SI units")
+            report.problem(place, "contains text", remedy="give numbers in SI units")
     elif key.kind in ("value", "values", "gains", "curve"):
         report.value(key, value, place)
     elif key.kind == "code":
@@ -87,13 +87,13 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
 
 
 def _of_joints(key: Key, value: Any, place: Place, report: Reader) -> None:
-    """Mappings by the names of coordinates."""
+    """Check mappings by coordinate name."""
     if not isinstance(value, Mapping):
         report.problem(place, "is not a mapping", value=shown(value))
     elif key.kind == "motions":
         recheck_motions(value, place, report)
     elif key.kind != "coordinates" and any(isinstance(v, str) for v in value.values()):
-        report.problem(place, "holds texts", remedy="give numbers in SI units")
+        report.problem(place, "contains text", remedy="give numbers in SI units")
     else:
         report.value(key, value, place)
 
@@ -112,7 +112,9 @@ def _law(key: Key, law: Any, place: Place, report: Reader) -> None:
         _value(number, law.value, place, report)
     elif isinstance(law, TableLaw):
         if len(law.abscissa) != len(law.values) or len(law.values) < 2:
-            report.problem(place, "needs two lists of one length, at least 2", remedy="correct the table")
+            report.problem(
+                place, "requires two lists of equal length, at least 2", remedy="correct the table"
+            )
             return
         axis = Key("quantity", "", dimension=AXES.get(law.over, "angle"))
         for i, (x, y) in enumerate(zip(law.abscissa, law.values, strict=True)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whatever names something else names something that exists, once: gears, bodies, markers, meshes."""
+"""Checks of references: gears, bodies, markers and meshes exist and are named once."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from pitchpoint.model.sections import groups_of
 
 
 def check_references(parts: Parts, report: Reader) -> None:
-    """Keys with `names` name components that exist, each once; two gears mesh once."""
+    """Check that keys with `names` refer to existing components, each once, and that two gears mesh once."""
     for group in groups_of(parts):
         for name, part in list(getattr(parts, group).items()):
             for key, description in keys_of(type(part)).items():
@@ -33,21 +33,21 @@ def check_references(parts: Parts, report: Reader) -> None:
 
 
 def _same_pairs(parts: Parts, report: Reader) -> None:
-    """Two gears mesh once; a second mesh between them would carry the load a second time."""
+    """Check that two gears mesh once: a second mesh would double the stiffness."""
     seen: dict[frozenset[str], str] = {}
     for name, mesh in parts.meshes.items():
         first = seen.setdefault(frozenset(mesh.gears), name)
         if first != name:
             report.problem(
                 ("meshes", name, "gears"),
-                f"are the gears of {first} already",
+                f"are already the gears of {first}",
                 value=" and ".join(mesh.gears),
-                remedy="leave one of the two meshes out",
+                remedy="remove one of the two meshes",
             )
 
 
 def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> bool:
-    """Whether a name exists; reports it with the nearest one if not."""
+    """Whether a name exists; if not, the problem is reported with the nearest spelling."""
     if parts.has(group, name):
         return True
     names = parts.known(group)
@@ -60,15 +60,15 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> boo
 
 
 def check_carriers(parts: Parts, report: Reader) -> None:
-    """Every gear sits on one body; no mesh joins gears of one body."""
+    """Check that every gear is on one body and that no mesh connects gears of the same body."""
     carriers: dict[str, str] = {}
     for name, body in parts.bodies.items():
         for gear in body.gears:
             if gear in carriers:
                 report.problem(
                     ("bodies", name, "gears"),
-                    f"carries {gear}, which sits on {carriers[gear]} already",
-                    remedy="leave it on one of the two bodies",
+                    f"carries {gear}, which is already on {carriers[gear]}",
+                    remedy="keep it on one of the two bodies",
                 )
             carriers.setdefault(gear, name)
     complete = set(parts.bodies) == parts.known("bodies") and ("bodies",) not in report.tainted
@@ -77,7 +77,7 @@ def check_carriers(parts: Parts, report: Reader) -> None:
         if bodies[0] is not None and bodies[0] == bodies[1] and mesh.gears[0] != mesh.gears[1]:
             report.problem(
                 ("meshes", name, "gears"),
-                f"joins two gears of the body {bodies[0]}",
+                f"connects two gears of the body {bodies[0]}",
                 value=" and ".join(mesh.gears),
                 remedy="put them on two bodies",
             )
@@ -91,13 +91,11 @@ def check_carriers(parts: Parts, report: Reader) -> None:
                     )
 
 
-# --- places on bodies ---------------------------------------------------------------------------------------
+# --- points on bodies ---------------------------------------------------------------------------------------
 def check_places(parts: Parts, report: Reader) -> None:
-    """Whatever names a place on a body names a body and a marker that exist."""
+    """Check that the ends of elements refer to existing bodies and markers."""
     if GROUND in parts.known("bodies"):
-        report.problem(
-            ("bodies", GROUND), "is the name of what does not move", remedy="call the body something else"
-        )
+        report.problem(("bodies", GROUND), "is a reserved name", remedy="rename the body")
     for group, name, key, given in ends_of(parts):
         many = not isinstance(given, str)
         for i, end in enumerate(given if many else (given,)):
@@ -106,17 +104,17 @@ def check_places(parts: Parts, report: Reader) -> None:
         if many and len(given) == 2 and len({split(e)[0] for e in given}) == 1:
             body = parts.bodies.get(split(given[0])[0])
             if group == "sensors" and body is not None and (body.shaft or body.elastic):
-                continue  # how it bends and twists
+                continue  # measures its deformation
             report.problem(
                 (group, name, key),
-                f"lie on one body, {split(given[0])[0]}",
+                f"are on the same body, {split(given[0])[0]}",
                 value=" and ".join(given),
-                remedy="name places on two bodies",
+                remedy="name points on two bodies",
             )
 
 
 def ends_of(machine: Any) -> Iterator[tuple[str, str, str, Any]]:
-    """Every place on a body that a component names: section, name, key and value."""
+    """All ends of components: section, name, key and value."""
     for group in groups_of(machine):
         components: Mapping[str, Any] = getattr(machine, group)
         for name, part in components.items():
@@ -133,7 +131,7 @@ def _known_end(parts: Parts, end: str, at: Place, report: Reader) -> None:
             report.problem(
                 at,
                 f"names a marker of ground, {end}",
-                remedy="give the place as position, or put the marker on a body with motion: fixed",
+                remedy="give position, or put the marker on a body with motion: fixed",
             )
         return
     if not known(parts, "bodies", body, at, report) or not marker or body not in parts.bodies:

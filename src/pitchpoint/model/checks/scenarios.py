@@ -27,17 +27,15 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Scenario
 
 MOST_STEPS = 1e12
-"""Steps of a run beyond which a time step or a sample rate can only be a slip: days of computing."""
+"""Maximum number of steps of a run; more indicate a wrong time step or sampling rate."""
 
 
 def check_scenarios(parts: Parts, report: Reader) -> None:
-    """Check every scenario against the bodies and meshes it names."""
+    """Check all scenarios."""
     for name, scenario in parts.scenarios.items():
         at: Place = ("scenarios", name)
         if not parts.bodies and ("bodies",) not in report.tainted and not parts.known("bodies"):
-            report.problem(
-                at, "needs bodies, and the file has none", remedy="add bodies that carry the gears"
-            )
+            report.problem(at, "requires bodies, and the file has none", remedy="add bodies with the gears")
             continue
         _names(parts, scenario, at, report)
         _speeds(parts, scenario, at, report)
@@ -48,7 +46,7 @@ def check_scenarios(parts: Parts, report: Reader) -> None:
         elif scenario.sweep is not None:
             _sweep(parts, scenario, (*at, "sweep"), report)
         if scenario.sweep is not None and scenario.quasi_static is not None:
-            report.problem(at, "has sweep and quasi_static at once", remedy="make two scenarios of it")
+            report.problem(at, "has both sweep and quasi_static", remedy="split it into two scenarios")
 
 
 def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
@@ -81,12 +79,12 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
 
 
 def _turns(parts: Parts, body: str, at: Place, report: Reader) -> None:
-    """A body that a joint carries has a spin of its own only with some joints."""
+    """Check that a body on a joint has a spin coordinate."""
     if body not in parts.bodies or parts.bodies[body].moves != "joint":
         return
     found = coordinate(parts.mechanism, parts, body)
     if isinstance(found, str):
-        report.problem(at, found, remedy="name a body that spins, or drive a coordinate of its joint")
+        report.problem(at, found, remedy="name a body with a spin, or drive a coordinate of its joint")
 
 
 def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
@@ -95,7 +93,7 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
     for body in scenario.speed:
         part = parts.bodies.get(body)
         if part is not None and part.moves == "fixed" and scenario.speed[body] != 0.0:
-            report.problem((*at, "speed", body), "is the speed of a fixed body", remedy="remove it")
+            report.problem((*at, "speed", body), "is not zero, but the body is fixed", remedy="remove it")
     for k, body in enumerate(scenario.hold):
         if body in scenario.drive:
             report.problem(
@@ -108,7 +106,7 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             if body in parts.bodies and parts.bodies[body].moves == "fixed":
                 report.problem(
                     (*at, key, body) if key == "drive" else (*at, key),
-                    f"names {body}, which is fixed and cannot turn",
+                    f"names {body}, which is fixed and cannot rotate",
                     remedy="remove it, or give the body motion: torsion",
                 )
     for body, drive in scenario.drive.items():
@@ -117,10 +115,10 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             if abs(given - driven) > SPEED_TOLERANCE * abs(driven):
                 report.problem(
                     (*at, "speed", body),
-                    "is not the speed at which the body is driven",
+                    "differs from the speed of the drive",
                     value=f"{given:.6g} rad/s",
                     limit=f"{driven:.6g} rad/s",
-                    remedy="leave it out: what is driven starts at the speed of its drive",
+                    remedy="remove it: a driven body starts at the speed of its drive",
                 )
         if isinstance(drive.value, PythonLaw):
             key, rate = ("angle", "speed") if drive.angle is not None else ("position", "velocity")
@@ -132,15 +130,15 @@ def _speeds(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
     for body, fitting in start_speeds(parts, free)[1]:
         report.problem(
             (*at, "speed", body),
-            "does not fit the ratio to the other given speeds",
+            "does not match the gear ratio to the other given speeds",
             value=f"{free[body]:.6g} rad/s",
             limit=f"{fitting:.6g} rad/s",
-            remedy="correct it or leave it out; the other speeds follow from the ratios (a drive may differ)",
+            remedy="correct or remove it; the other speeds follow from the gear ratios (a drive may differ)",
         )
 
 
 def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
-    """Speeds inside a loop whose ratios contradict each other."""
+    """Report non-zero speeds in gear trains that are locked by contradicting ratios or fixed bodies."""
     turned: dict[str, Place] = {b: (*at, "speed", b) for b, speed in scenario.speed.items() if speed != 0.0}
     turned |= {b: (*at, "drive", b) for b in scenario.drive}
     if scenario.sweep is not None:
@@ -154,7 +152,7 @@ def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
         if body not in parts.bodies or body not in linked or body in fixed:
             continue
         locked = locked_links(parts, body)
-        if plain and not locked:  # nor does any other body of its train find one
+        if plain and not locked:  # the other bodies of its train are not locked either
             linked -= train_of(parts, body)
         for link, one, two, _ in locked:
             if link in reported:
@@ -163,14 +161,12 @@ def _locked(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None
             still = {one, two} & fixed
             where = ".".join(map(str, link))
             if still:
-                what = f"{where} meshes it, or what turns with it, with {still.pop()}, which is fixed"
-                remedy = "leave the speed at zero, or give the fixed body another motion"
+                what = f"{where} connects its gear train to {still.pop()}, which is fixed"
+                remedy = "set the speed to zero, or give the fixed body another motion"
             else:
-                what = (
-                    f"{where} locks {one} and {two}, which other meshes and couplings turn at another ratio"
-                )
-                remedy = "take one of the loop out, or leave the speed at zero"
-            report.problem(place, f"cannot turn {body}: {what}", remedy=remedy)
+                what = f"{where} locks {one} and {two}: other meshes and couplings give a different ratio"
+                remedy = "remove one link of the loop, or set the speed to zero"
+            report.problem(place, f"cannot rotate {body}: {what}", remedy=remedy)
 
 
 def _time(scenario: Scenario, at: Place, report: Reader) -> None:
@@ -182,7 +178,7 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
     if scenario.form == "SI1" and scenario.method == "generalized_alpha":
         report.problem(
             (*at, "form"),
-            "is none that generalized_alpha has",
+            "is not available with generalized_alpha",
             value="SI1",
             limit="I3 or SI2",
             remedy="write form: SI2, or a stiff method such as gstiff",
@@ -190,7 +186,7 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
     if scenario.settle_time is not None and scenario.settle_time >= scenario.duration:
         report.problem(
             (*at, "settle_time"),
-            "leaves nothing to measure",
+            "leaves no time for the statistics",
             value=f"{scenario.settle_time:g} s",
             limit=f"< {scenario.duration:g} s",
             remedy="shorten it or lengthen duration",
@@ -199,10 +195,10 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
     if scenario.step is not None and scenario.step > 0.5 * window > 0.0:
         report.problem(
             (*at, "step"),
-            "is longer than half the time that is measured, from settle_time to duration",
+            "is longer than half the evaluated time, from settle_time to duration",
             value=f"{scenario.step:g} s",
             limit=f"<= {0.5 * window:g} s",
-            remedy="write a shorter step, or leave it out",
+            remedy="reduce it, or remove it",
         )
     for key, count in (
         ("step", scenario.duration / scenario.step if scenario.step else 0.0),
@@ -211,9 +207,9 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
         if count > MOST_STEPS:
             report.problem(
                 (*at, key),
-                f"makes {count:.2g} steps out of the duration",
+                f"gives {count:.2g} steps for the duration",
                 limit=f"<= {MOST_STEPS:g} steps",
-                remedy=f"correct {key} or duration, or leave {key} out",
+                remedy=f"correct {key} or duration, or remove {key}",
             )
 
 
@@ -231,13 +227,13 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     key = "mesh_frequency" if sweep.mesh_frequency is not None else "speed"
     if bounds is not None and bounds[0] >= bounds[1]:
         report.problem(
-            (*at, key), "does not rise", remedy="write [lowest, highest]; direction gives the order"
+            (*at, key), "is not increasing", remedy="write [lowest, highest]; direction gives the order"
         )
     if ("meshes",) in report.tainted or ("bodies",) in report.tainted:
         return
     own = parts.bodies[sweep.body].gears if sweep.body in parts.bodies else {}
     if not parts.gears.keys() >= set(own):
-        return  # a gear that cannot be read may be the one in mesh
+        return  # an unreadable gear may be the one in mesh
     teeth = sweep_meshes(parts, sweep.body)
     every = {**parts.meshes, **parts.bevel_meshes}
     if not teeth:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of what sensors and torques name: coordinates, observations, bodies and how these move.
+"""Checks of the coordinates, observations and bodies named by sensors and actuators.
 
-Each problem is reported as soon as the parts it depends on could be read, in addition to all others.
+A check runs if the parts that it depends on could be read.
 """
 
 from __future__ import annotations
@@ -24,20 +24,20 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 SAME = math.sqrt(0.5)
-"""Cosine of the angle of two spin axes up to which a torque has an axis half-way between them."""
+"""Minimum cosine of the angle between two spin axes that are coupled by a torque."""
 PARALLEL = 1.0 - 1e-9
 NO_HOLD = ("free", "shaft")
-"""Joints that leave all six displacements free."""
+"""Joint types without constraints."""
 IDLE = {
     "bodies": ("position", "mass", "inertia", "transverse_inertia", "center_of_mass"),
     "joints": ("position", "start", "speed", "friction", "lead"),
 }
-"""Keys that may be wrong without a doubt about which joint carries which body along which axes."""
+"""Keys whose problems do not affect the kinematic tree and its axes."""
 BODIES = ("bodies", "shafts", "elastic_bodies")
 
 
 def check_signal_places(parts: Parts, report: Reader) -> None:
-    """Sensors and actuators fit to how the bodies move, as far as that is known."""
+    """Check that sensors and actuators are compatible with the mechanism, as far as it is known."""
     whole = _tree_known(parts, report)
     for name, sensor in parts.sensors.items():
         at: Place = ("sensors", name)
@@ -53,7 +53,7 @@ def check_signal_places(parts: Parts, report: Reader) -> None:
 
 
 def _tree_known(parts: Parts, report: Reader) -> bool:
-    """Whether all that decides how the bodies hang on each other could be read."""
+    """Whether all data of the kinematic tree could be read."""
     if not _all_read(parts, report, ("joints", *BODIES)) or parts.mechanism.floating:
         return False
     if any(parts.known(group) - set(getattr(parts, group)) for group in ("joints", *BODIES)):
@@ -62,7 +62,7 @@ def _tree_known(parts: Parts, report: Reader) -> bool:
 
 
 def _all_read(parts: Parts, report: Reader, groups: tuple[str, ...]) -> bool:
-    """Whether the names of all parts of some sections are known: no such section is misspelled."""
+    """Whether the names of all parts of some sections are known: none of these sections is misspelled."""
     values = set(keys_of(Contents)) - set(GROUPS)
     broken = {str(p[0]) for p in report.tainted if len(p) == 1} - values
     lost = {word for word in broken if not parts.known(word)}
@@ -70,7 +70,7 @@ def _all_read(parts: Parts, report: Reader, groups: tuple[str, ...]) -> bool:
 
 
 def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader, whole: bool) -> None:
-    """The coordinate exists; what the tree decides about it only if the tree is known."""
+    """Check the coordinate of a joint sensor; its use in the tree only if the tree is known."""
     found = coordinate(parts.mechanism, parts, sensor.coordinate) if whole else None
     if not whole and _names_nothing(parts, sensor.coordinate, report):
         found = coordinate(parts.mechanism, parts, sensor.coordinate)
@@ -89,19 +89,19 @@ def _joint_sensor(parts: Parts, at: Place, sensor: JointSensor, report: Reader, 
     if seat.kind == "user":
         report.problem(
             (*at, "coordinate"),
-            f"names {sensor.coordinate}, whose joint moves by functions",
-            remedy="sense positions and angles between frames: type: frames",
+            f"names {sensor.coordinate}, whose joint is defined by functions",
+            remedy="measure positions and angles between frames: type: frames",
         )
     elif tilts and word in ("alpha", "beta", "spin"):
         report.problem(
             (*at, "coordinate"),
-            f"names {sensor.coordinate}, a turn among others ({seat.kind}), which is not an angle in a plane",
+            f"names {sensor.coordinate}, one of several rotations ({seat.kind}), which is not a plane angle",
             remedy=remedy,
         )
 
 
 def _meant(parts: Parts, name: str) -> tuple[str, set[str]]:
-    """The part of the name of a coordinate that is wrong, and the names that it could be."""
+    """The unknown part of a coordinate name, and the possible names."""
     part, dot, word = name.partition(".")
     if dot and part in parts.joints:
         return word, set(parts.joints[part].names)
@@ -109,7 +109,7 @@ def _meant(parts: Parts, name: str) -> tuple[str, set[str]]:
 
 
 def _names_nothing(parts: Parts, name: str, report: Reader) -> bool:
-    """Whether a coordinate is none, however the bodies hang on each other."""
+    """Whether a coordinate does not exist, independent of the kinematic tree."""
     part, dot, word = name.partition(".")
     if not dot:
         return part not in _body_names(parts) and _all_read(parts, report, BODIES)
@@ -137,8 +137,8 @@ def _load_sensor(parts: Parts, at: Place, sensor: LoadSensor, report: Reader, wh
         how = f"the joint {seat.joint}" if seat.joint is not None else "its motion"
         report.problem(
             (*at, "at"),
-            f"names {body}, which nothing holds: {how} leaves all directions free",
-            remedy="sense the force of a bearing or spring: type: observation",
+            f"names {body}, which has no joint reaction: {how} leaves all directions free",
+            remedy="measure the force of a bearing or spring: type: observation",
         )
 
 
@@ -155,7 +155,7 @@ def _listener(parts: Parts, at: Place, sensor: Listener, report: Reader) -> None
         )
         return
     if match[1] == "signal":
-        report.problem(where, "is a signal", remedy="read it by its name where it is needed")
+        report.problem(where, "is a signal", remedy="use the signal by its name")
         return
     if match[1] not in table():
         report.problem(
@@ -192,13 +192,13 @@ def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader, w
     one, two = (_spin_axis(parts, body) for body in bodies)
     along = abs(float(one @ two))
     spins = not isinstance(coordinate(parts.mechanism, parts, bodies[1]), str)
-    # a body without a spin takes the torque whatever its axes, but for one nearly along it
+    # a body without spin takes the torque about any axis, except one nearly parallel
     if along < SAME if spins else SAME < along < PARALLEL:
         report.problem(
             at,
             f"are tilted by {math.degrees(math.acos(along)):.4g} deg: {bodies[0]} and {bodies[1]}",
             limit="45 deg" if spins else "0 deg, or above 45 deg",
-            remedy="let the torque act back on the body that carries the driven one, or write "
+            remedy="let the reaction act on the body that carries the driven one, or write "
             "{type: force, quantity: moment, ...}",
         )
 

@@ -24,7 +24,7 @@ Definition = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 def check_functions(parts: Parts, report: Reader) -> None:
-    """Files and functions exist and take what they are called with."""
+    """Check that files and functions exist and have the right number of arguments."""
     for name, block in parts.blocks.items():
         if isinstance(block, LawBlock):
             _function(block.function, LAW_ARGUMENTS, ("blocks", name, "function"), report)
@@ -40,7 +40,7 @@ def _function(law: PythonLaw, arguments: tuple[str, ...], at: Place, report: Rea
     except OSError:
         report.problem(
             at,
-            f"names the file '{file.name}', which is not there",
+            f"names the file '{file.name}', which does not exist",
             remedy="give it relative to the model file",
         )
         return
@@ -74,7 +74,8 @@ def _function(law: PythonLaw, arguments: tuple[str, ...], at: Place, report: Rea
 
 
 def _may_bind(tree: ast.Module, name: str) -> bool:
-    """Whether statements other than definitions may define a name, which only running them would show."""
+    """Whether statements other than definitions may define a name, which cannot be decided without running
+    them."""
     simple = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Expr)
     for node in tree.body:
         if isinstance(node, ast.Import | ast.ImportFrom):
@@ -94,7 +95,7 @@ def _may_bind(tree: ast.Module, name: str) -> bool:
 
 
 def check_signals(parts: Parts, report: Reader) -> None:
-    """Whatever does not depend on how the machine hangs together."""
+    """Check all properties of signals that do not depend on the mechanism."""
     if not any(parts.known(section) for section in SECTIONS):
         return
     names = _names(parts, report)
@@ -109,11 +110,11 @@ def check_signals(parts: Parts, report: Reader) -> None:
 
 # --- names --------------------------------------------------------------------------------------------------
 def _names(parts: Parts, report: Reader) -> bool:
-    """Every signal is made once, and whatever is read is made; whether all names could be followed."""
+    """Check that every signal is defined once and every reference exists; True if all could be resolved."""
     seen: dict[str, Place] = {}
     for name, at in made(parts):
         if name == TIME:
-            report.problem(at, "is the name of the time in formulas", remedy="call the signal something else")
+            report.problem(at, "is the name of the time in formulas", remedy="rename the signal")
         elif name in seen:
             _taken(name, at, seen[name], report)
         elif at[0] != "controllers" or report.good_name(name, at[:2]):
@@ -147,12 +148,12 @@ def _names(parts: Parts, report: Reader) -> bool:
 
 def _taken(name: str, at: Place, first: Place, report: Reader) -> None:
     who = ".".join(str(step) for step in first[:2])
-    remedy = "give each signal and each actuator a name of its own"
-    report.problem(at, f"has a name that is taken: {who} makes signal[{name}]", remedy=remedy)
+    remedy = "give each signal and each actuator a unique name"
+    report.problem(at, f"has a name that is already used: {who} defines signal[{name}]", remedy=remedy)
 
 
 def _loops(parts: Parts, report: Reader) -> None:
-    """Signals that follow themselves without a state between, with the names in the loop."""
+    """Report algebraic loops with the names of their signals."""
     follows = at_once(parts)
     done: set[str] = set()
     for first in follows:
@@ -182,14 +183,14 @@ def _loop(parts: Parts, loop: list[str], report: Reader) -> None:
     first = loop[k]
     report.problem(
         ("blocks" if first in parts.blocks else "actuators", first),
-        f"follows itself at once: {' <- '.join([*loop[k:], *loop[:k], first])}",
-        remedy="put a state between them, such as a filter",
+        f"is part of an algebraic loop: {' <- '.join([*loop[k:], *loop[:k], first])}",
+        remedy="add a block with a state, such as a filter",
     )
 
 
 # --- blocks and controllers ---------------------------------------------------------------------------------
 def _block(at: Place, block: bl.Block, report: Reader) -> None:
-    """Keys of one block that belong together."""
+    """Check dependent keys of a block."""
     if isinstance(block, bl.Limits | bl.Pid):
         _limits(at, block.limits, report)
     if isinstance(block, bl.FormulaBlock):
@@ -204,9 +205,9 @@ def _limits(at: Place, limits: tuple[float, float] | None, report: Reader) -> No
     if limits is not None and not limits[0] < limits[1]:
         report.problem(
             (*at, "limits"),
-            "leave no room",
+            "are not increasing",
             value=f"{limits[0]:.6g} to {limits[1]:.6g}",
-            remedy="write [least, greatest]",
+            remedy="write [minimum, maximum]",
         )
 
 
@@ -220,7 +221,7 @@ def _formula(at: Place, block: bl.FormulaBlock, report: Reader) -> None:
             report.problem(
                 (*at, "inputs", i),
                 f"{name[:40]!r} is not a name that a formula can use",
-                remedy="call the signal a word of letters, digits and '_' that is not a function",
+                remedy="name the signal with letters, digits and '_', and not as a function",
             )
             return
     try:
@@ -236,11 +237,11 @@ def _formula(at: Place, block: bl.FormulaBlock, report: Reader) -> None:
 
 def _transfer_function(at: Place, block: bl.TransferFunction, report: Reader) -> None:
     if block.denominator[0] == 0.0:
-        report.problem((*at, "denominator", 0), "is zero", remedy="leave leading zeros out")
+        report.problem((*at, "denominator", 0), "is zero", remedy="remove leading zeros")
     elif len(block.numerator) > len(block.denominator):
         report.problem(
             (*at, "numerator"),
-            "is of higher order than the denominator: it would differentiate",
+            "is of higher order than the denominator: the transfer function is improper",
             value=f"order {len(block.numerator) - 1}",
             limit=f"<= {len(block.denominator) - 1}",
             remedy="add a pole to the denominator",
@@ -251,7 +252,7 @@ def _pid(at: Place, block: bl.Pid, report: Reader) -> None:
     if block.derivative != 0.0 and block.filter_time == 0.0:
         report.problem(
             (*at, "filter_time"),
-            "is missing: a derivative needs one",
+            "is missing: required for the derivative part",
             remedy="add for example filter_time: 1 ms",
         )
     follows = block.limits is not None and block.integral != 0.0 and block.tracking_time is None
@@ -270,5 +271,5 @@ def _controller(at: Place, part: Any, report: Reader) -> None:
         report.problem(
             (*at, "start"),
             f"has {len(part.start)} numbers for {len(part.outputs)} outputs",
-            remedy="give one for each, or leave it out",
+            remedy="give one for each, or remove it",
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of directions of axes, and of the solids of CAD programs in gears, shafts and bodies."""
+"""Checks of axis directions, and of CAD solids of gears, shafts and bodies."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SQUARE = 1e-6
 
 
 def check_directions(parts: Parts, report: Reader) -> None:
-    """Axes are directions, and x is at right angles to z."""
+    """Check the axes of bodies, markers and joints."""
     for name, body in parts.bodies.items():
         check_axes(body.axes, ("bodies", name, "axes"), report)
         for word, marker in body.markers.items():
@@ -32,7 +32,7 @@ def check_directions(parts: Parts, report: Reader) -> None:
 
 
 def check_axes(axes: Axes | None, at: Place, report: Reader) -> None:
-    """Directions are not zero, and at right angles to each other."""
+    """Check that x and z are non-zero and perpendicular."""
     if axes is None:
         return
     for key in ("z", "x"):
@@ -40,7 +40,7 @@ def check_axes(axes: Axes | None, at: Place, report: Reader) -> None:
         if given is not None and not any(given):
             report.problem(
                 (*at, key),
-                "is not a direction: all its numbers are zero",
+                "is not a direction: all components are zero",
                 remedy="write for example [1, 0, 0]",
             )
             return
@@ -51,15 +51,15 @@ def check_axes(axes: Axes | None, at: Place, report: Reader) -> None:
     if abs(cosine) > SQUARE:
         report.problem(
             (*at, "x"),
-            "is not at right angles to z",
+            "is not perpendicular to z",
             value=f"{math.degrees(math.acos(max(-1.0, min(1.0, cosine)))):.6g} deg",
             limit="90 deg",
-            remedy="correct one of them, or leave x out",
+            remedy="correct one of them, or remove x",
         )
 
 
 def check_solids(parts: Parts, report: Reader) -> None:
-    """Read the solids of gears, shafts and bodies; those that cannot be read are omitted later on."""
+    """Read the solids of gears, shafts and bodies; remove those that cannot be read."""
     for group in ("gears", "shafts", "bodies"):
         components = getattr(parts, group)
         for name, component in list(components.items()):
@@ -83,7 +83,7 @@ def _check(part: SolidReference, at: Place, group: str, report: Reader) -> bool:
         single = group.removesuffix("s")
         report.problem(
             (*at, "origin"),
-            f"has no effect: a {single} lies where its body or its section is",
+            f"is for solids of bodies only: the position of a {single} is known",
             remedy="remove it",
         )
         return False

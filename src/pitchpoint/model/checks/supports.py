@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bearings and couplings sit on the axes of their bodies, and what they join lies along one axis."""
+"""Checks of bearings and couplings: on the axis of their body, coaxial and at the same position."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
 
 HOUSED = 1e-3
-"""Distance of a bearing from the named place of its housing [m]; what is less is a rigid arm."""
+"""Maximum distance of a bearing from its housing marker [m]; a smaller distance is a rigid arm."""
 TILTED = math.radians(5.0)
-"""Angle from which rings do not share one axis; no bearing is mounted with that tilt."""
+"""Maximum angle between the axes of two rings [rad]."""
 COAXIAL = 1e-6
-"""Distance of two axes [m] up to which they count as one: what places computed from meshes differ by."""
+"""Distance of two axes [m] up to which they coincide: round-off of positions computed from meshes."""
 
 
 def check_positions(parts: Parts, report: Reader) -> None:
-    """Springs act between axes, which do not turn with the bodies; a place off the axis would turn."""
+    """Check that bearings and couplings are on the axis of their body: they do not rotate with it."""
     for group in ("bearings", "couplings"):
         for name, part in getattr(parts, group).items():
             x, y, z = part.position
@@ -36,16 +36,16 @@ def check_positions(parts: Parts, report: Reader) -> None:
             shown = ", ".join(f"{v * 1e3:.6g}" for v in part.position)
             report.problem(
                 (group, name, "position"),
-                f"lies off the axis of {body}",
+                f"is off the axis of {body}",
                 value=f"[{shown}] mm",
                 limit="x = y = 0",
-                remedy=f"write [0, 0, {z * 1e3:.6g} mm]; the axis lies where the position of {body} puts it",
+                remedy=f"write [0, 0, {z * 1e3:.6g} mm]; the axis is given by the position of {body}",
                 taint=False,
             )
 
 
 def check_housings(parts: Parts, report: Reader) -> None:
-    """A bearing in a housing sits where the named place of it is, and leaves the spin free."""
+    """Check the position of bearings in housings, and that the spin is free."""
     for name, part in parts.bearings.items():
         at: Place = ("bearings", name)
         if part.housing is None or part.housing == GROUND or at in report.tainted:
@@ -55,15 +55,15 @@ def check_housings(parts: Parts, report: Reader) -> None:
             report.problem(
                 (*at, "housing"),
                 f"is the body that runs in the bearing, {body}",
-                remedy="name another body, or leave housing out for ground",
+                remedy="name another body, or remove housing for ground",
             )
             continue
         if part.stiffness.matrix6()[5][5] != 0.0:
             report.problem(
                 (*at, "stiffness"),
-                f"holds the spin of {part.body} against the housing {body}",
+                f"constrains the spin of {part.body} relative to the housing {body}",
                 limit="torsion: 0",
-                remedy="use a coupling for that, or leave torsion out",
+                remedy="use a coupling instead, or remove torsion",
             )
         if part.body not in parts.bodies or body not in parts.bodies:
             continue
@@ -76,15 +76,16 @@ def check_housings(parts: Parts, report: Reader) -> None:
         if apart > limit:
             report.problem(
                 (*at, "housing"),
-                f"lies {apart * 1e3:.6g} mm from the bearing",
+                f"is {apart * 1e3:.6g} mm away from the bearing",
                 value=part.housing,
                 limit=f"{limit * 1e3:.4g} mm",
-                remedy=f"correct the place of {marker}, or the position of the bearing or of {part.body}",
+                remedy=f"correct the position of {marker}, of the bearing or of {part.body}",
             )
 
 
 def check_couplings(parts: Parts, report: Reader) -> None:
-    """Forces between axes that lie apart would turn the bodies without a spring that gives the work."""
+    """Check that couplings with lateral stiffness are coaxial: otherwise their forces would not be
+    conservative."""
     for name, coupling in parts.couplings.items():
         bodies = [parts.bodies.get(b) for b in coupling.bodies]
         if None in bodies or all(b.moves in ("torsion", "fixed") for b in bodies if b is not None):
@@ -100,7 +101,7 @@ def check_couplings(parts: Parts, report: Reader) -> None:
             first, second = coupling.bodies
             report.problem(
                 ("couplings", name, "bodies"),
-                f"have axes {apart * 1e3:.6g} mm apart, and the coupling holds more than their rotation",
+                f"have axes {apart * 1e3:.6g} mm apart, and the coupling constrains more than their rotation",
                 value=f"{first} and {second}",
                 limit=f"{COAXIAL * 1e3:g} mm",
                 remedy=f"put {first} and {second} on one axis, or give the coupling torsion only",
@@ -108,7 +109,7 @@ def check_couplings(parts: Parts, report: Reader) -> None:
 
 
 def check_turning(parts: Parts, report: Reader) -> None:
-    """The angle between two bodies is one about an axis of both: about others it depends on the way there."""
+    """Check that torsional elements connect parallel axes: otherwise the angle depends on the path."""
     for group in TURNING:
         for name, part in getattr(parts, group).items():
             if len(part.bodies) == 2 and all(b in parts.bodies for b in part.bodies):
@@ -116,7 +117,7 @@ def check_turning(parts: Parts, report: Reader) -> None:
 
 
 def _tilted(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report: Reader) -> bool:
-    """Whether two bodies have different z axes as drawn, which is reported."""
+    """Whether two bodies have different z axes initially; reports the problem."""
     z, other = (body_frame(parts, b)[1][:, 2] for b in bodies)
     cosine = float(z @ other)
     if cosine < 1.0 - COAXIAL**2:
@@ -124,14 +125,14 @@ def _tilted(parts: Parts, group: str, name: str, bodies: tuple[str, ...], report
             (group, name, "bodies"),
             f"have axes {math.degrees(math.acos(max(-1.0, cosine))):.6g} deg apart",
             value=" and ".join(bodies),
-            remedy="give both bodies the same z axis, or join them by a universal joint",
+            remedy="give both bodies the same z axis, or connect them by a universal joint",
         )
         return True
     return False
 
 
 def check_rings(parts: Parts, report: Reader) -> None:
-    """The rings of rolling and plain bearings lie at one place, about one axis; ground is the origin."""
+    """Check that the rings of rolling and plain bearings have the same position and axis."""
     for group in ("rolling_bearings", "plain_bearings"):
         for name, bearing in getattr(parts, group).items():
             places = [place_of(parts, end) for end in bearing.ends]
@@ -149,30 +150,30 @@ def check_rings(parts: Parts, report: Reader) -> None:
                     f"have z axes {math.degrees(angle):.6g} deg apart",
                     value=f"{inner} and {outer}",
                     limit=f"{math.degrees(TILTED):.3g} deg",
-                    remedy=f"give the marker {outer} axes whose z lies along that of {inner}; on ground it "
-                    "takes a body with motion: fixed and a marker",
+                    remedy=f"give the marker {outer} axes with z along that of {inner}; on ground, use "
+                    "a body with motion: fixed and a marker",
                 )
 
 
 def _apart(
     parts: Parts, at: Place, ends: tuple[str, str], places: tuple[Array, Array], report: Reader
 ) -> bool:
-    """Whether the rings of a bearing lie at different places as drawn; if so, it is reported."""
+    """Whether the rings of a bearing have different initial positions; reports the problem."""
     distance = float(np.linalg.norm(places[0] - places[1]))
     limit = HOUSED * max(1.0, *(float(np.abs(p).max()) for p in places))
     if distance <= limit:
         return False
-    remedy = "correct the places of the bodies or markers"
+    remedy = "correct the positions of the bodies or markers"
     if GROUND in ends:
         body = ends[ends[0] == GROUND]
         where = ", ".join(f"{v * 1e3:.6g} mm" for v in places[ends[0] == GROUND])
         remedy = (
             f"ground is the origin of the world: add a body {{motion: fixed, position: [{where}]}} "
-            f"where {body} lies, and name it instead of ground"
+            f"at {body}, and name it instead of ground"
         )
     report.problem(
         at,
-        f"lie {distance * 1e3:.6g} mm from each other as drawn",
+        f"are {distance * 1e3:.6g} mm apart in the initial position",
         value=" and ".join(ends),
         limit=f"{limit * 1e3:.4g} mm",
         remedy=remedy,
@@ -181,8 +182,8 @@ def _apart(
 
 
 def _holds_sideways(coupling: Coupling) -> bool:
-    """Whether anything but the rotation about the axis is sprung or damped."""
+    """Whether a coupling has stiffness or damping other than about its axis."""
     matrices = [coupling.stiffness.matrix6()]
     if coupling.damping is not None:
-        matrices.append(coupling.damping.matrix6())  # a ratio damps what the stiffness holds
+        matrices.append(coupling.damping.matrix6())  # a ratio damps the directions of the stiffness
     return any(m[i][j] != 0.0 for m in matrices for i in range(6) for j in range(6) if (i, j) != (5, 5))

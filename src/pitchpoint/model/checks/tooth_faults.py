@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is wrong with the faults of a model: no such tooth, sizes larger than it, a law of the whole mesh."""
+"""Checks of tooth faults: tooth numbers, sizes, stiffness laws of the whole mesh."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 def check_faults(gear: Gear | BevelGear, at: Place, report: Reader) -> None:
-    """Report faults that no tooth of a gear can have."""
+    """Report faults that are impossible on the teeth of a gear."""
     for label, fault in gear.faults.items():
         here = (*at, label)
         tooth = getattr(fault, "tooth", 0)
@@ -87,17 +87,17 @@ def _crack_problems(gear: Gear, crack: RootCrack) -> list[Message]:
                 "goes beyond the centre line of the tooth",
                 f"{1e3 * crack.depth:.6g} mm",
                 f"{1e3 * most:.6g} mm",
-                "reduce it, or take broken_tooth for a tooth that is gone",
+                "reduce it, or use broken_tooth for a missing tooth",
             )
         )
     if crack.length is not None and crack.length > gear.face_width:
         found.append(
             Message(
                 "length",
-                "is longer than the face is wide",
+                "exceeds the face width",
                 f"{1e3 * crack.length:.6g} mm",
                 f"{1e3 * gear.face_width:.6g} mm",
-                "leave it out for the whole face",
+                "remove it for the whole face",
             )
         )
     return found
@@ -107,11 +107,11 @@ def _pit_problems(gear: Gear, fault: Pitting) -> list[Message]:
     from pitchpoint.geometry.pits import Patch, patch_problems
 
     if bool(fault.patches) == (fault.pattern is not None):
-        both = "patches and pattern are given" if fault.patches else "neither patches nor pattern is given"
-        return [Message("patches", f"cannot be: {both}", remedy="give one of them")]
+        both = "cannot be combined with pattern" if fault.patches else "is missing, and pattern too"
+        return [Message("patches", both, remedy="give one of them")]
     shape = gear.geometry
     if fault.pattern is not None:
-        # of the smallest pits that may come out, at the diameter where they cover the least roll
+        # the smallest possible pits, at the diameter where they cover the shortest roll length
         size = {name: 0.5 * getattr(fault.pattern, name) for name in ("length", "height", "depth")}
         outer = max(abs(shape.d_Ff), abs(shape.d_Fa))
         least = Patch(position=0.0, diameter=outer, **size)
@@ -123,7 +123,7 @@ def _pit_problems(gear: Gear, fault: Pitting) -> list[Message]:
 
 
 def _doubled(problem: Message) -> Message:
-    return problem.changed(text=f"is the least that may come out, which {problem.text}")
+    return problem.changed(text=f"of the smallest random pit {problem.text}")
 
 
 def _wear_problems(gear: Gear, wear: Wear) -> list[Message]:
@@ -135,11 +135,11 @@ def _wear_problems(gear: Gear, wear: Wear) -> list[Message]:
     if wear.depth is None and None not in work:
         return []
     remedy = "give either depth, or all of coefficient, cycles and torque"
-    return [Message("depth", "is not the one way in which the size of the wear is given", remedy=remedy)]
+    return [Message("depth", "does not define the wear uniquely", remedy=remedy)]
 
 
 def check_fault_laws(parts: Parts, report: Reader) -> None:
-    """Report faulty gears in meshes whose stiffness knows no single teeth."""
+    """Report tooth faults in meshes whose stiffness law describes the whole mesh."""
     for section in ("meshes", "bevel_meshes"):
         for name, mesh in getattr(parts, section).items():
             if mesh.stiffness.law not in OF_PAIRS and (section, name, "stiffness") not in report.tainted:
@@ -147,15 +147,15 @@ def check_fault_laws(parts: Parts, report: Reader) -> None:
 
 
 def _without_teeth(parts: Parts, section: str, name: str, mesh: Mesh | BevelMesh, report: Reader) -> None:
-    """Report the faults of teeth of a mesh that knows none."""
+    """Report the tooth faults of the gears of a mesh."""
     gears: Mapping[str, Gear | BevelGear] = parts.gears if section == "meshes" else parts.bevel_gears
     laws = OF_PAIRS if section == "meshes" else [law for law in BEVEL_LAWS if law in OF_PAIRS]
     for gear in mesh.gears:
         for label in gears[gear].tooth_faults if gear in gears else ():
             report.problem(
                 ("gears" if section == "meshes" else "bevel_gears", gear, "faults", label),
-                f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} is that of the whole "
-                "mesh and knows no single teeth",
+                f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} describes the whole mesh, "
+                "not single teeth",
                 remedy=f"use {'one of ' if len(laws) > 1 else ''}{', '.join(laws)} there",
                 taint=False,
             )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""All checks of a model, one after the other."""
+"""All checks of a model, in sequence."""
 
 from __future__ import annotations
 
@@ -68,10 +68,10 @@ CHECKS = (
     check_phasing,
     check_bevel_pairs,
 )
-"""In the order in which a later one may rely on an earlier one."""
+"""In order: later checks rely on earlier ones."""
 
 
 def check(parts: Parts, report: Reader) -> None:
-    """Check the parts of a model and settle what follows from them; problems go to the report."""
+    """Check the parts of a model and compute the derived data; problems are added to `report`."""
     for each in CHECKS:
         each(parts, report)

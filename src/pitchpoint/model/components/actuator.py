@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Actuators: a signal that becomes a torque or a force."""
+"""Actuators: torques and forces that follow a signal."""
 
 from __future__ import annotations
 
@@ -13,36 +13,42 @@ SIGNAL = "name of the signal"
 
 @dataclass(frozen=True, kw_only=True)
 class TorqueActuator:
-    """Torque about the spin axis of a body, the reaction on a second one or on ground."""
+    """Torque about the spin axis of a body; the reaction acts on a second body or on ground."""
 
     form: ClassVar[str] = "torque"
     signal: str = text(SIGNAL)
     bodies: tuple[str, ...] = ends(
-        "the driven body, and the one that takes the reaction (ground if omitted); on a shaft BODY.MARKER "
-        "is the place, else its start",
+        "driven body, and the body that takes the reaction (ground if omitted); on a shaft, BODY.MARKER "
+        "gives the position, default: its start",
         length=(1, 2),
     )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Strut:
-    """Force along the line between two points; a positive signal pushes them apart."""
+    """Force along the line between two points; a positive signal pushes the points apart."""
 
     form: ClassVar[str] = "strut"
     signal: str = text(SIGNAL)
-    ends: tuple[str, str] = ends("its two ends: ground, BODY or BODY.MARKER", length=(2, 2))
+    ends: tuple[str, str] = ends("the two ends: ground, BODY or BODY.MARKER", length=(2, 2))
 
 
 @dataclass(frozen=True, kw_only=True)
 class ForceActuator:
-    """Force or moment at a marker along an axis of it or of the world, the reaction at the same place."""
+    """Force or moment at a marker, along a given axis; the reaction acts at the same point."""
 
     form: ClassVar[str] = "force"
     signal: str = text(SIGNAL)
-    ends: tuple[str, str] = ends("where it acts, and what takes the reaction", length=(2, 2))
-    quantity: str = choice(("force", "moment"), "what the signal is", "force")
-    axis: str = choice(("x", "y", "z"), "its direction", "z")
-    along: str = choice(("world", "first", "second"), "axes of the world or of one of the ends", "world")
+    ends: tuple[str, str] = ends(
+        "point of action, and the body that takes the reaction: ground, BODY or BODY.MARKER", length=(2, 2)
+    )
+    quantity: str = choice(("force", "moment"), "quantity that the signal gives", "force")
+    axis: str = choice(("x", "y", "z"), "direction", "z")
+    along: str = choice(
+        ("world", "first", "second"),
+        "axes that `axis` refers to: of the world, or of the first or second end",
+        "world",
+    )
 
 
 Actuator: TypeAlias = TorqueActuator | Strut | ForceActuator

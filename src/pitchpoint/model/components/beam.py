@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Elastic beams between two places on bodies."""
+"""Elastic beams between points of two bodies."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
     from pitchpoint.geometry.materials import Material
 
 SHAPES = (("diameter",), ("width", "height"), ("area", "bending", "torsion"))
-"""What a section may be given by: round, rectangular, or any other."""
+"""Keys that define a section: round, rectangular, general."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class BeamSection:
-    """Cross-section: diameter and bore, or width and height, or the numbers of any other one."""
+    """Cross-section: round (diameter, bore), rectangular (width, height), or general."""
 
     diameter: float | None = positive("length", "round: outer diameter", None)
     bore: float = quantity(
@@ -25,19 +25,19 @@ class BeamSection:
     )
     width: float | None = positive("length", "rectangular: side along axis 1", None)
     height: float | None = positive("length", "rectangular: side along axis 2", None)
-    area: float | None = positive("area", "any other: area", None)
+    area: float | None = positive("area", "general: area", None)
     bending: tuple[float, ...] = quantities(
         "second_moment_of_area",
-        "any other: second moments against bending towards axis 1 and 2",
+        "general: second moments of area for bending in the direction of axis 1 and axis 2",
         (),
         minimum=0.0,
         above=True,
         sample="[2.5 cm^4, 1.2 cm^4]",
     )
-    torsion: float | None = positive("second_moment_of_area", "any other: torsion constant", None)
+    torsion: float | None = positive("second_moment_of_area", "general: torsion constant", None)
     shear: tuple[float, float] = quantities(
         "dimensionless",
-        "any other: shear factors for axis 1 and 2; zeros leave shear deflection out",
+        "general: shear factors for axis 1 and 2; 0: no shear deflection",
         (0.0, 0.0),
         length=(2, 2),
         minimum=0.0,
@@ -46,45 +46,45 @@ class BeamSection:
 
     @property
     def given(self) -> tuple[str, ...]:
-        """Names of the shape's keys that have a value."""
+        """Names of the given keys of `SHAPES`."""
         return tuple(k for shape in SHAPES for k in shape if getattr(self, k) not in (None, ()))
 
 
 @dataclass(frozen=True, kw_only=True)
 class Beam:
-    """Timoshenko beam between two places, clamped to both bodies; it may bend and turn by any angle."""
+    """Timoshenko beam between two points, clamped to both bodies, for large rotations and deflections."""
 
     ends: tuple[str, str] = key(
         "ends",
-        "its two ends, each of them ground, a body or BODY.MARKER; it has no force as placed",
+        "the two ends, each of them ground, a body or BODY.MARKER; free of load in the initial position",
         length=(2, 2),
     )
-    section: BeamSection = component(BeamSection, "cross-section, the same all along", REQUIRED)
+    section: BeamSection = component(BeamSection, "constant cross-section", REQUIRED)
     axis: tuple[float, float, float] | None = quantities(
         "dimensionless",
-        "direction in the world towards which axis 1 of the section points",
+        "direction of axis 1 of the section, in the world",
         None,
         length=(3, 3),
         display="x of the world, or y for a beam along x",
     )
-    material: Material | str = key("material", "name in the library or its properties", "steel")
+    material: Material | str = key("material", "name in the material library, or the properties", "steel")
     pieces: int = integer(
-        "number of beams in series that represent it; bodies with six coordinates lie between them",
+        "number of beam elements in series, connected by bodies with six degrees of freedom",
         4,
         minimum=1,
         maximum=1000,
     )
     internal_damping: float = quantity(
         "time",
-        "damping per stiffness, in axes that turn with the beam: the ratio of a mode is half of it times its "
-        "angular frequency",
+        "internal damping over stiffness, in axes that rotate with the beam: the damping ratio of a mode is "
+        "half of it times the angular frequency",
         0.0,
         minimum=0.0,
     )
 
     @property
     def material_data(self) -> Material:
-        """Properties of the material, looked up in the library when it is named."""
+        """Material properties, from the library if given by name."""
         from pitchpoint.geometry.materials import Material, material
 
         return self.material if isinstance(self.material, Material) else material(self.material)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A linear bearing between a body and the ground, or a housing."""
+"""A linear bearing between a body and ground or a housing."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from pitchpoint.model.keys import component, end, key, quantities, text
 
 @dataclass(frozen=True, kw_only=True)
 class Bearing:
-    """Linear spring and damper in six directions between a body and the ground, or a housing."""
+    """Linear spring and damper in six directions between a body and ground or a housing."""
 
     body: str = text("name of the body", names="bodies")
     position: tuple[float, float, float] = quantities(
         "length",
-        "centre of the bearing from the origin of the body, on its axis: [0, 0, z]",
+        "centre of the bearing relative to the origin of the body, on its axis: [0, 0, z]",
         (0.0, 0.0, 0.0),
         length=(3, 3),
     )
-    stiffness: Stiffness6 = component(Stiffness6, "stiffness against displacement and tilt", Stiffness6())
+    stiffness: Stiffness6 = component(Stiffness6, "stiffness in six directions", Stiffness6())
     housing: str | None = end(
-        "its housing, in place of ground: BODY, or BODY.MARKER at the bearing, such as a node of an elastic "
-        "body; it leaves the spin free",
+        "housing instead of ground: BODY, or BODY.MARKER at the bearing, such as a node of an elastic body; "
+        "the spin remains free",
         None,
     )
-    damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")
+    damping: Damping6 | None = component(Damping6, "damping in the same directions, or a damping ratio")
     faults: Mapping[str, LooseBearing] = key(
-        "components", "its faults by name", {}, isolated=True, of=SEAT_FAULTS
+        "components", "faults by name", {}, isolated=True, of=SEAT_FAULTS
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Faults of bearings: spalls on races and elements, elements that are not spaced evenly, too much play."""
+"""Bearing faults: spalls on races and rolling elements, uneven element spacing, excessive clearance."""
 
 from __future__ import annotations
 
@@ -11,69 +11,70 @@ from pitchpoint.model.keys import integer, positive, quantity
 
 
 def _severity() -> Any:
-    return quantity(
-        "dimensionless", "share of the fault that is there: 0 is healthy", 1.0, minimum=0.0, maximum=1.0
-    )
+    return quantity("dimensionless", "severity: 0 healthy, 1 the given size", 1.0, minimum=0.0, maximum=1.0)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Spall:
-    """Spall over the whole width of a track: what races and elements have in common."""
+    """Base class of spalls over the whole width of a track."""
 
     angle: float = quantity(
         "angle",
-        "its middle: on a race from the x axis of the outer ring as assembled, on an element from outwards",
+        "angle of its centre; on a race from the x axis of the outer ring as assembled, on an element from "
+        "the outward direction",
         0.0,
     )
-    length: float = positive("length", "extent along the rolling direction; severity scales it")
+    length: float = positive("length", "length in the rolling direction; scaled by severity")
     depth: float = positive(
         "length",
-        "depth of the floor; severity scales it. An element that spans the spall drops in less deep",
+        "depth of the floor; scaled by severity. An element that bridges the spall drops in less",
     )
     severity: float = _severity()
 
 
 @dataclass(frozen=True, kw_only=True)
 class InnerRaceFault(Spall):
-    """Spall over the whole width of the track of the inner race; its angle turns with the inner ring."""
+    """Spall over the whole width of the inner race; its angle rotates with the inner ring."""
 
     form: ClassVar[str] = "inner_race"
 
 
 @dataclass(frozen=True, kw_only=True)
 class OuterRaceFault(Spall):
-    """Spall over the whole width of the track of the outer race."""
+    """Spall over the whole width of the outer race."""
 
     form: ClassVar[str] = "outer_race"
 
 
 @dataclass(frozen=True, kw_only=True)
 class ElementFault(Spall):
-    """Spall on the track of one rolling element: it meets both races, each once per turn of the element."""
+    """Spall on one rolling element: it strikes each race once per revolution of the element."""
 
     form: ClassVar[str] = "rolling_element"
-    element: int = integer("number of the element; 0 starts at the x axis of the outer ring", 0, minimum=0)
+    element: int = integer(
+        "number of the element; 0 is at the x axis of the outer ring at the start", 0, minimum=0
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class CageFault:
-    """Worn cage that lets one gap between two elements grow; all others share what is left evenly."""
+    """Worn cage: the spacing of two adjacent elements is wider, all other spacings are equally reduced."""
 
     form: ClassVar[str] = "cage"
-    element: int = integer("number of the element behind which the gap widens", 0, minimum=0)
-    widening: float = positive("angle", "how much wider the gap is; severity scales it")
+    element: int = integer("number of the element behind which the spacing is wider", 0, minimum=0)
+    widening: float = positive("angle", "increase of the spacing; scaled by severity")
     severity: float = _severity()
 
 
 @dataclass(frozen=True, kw_only=True)
 class LooseBearing:
-    """Radial clearance that should not be there: inside a rolling bearing, or of its ring in the seat."""
+    """Excessive radial clearance, inside a rolling bearing or of a ring in its seat."""
 
     form: ClassVar[str] = "loose"
     clearance: float = positive(
         "length",
-        "in diameter: added to that of a rolling bearing; of the ring of a linear bearing in its seat; "
-        "severity scales it",
+        "diametral clearance: added to that of a rolling bearing, or of the ring of a linear bearing in its "
+        "seat; scaled by severity",
     )
     severity: float = _severity()
 
@@ -88,5 +89,5 @@ SEAT_FAULTS: dict[str, type] = {LooseBearing.form: LooseBearing}
 
 
 def play(faults: Iterable[BearingFault]) -> float:
-    """Radial clearance that all faults together add, in diameter [m]."""
+    """Diametral clearance [m] added by all faults."""
     return sum(fault.severity * fault.clearance for fault in faults if isinstance(fault, LooseBearing))

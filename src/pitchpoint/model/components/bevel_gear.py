@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A bevel gear as drawings and data sheets describe it, and the `BevelGear` of `geometry` it turns into."""
+"""A bevel gear in terms of its drawing data, and its conversion to `BevelGear` of `geometry`."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ class BevelGear:
     )
     outer_transverse_module: float | None = positive(
         "length",
-        "transverse module m_et at the outer end, in place of mean_normal_module",
+        "transverse module m_et at the outer end, instead of mean_normal_module",
         None,
         maximum=1.0,
         one_of="module",
     )
     pitch_cone_angle: float | None = quantity(
         "angle",
-        "pitch cone angle delta, in place of mate_teeth",
+        "pitch cone angle delta, instead of mate_teeth",
         None,
         one_of="cone",
         minimum=math.radians(0.1),
@@ -47,7 +47,7 @@ class BevelGear:
         sample="26.565051 deg",
     )
     mate_teeth: int | None = integer(
-        "number of teeth of the mate, from which and shaft_angle the pitch cone angle follows",
+        "number of teeth of the mating gear; with shaft_angle it gives the pitch cone angle",
         None,
         one_of="cone",
         minimum=3,
@@ -55,7 +55,7 @@ class BevelGear:
     )
     shaft_angle: float = quantity(
         "angle",
-        "shaft angle of the pair, with mate_teeth",
+        "shaft angle of the pair, used with mate_teeth",
         math.radians(90.0),
         minimum=math.radians(1.0),
         maximum=math.radians(179.0),
@@ -78,8 +78,8 @@ class BevelGear:
     )
     hand: str | None = choice(
         ("left", "right"),
-        "hand of the spiral; required when spiral_angle > 0. Right: seen from the apex the teeth turn "
-        "clockwise on their way outwards",
+        "hand of the spiral; required when spiral_angle > 0. Right: seen from the apex the teeth curve "
+        "clockwise from inside to outside",
         None,
     )
     face_width: float = positive("length", "face width b along the pitch cone", maximum=10.0)
@@ -94,25 +94,25 @@ class BevelGear:
     )
     rack: Rack = component(Rack, "basic rack of the crown gear, in mean normal modules", Rack())
     opens: str = choice(
-        ("+z", "-z"), "direction along the z axis of its body in which the pitch cone opens", "+z"
+        ("+z", "-z"), "direction in which the pitch cone opens, along the z axis of its body", "+z"
     )
     initial_angle: float | None = quantity(
         "angle",
-        "angle of the centre of tooth 0, in the middle of the face, from the x axis of its body at spin 0",
+        "angle from the x axis of the body to the centre of tooth 0 in the middle of the face, at zero spin",
         None,
         display="assembled in mesh",
     )
     faults: Mapping[str, BevelFault] = key(
-        "components", "faults of its teeth, by label", {}, isolated=True, of=BEVEL_FAULTS
+        "components", "tooth faults, by label", {}, isolated=True, of=BEVEL_FAULTS
     )
     rim_thickness: float | None = positive(
         "length",
-        "thickness of the body behind the tooth root, along the back cone",
+        "rim thickness behind the tooth root, along the back cone",
         None,
         display="whole depth of the outer end",
     )
     bore_diameter: float = quantity("length", "bore (0: none)", 0.0, minimum=0.0)
-    material: Material | str = key("material", "name in the library or its properties", "steel")
+    material: Material | str = key("material", "name in the material library, or the properties", "steel")
     mass: float | None = quantity("mass", "mass of the gear", None, minimum=0.0, display="from geometry")
     polar_inertia: float | None = quantity(
         "inertia", "moment of inertia about the axis", None, minimum=0.0, display="from geometry"
@@ -125,7 +125,7 @@ class BevelGear:
         display="from geometry",
     )
     drawing_resolution: int | None = integer(
-        "points per flank in drawings and solids",
+        "points per flank in drawings and solid models",
         None,
         minimum=5,
         maximum=10000,
@@ -139,7 +139,7 @@ class BevelGear:
 
     @property
     def teeth_differ(self) -> bool:
-        """Whether some teeth may differ from others."""
+        """Whether the teeth may differ from each other."""
         return bool(self.faults)
 
     @property
@@ -154,7 +154,7 @@ class BevelGear:
 
     @property
     def delta(self) -> float:
-        """Pitch cone angle [rad], given or from the teeth of the mate."""
+        """Pitch cone angle [rad], as given or from the number of teeth of the mating gear."""
         if self.pitch_cone_angle is not None or self.mate_teeth is None:
             return self.pitch_cone_angle or 0.0
         from pitchpoint.geometry.bevel.cones import pitch_angles
@@ -188,14 +188,14 @@ class BevelGear:
 
     @property
     def blank(self) -> BevelBlank:
-        """What carries the teeth."""
+        """Blank: the gear body without teeth."""
         from pitchpoint.geometry.bevel.blank import bevel_blank
 
         return bevel_blank(self.geometry, self.bore_diameter, self.rim_thickness)
 
     @property
     def material_data(self) -> Material:
-        """Properties of the material, looked up in the library when it is named."""
+        """Material properties, from the library if given by name."""
         from pitchpoint.geometry.materials import Material, material
 
         return self.material if isinstance(self.material, Material) else material(self.material)

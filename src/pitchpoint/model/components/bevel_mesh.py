@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A pair of bevel gears in mesh: how much play they have, what their flanks do."""
+"""A pair of bevel gears in mesh: backlash, stiffness, damping and friction."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ class BevelMesh:
     )
     shaft_angle: float | None = quantity(
         "angle",
-        "shaft angle, between the directions from the apex into both gears",
+        "shaft angle, between the directions from the apex into the gears",
         None,
         minimum=math.radians(1.0),
         maximum=math.radians(179.0),
         display="sum of both pitch cone angles",
     )
     backlash: Backlash | None = component(
-        Backlash, "total gap at the mean cone distance, instead of the one of the geometry"
+        Backlash, "total gap at the mean cone distance, instead of that from geometry"
     )
     stiffness: BevelStiffnessLaw = key(
         "variant", "mesh stiffness", BevelDin3990(), of=BEVEL_LAWS, display="law: din3990"
     )
-    damping: ContactDamping | None = component(ContactDamping, "damping of touching flanks")
-    damper: Damper | None = component(Damper, "damper that also acts inside the gap")
+    damping: ContactDamping | None = component(ContactDamping, "damping of flanks in contact")
+    damper: Damper | None = component(Damper, "damper that also acts within the backlash")
     friction: Friction | None = component(Friction, "sliding friction of the flanks")

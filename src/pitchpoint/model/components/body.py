@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A rigid body that carries gears and moves in chosen directions."""
+"""A rigid body with its gears, mass properties and degrees of freedom."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ class Body:
 
     gears: dict[str, float] = key(
         "gears",
-        "names of the gears, or a mapping of names to axial offsets of their mid-faces [m]",
+        "names of the gears, or a mapping of names to axial positions of their mid-faces [m]",
         {},
         names="gears",
     )
     bevel_gears: dict[str, float] = key(
         "gears",
-        "names of the bevel gears, or a mapping of names to the axial places of their apexes [m]",
+        "names of the bevel gears, or a mapping of names to axial positions of their apexes [m]",
         {},
         later=True,
         names="bevel_gears",
     )
     motion: str | None = choice(
         MOTIONS,
-        "how it moves against ground, where no joint moves it; torsion: spin only; planar: x, y, spin; "
-        "free: all six; fixed: none",
+        "degrees of freedom against ground, for a body without joint; torsion: spin only; planar: x, y, "
+        "spin; free: all six; fixed: none",
         None,
         display="torsion",
     )
     inertia: float | None = quantity(
         "inertia",
-        "polar moment of inertia about the spin axis; changes neither mass nor transverse inertia",
+        "polar moment of inertia about the spin axis; mass and transverse inertia do not change",
         None,
         minimum=0.0,
         range_words="> 0 for a body that moves, else >= 0",
@@ -52,8 +52,8 @@ class Body:
     )
     transverse_inertia: float | None = quantity(
         "inertia",
-        "moment of inertia about a diameter through the origin, not through the centre of mass: "
-        "mass * center_of_mass^2 is part of it",
+        "moment of inertia about a diameter through the origin, not through the centre of mass: it includes "
+        "mass * center_of_mass^2",
         None,
         minimum=0.0,
         range_words="> mass * center_of_mass^2 with motion: free, else >= 0",
@@ -61,7 +61,7 @@ class Body:
     )
     mass: float | None = quantity(
         "mass",
-        "mass; alone it leaves the centre of mass and the inertia about it as the gears make them",
+        "mass; if given alone, the centre of mass and the inertia about it remain those of the gears",
         None,
         minimum=0.0,
         range_words="> 0 with motion: planar or free, else >= 0",
@@ -70,22 +70,23 @@ class Body:
     center_of_mass: float | Triple | None = key(
         "center",
         "axial position of the centre of mass from the origin, or [x, y, z] along the axes of the body; "
-        "alone it leaves the gears where they are and their transverse inertia is summed about it",
+        "if given alone, the gears keep their positions and their transverse inertia is summed about it",
         None,
         dimension="length",
         display="that of the gears",
     )
     inertia_tensor: tuple[float, ...] | None = quantities(
         "inertia",
-        "Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass along the axes of the body, in place of "
-        "inertia and transverse_inertia; products are the entries of the matrix, Ixy = -(sum of m x y)",
+        "Ixx, Iyy, Izz, Ixy, Iyz, Izx about the centre of mass in the axes of the body, instead of inertia "
+        "and transverse_inertia; the products are matrix entries, Ixy = -(sum of m x y)",
         None,
         length=(6, 6),
-        display="round about the z axis",
+        display="axisymmetric about z",
     )
     solid: SolidReference | None = component(
         SolidReference,
-        "solid of the whole body, its gears too: mass, centre of mass and inertia that are not given",
+        "solid of the whole body including its gears; supplies mass, centre of mass and inertia that are not "
+        "given",
     )
     position: Triple | None = quantities(
         "length",
@@ -96,40 +97,40 @@ class Body:
     )
     axes: Axes | None = component(
         Axes,
-        "directions of its axes in the world; without them those of a body that its gears mesh with, else "
-        "those of the world",
+        "directions of its axes in the world; default: those of a body that its gears mesh with, else those "
+        "of the world",
     )
-    markers: Mapping[str, Marker] = key("components", "points with frames, by name", {}, of=Marker)
+    markers: Mapping[str, Marker] = key("components", "points with axes of their own, by name", {}, of=Marker)
     origin: Triple | None = derived()
-    """Origin of the body in the world [m]: the given position, or the one that follows from what joins it."""
+    """Origin of the body in the world [m]: as given, or from its joints, meshes and couplings."""
     orientation: Axes | None = derived()
-    """Axes in force: the given ones, or those of a body in mesh; None for those of the world."""
+    """Effective axes: as given, or those of a body in mesh; None for those of the world."""
     joint: str | None = derived()
-    """Name of the joint that carries it, if one does."""
+    """Name of the joint that carries the body, if any."""
     shaft: Shaft | None = derived()
-    """The elastic shaft that it represents, if any: its origin is the start of the shaft."""
+    """The elastic shaft that the body represents, if any; its origin is the start of the shaft."""
     elastic: ElasticBody | None = derived()
-    """The elastic body that it represents, if any: its markers are the nodes."""
+    """The elastic body that the body represents, if any; its markers are the nodes."""
 
     @property
     def moves(self) -> str:
-        """How it moves: its motion against ground, or 'joint' where a joint carries it."""
+        """Type of motion: `motion` against ground, or 'joint' for a body on a joint."""
         return "joint" if self.joint is not None else self.motion or "torsion"
 
     @property
     def stands_in(self) -> bool:
-        """Whether it represents an elastic shaft or body, which a file describes elsewhere."""
+        """Whether the body represents an elastic shaft or an elastic body of the model."""
         return self.shaft is not None or self.elastic is not None
 
     @property
     def center(self) -> Triple | None:
-        """Given centre of mass from the origin, axes of the body [m]."""
+        """Given centre of mass relative to the origin, in the axes of the body [m]."""
         given = self.center_of_mass
         return (0.0, 0.0, given) if isinstance(given, int | float) else given
 
     @property
     def is_round(self) -> bool:
-        """Whether its mass lies round about its z axis."""
+        """Whether the mass distribution is axisymmetric about the z axis."""
         center = self.center
         if self.inertia_tensor is not None:
             return False

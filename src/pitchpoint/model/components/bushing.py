@@ -11,13 +11,15 @@ from pitchpoint.model.keys import component, key
 
 @dataclass(frozen=True, kw_only=True)
 class Bushing:
-    """Spring and damper in six directions between two markers, for rotations up to half a turn."""
+    """Spring and damper in six directions between two markers, for rotations up to half a revolution."""
 
     ends: tuple[str, str] = key(
         "ends",
-        "its two ends, bodies or BODY.MARKER, or one of them and ground, which is where the other is drawn; "
-        "directions are those of the second, and without force both have the same place and directions",
+        "the two ends: bodies, BODY.MARKER, or one of these and ground, which takes the initial position of "
+        "the other. The axes are those of the second end; the bushing is free of force when the two coincide",
         length=(2, 2),
     )
-    stiffness: Stiffness6 = component(Stiffness6, "stiffness along and about the axes", Stiffness6())
-    damping: Damping6 | None = component(Damping6, "damping in the same directions; not as a ratio")
+    stiffness: Stiffness6 = component(
+        Stiffness6, "stiffness along and about the axes of the second end", Stiffness6()
+    )
+    damping: Damping6 | None = component(Damping6, "damping in the same directions; not a ratio")

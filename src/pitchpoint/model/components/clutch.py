@@ -11,39 +11,42 @@ from pitchpoint.model.keys import choice, key, positive, quantity
 
 @dataclass(frozen=True, kw_only=True)
 class Clutch:
-    """Clutch between two bodies, or brake of one body against ground."""
+    """Friction clutch between two bodies, or brake between a body and ground."""
 
     bodies: tuple[str, ...] = key(
-        "names", "names of its two bodies; one name alone: a brake on ground", length=(1, 2)
+        "names", "names of the two bodies; one name: a brake against ground", length=(1, 2)
     )
     capacity: Law = key(
         "law",
-        "torque while it slips fast, 0 where it is open: a quantity, a formula of t, angle, speed, "
-        "{table: [[t, T], ...]}, {python: 'file.py:function', parameters: [...]}",
+        "torque capacity: friction torque at high slip, 0 when open; a quantity, a formula of t, angle, "
+        "speed, {table: [[t, T], ...]}, {python: 'file.py:function', parameters: [...]}",
         dimension="torque",
     )
     static_ratio: float = quantity(
-        "dimensionless", "friction at rest over that of fast slip", 1.0, minimum=1.0, maximum=10.0
+        "dimensionless", "ratio of static to sliding friction torque", 1.0, minimum=1.0, maximum=10.0
     )
     stribeck_speed: float = quantity(
-        "angular_speed", "slip within which friction falls from the one to the other", 0.0, minimum=0.0
+        "angular_speed",
+        "Stribeck speed: slip speed over which friction falls from static to sliding",
+        0.0,
+        minimum=0.0,
     )
     law: str = choice(
         ("bristles", "smooth"),
-        "bristles: sticks without creep, elastic until it slips; smooth: friction grows with the slip up to "
-        "slip_speed, so it creeps under load",
+        "bristles: elastic sticking without creep, then slip; smooth: friction increases with the slip "
+        "speed up to slip_speed, so that the clutch creeps under load",
         "bristles",
     )
     wind_up: float = positive("angle", "bristles: angle of twist at the capacity", 1e-3)
     holding: float = quantity(
         "dimensionless",
-        "bristles: share of the capacity up to which nothing slips",
+        "bristles: fraction of the capacity below which the clutch sticks",
         0.8,
         minimum=0.0,
         maximum=1.0,
         below=True,
     )
     damping_time: float = quantity(
-        "time", "bristles: damping over stiffness of the bristles", 1e-3, minimum=0.0
+        "time", "bristles: ratio of damping to stiffness of the bristles", 1e-3, minimum=0.0
     )
-    slip_speed: float = positive("angular_speed", "smooth: slip of full friction", 0.1)
+    slip_speed: float = positive("angular_speed", "smooth: slip speed of full friction", 0.1)

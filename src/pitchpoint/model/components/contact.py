@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contacts between bodies: laws of force and friction, shapes, and what touches what."""
+"""Contacts between bodies: normal force, friction, and shapes of the contact partners."""
 
 from __future__ import annotations
 
@@ -18,29 +18,32 @@ from pitchpoint.model.keys import (
     quantity,
 )
 
-ENDS = "the two bodies, each of them ground, a body or BODY.MARKER; shapes lie in the axes of these"
+ENDS = "the two bodies, each of them ground, a body or BODY.MARKER; the shapes refer to these axes"
 CURVES = ("circle", "polygon", "spline", "involute")
 SURFACES = ("plane", "sphere", "cylinder", "cone", "torus", "triangles")
 REBOUND_SPEED = 1e-3
-"""Speed of separation at which a restitution for every speed has its full effect, unless given [m/s]."""
+"""Default separation speed at which the rebound force of `every_speed` is reached [m/s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactLaw:
-    """Normal force: elastic force F (u/u_0)^e over the overlap u, with damping or a restitution."""
+    """Normal force: elastic force F (u/u_0)^e of the penetration u, with damping or restitution."""
 
-    force: float = positive("force", "elastic force F at the overlap `depth`")
-    depth: float = positive("length", "overlap u_0 at which the elastic force is `force`")
+    force: float = positive("force", "elastic force F at the penetration `depth`")
+    depth: float = positive("length", "penetration u_0 at which the elastic force is `force`")
     exponent: float = quantity(
-        "dimensionless", "exponent e; 1.5 for rounded bodies", 1.5, minimum=1.0, maximum=5
+        "dimensionless", "exponent e; 1.5 for Hertzian point contact", 1.5, minimum=1.0, maximum=5
     )
-    damping: float = quantity("damping", "damping of the fully damped contact", 0.0, minimum=0.0)
+    damping: float = quantity("damping", "damping coefficient at full effect", 0.0, minimum=0.0)
     full_damping: float = quantity(
-        "length", "overlap from which on the damping is all there; below it grows smoothly", 0.0, minimum=0.0
+        "length",
+        "penetration at which the damping reaches its full value; below, it increases smoothly",
+        0.0,
+        minimum=0.0,
     )
     restitution: float | None = quantity(
         "dimensionless",
-        "instead of damping: share of the speed that an impact gives back",
+        "instead of damping: coefficient of restitution",
         None,
         minimum=0.0,
         above=True,
@@ -48,8 +51,8 @@ class ContactLaw:
     )
     speed: float | None = positive(
         "speed",
-        "impact speed at which the restitution holds; with every_speed the speed of separation at which the "
-        "force has fallen to its rebound value: keep it a tenth of the impact speeds or less",
+        "impact speed at which the restitution applies; with every_speed the separation speed at which the "
+        "force has fallen to its rebound value: choose at most a tenth of the impact speeds",
         None,
         display="1 m/s, with every_speed 1 mm/s",
     )
@@ -57,38 +60,42 @@ class ContactLaw:
 
     @property
     def reference_speed(self) -> float:
-        """`speed`, or the default of its law [m/s]."""
+        """`speed`, or its default [m/s]."""
         return self.speed or (REBOUND_SPEED if self.every_speed else 1.0)
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactFriction:
-    """Friction that rises to a static coefficient and falls to a dynamic one, both with smooth steps."""
+    """Regularised friction: the coefficient rises to the static and falls to the dynamic value, smoothly."""
 
-    static: float = quantity("dimensionless", "static coefficient", minimum=0.0, maximum=10.0)
-    dynamic: float = quantity("dimensionless", "dynamic coefficient", minimum=0.0, maximum=10.0)
-    static_speed: float = positive("speed", "sliding velocity of the static coefficient", 1e-3)
-    slip_speed: float = positive("speed", "sliding velocity from which on the dynamic one holds", 1e-2)
+    static: float = quantity("dimensionless", "static coefficient of friction", minimum=0.0, maximum=10.0)
+    dynamic: float = quantity("dimensionless", "dynamic coefficient of friction", minimum=0.0, maximum=10.0)
+    static_speed: float = positive(
+        "speed", "sliding velocity at which the static coefficient is reached", 1e-3
+    )
+    slip_speed: float = positive(
+        "speed", "sliding velocity above which the dynamic coefficient applies", 1e-2
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class ContactCurve:
-    """A curve in the plane of a marker, walked with the material on its left."""
+    """A curve in the x-y plane of a marker, with the material on its left in the order of its points."""
 
     shape: str = choice(
         CURVES,
-        "circle: radius, x and y of its centre; polygon: corners x, y and radii; spline: points x, y; "
-        "involute: radius of the base circle, start and end of the roll",
+        "circle: radius, centre x and y; polygon: corners x, y and radii; spline: points x, y; involute: "
+        "base radius, start and end of the roll angle",
     )
-    radius: float | None = positive("length", "radius of the circle or of the base circle", None)
-    x: tuple[float, ...] = quantities("length", "x of the points in the order they are walked", ())
+    radius: float | None = positive("length", "radius of the circle, or base radius of the involute", None)
+    x: tuple[float, ...] = quantities("length", "x of the points in order, material on the left", ())
     y: tuple[float, ...] = quantities("length", "y of the points", ())
-    radii: tuple[float, ...] = quantities("length", "polygon: radius at every corner", (), minimum=0.0)
-    closed: bool = boolean("polygon, spline: whether the last point is joined to the first", True)
-    hollow: bool = boolean("circle: material outside", False)
-    phase: float = quantity("angle", "involute: angle at which it leaves the base circle", 0.0)
-    roll: tuple[float, ...] = quantities("angle", "involute: angles of roll where it begins and ends", ())
-    hand: str = choice(("left", "right"), "involute: unwinds counter-clockwise or clockwise", "left")
+    radii: tuple[float, ...] = quantities("length", "polygon: corner radii", (), minimum=0.0)
+    closed: bool = boolean("polygon, spline: closed curve, the last point is connected to the first", True)
+    hollow: bool = boolean("circle: material outside (bore)", False)
+    phase: float = quantity("angle", "involute: polar angle of its start on the base circle", 0.0)
+    roll: tuple[float, ...] = quantities("angle", "involute: roll angles of start and end", ())
+    hand: str = choice(("left", "right"), "involute: left unwinds counter-clockwise, right clockwise", "left")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,16 +103,16 @@ class CamContact:
     """A point or roller of the first body on a curve of the second."""
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
-    curve: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
+    curve: ContactCurve = component(ContactCurve, "curve of the second body", REQUIRED)
     radius: float = quantity("length", "radius of the roller; 0 for a point", 0.0, minimum=0.0)
-    permanent: bool = boolean("never parts: a constraint without law and friction", False)
+    permanent: bool = boolean("permanent contact: a constraint without law and friction", False)
     law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
-    friction: ContactFriction | None = component(ContactFriction, "friction; none without")
+    friction: ContactFriction | None = component(ContactFriction, "friction; frictionless if omitted")
     depth: float | None = positive(
         "length",
-        "deepest overlap that counts; what overlaps more is another side",
+        "largest penetration that counts as contact; deeper points are on another side",
         None,
-        display="5 % of the size; if all overlap more, the nearest side",
+        display="5 % of the size; if all penetrate deeper, the nearest side",
     )
 
 
@@ -114,19 +121,19 @@ class CurveContact:
     """Curves of two bodies in one plane."""
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
-    first: ContactCurve = component(ContactCurve, "the curve of the first body", REQUIRED)
-    second: ContactCurve = component(ContactCurve, "the curve of the second body", REQUIRED)
-    permanent: bool = boolean("never parts: a constraint without law and friction", False)
+    first: ContactCurve = component(ContactCurve, "curve of the first body", REQUIRED)
+    second: ContactCurve = component(ContactCurve, "curve of the second body", REQUIRED)
+    permanent: bool = boolean("permanent contact: a constraint without law and friction", False)
     law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
-    friction: ContactFriction | None = component(ContactFriction, "friction; none without")
+    friction: ContactFriction | None = component(ContactFriction, "friction; frictionless if omitted")
     depth: float | None = positive(
         "length",
-        "deepest overlap that counts; what overlaps more is another side",
+        "largest penetration that counts as contact; deeper points are on another side",
         None,
-        display="5 % of the smaller curve; if all overlap more, the nearest side",
+        display="5 % of the smaller curve; if all penetrate deeper, the nearest side",
     )
     margin: float | None = positive(
-        "length", "largest gap that is looked for", None, display="half the smaller curve"
+        "length", "largest gap within which contacts are searched", None, display="half the smaller curve"
     )
 
 
@@ -134,8 +141,8 @@ class CurveContact:
 class ContactSurface:
     """A surface in the axes of a marker.
 
-    Triangles come from an STL file, binary or text, or from a NumPy file with corners of shape (n, 3, 3), in
-    the axes of the marker and in the given unit. They run counter-clockwise seen from outside.
+    Triangles are read from an STL file, binary or text, or from a NumPy file with corners of shape (n, 3, 3),
+    in the axes of the marker and in the given unit. Their corners are counter-clockwise seen from outside.
     """
 
     shape: str = choice(
@@ -143,47 +150,52 @@ class ContactSurface:
         "plane: z = 0, material below; sphere, cylinder (about z), cone (opens downwards), torus (about z); "
         "triangles from a file",
     )
-    radius: float | None = positive("length", "of sphere, cylinder or ring of the torus", None)
-    tube: float | None = positive("length", "torus: radius of its tube", None)
+    radius: float | None = positive(
+        "length", "radius of sphere or cylinder; torus: radius of the centre circle", None
+    )
+    tube: float | None = positive("length", "torus: tube radius", None)
     length: float | None = positive(
         "length",
-        "cylinder: its length between flat ends, its middle at the origin; infinite against a sphere or "
-        "triangles",
+        "cylinder: length between flat ends, centred at the origin; infinite against a sphere or triangles",
         None,
     )
-    half_angle: float | None = positive("angle", "cone: angle between axis and surface", None)
-    hollow: bool = boolean("material outside; triangles are reversed", False)
-    file: str | None = key("file", "triangles: their file, .stl or .npy", None)
+    half_angle: float | None = positive("angle", "cone: angle between the axis and the surface", None)
+    hollow: bool = boolean("material outside; reverses triangles", False)
+    file: str | None = key("file", "triangles: .stl or .npy file", None)
     unit: float | None = positive(
         "length", "triangles: length of one unit of the file; STL files do not contain theirs", None
     )
-    open: bool = boolean("triangles: the surface may have borders, which nothing gets near to", False)
+    open: bool = boolean("triangles: the surface may be open; no contact may come near its edges", False)
 
 
 @dataclass(frozen=True, kw_only=True)
 class SurfaceContact:
     """Surfaces of two bodies in space.
 
-    A sphere against anything, a cylinder or torus on a plane, cylinders crossed, parallel or one in
-    the bore of the other, triangles against anything. The law counts for the whole line of cylinders along
-    their length, and of triangles against anything but a sphere for one square metre.
+    Pairs: sphere with any surface; cylinder or torus on a plane; cylinders that are crossed, parallel or one
+    in the bore of the other; triangles with any surface. For line contact of cylinders the law applies to
+    the whole line; for triangles with any surface except a sphere it applies per square metre.
     """
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
-    first: ContactSurface = component(ContactSurface, "the surface of the first body", REQUIRED)
-    second: ContactSurface = component(ContactSurface, "the surface of the second body", REQUIRED)
+    first: ContactSurface = component(ContactSurface, "surface of the first body", REQUIRED)
+    second: ContactSurface = component(ContactSurface, "surface of the second body", REQUIRED)
     permanent: bool = boolean(
-        "a sphere that never leaves a surface other than triangles: a constraint without law and friction",
+        "permanent contact of a sphere with a surface other than triangles: a constraint without law and "
+        "friction",
         False,
     )
     law: ContactLaw | None = component(ContactLaw, "normal force; required unless permanent")
-    friction: ContactFriction | None = component(ContactFriction, "friction; none without")
+    friction: ContactFriction | None = component(ContactFriction, "friction; frictionless if omitted")
     depth: float | None = positive(
-        "length", "triangles: deepest overlap that counts", None, display="a part of the size"
+        "length",
+        "triangles: largest penetration that counts as contact",
+        None,
+        display="fraction of the size",
     )
     line: bool = boolean(
-        "two cylinders: they touch along their length, the law is that of the whole of the shorter one; "
-        "otherwise at the one place where they cross",
+        "two cylinders: line contact, the law applies to the whole length of the shorter cylinder; otherwise "
+        "point contact where they cross",
         False,
     )
-    stations: int = integer("Gauss points along every part of a line in touch", 8, minimum=1, maximum=8)
+    stations: int = integer("Gauss points per segment of the contact line", 8, minimum=1, maximum=8)

@@ -13,27 +13,27 @@ from pitchpoint.model.keys import component, key, quantities
 class Coupling:
     """Linear spring and damper in six directions between two bodies on one axis.
 
-    Bodies on two axes may be coupled by torsion alone, or when neither moves sideways.
+    Bodies on different axes can be coupled in torsion only, or if neither has lateral motion.
     """
 
     bodies: tuple[str, str] = key(
         "names",
-        "names of the two bodies; one without a place takes that of the other",
+        "names of the two bodies; a body without position takes that of the other",
         length=(2, 2),
         names="bodies",
     )
     position: tuple[float, float, float] = quantities(
         "length",
-        "centre of the coupling from the origin of the first body, on its axis: [0, 0, z]",
+        "centre of the coupling relative to the origin of the first body, on its axis: [0, 0, z]",
         (0.0, 0.0, 0.0),
         length=(3, 3),
     )
     stiffness: Stiffness6 = component(
         Stiffness6, "stiffness against relative displacement and rotation", Stiffness6()
     )
-    damping: Damping6 | None = component(Damping6, "damping in the same directions, or a ratio")
+    damping: Damping6 | None = component(Damping6, "damping in the same directions, or a damping ratio")
 
     @property
     def carries_torque(self) -> bool:
-        """Whether the two bodies turn together: a stiffness about the axis."""
+        """Whether the coupling transmits torque: its torsional stiffness is not zero."""
         return self.stiffness.matrix6()[5][5] > 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A gear as drawings and data sheets describe it, and the `CylindricalGear` it turns into."""
+"""A cylindrical gear in terms of its drawing data, and its conversion to `CylindricalGear` of `geometry`."""
 
 from __future__ import annotations
 
@@ -36,10 +36,12 @@ class Rack:
 
 @dataclass(frozen=True, kw_only=True)
 class Cutter:
-    """Pinion-type cutter that makes an internal gear."""
+    """Pinion-type cutter that generates an internal gear."""
 
     number_of_teeth: int = integer("number of teeth of the cutter", minimum=3, maximum=10000)
-    profile_shift_coefficient: float = quantity("dimensionless", "profile shift of the cutter", 0.0)
+    profile_shift_coefficient: float = quantity(
+        "dimensionless", "profile shift coefficient of the cutter", 0.0
+    )
     addendum: float = positive("dimensionless", "addendum of the cutter in modules", 1.25, maximum=5.0)
     tip_radius: float = quantity("dimensionless", "tip rounding in modules", 0.38, minimum=0.0, maximum=2.0)
 
@@ -80,9 +82,7 @@ class Gear:
     face_width: float = positive("length", "face width b", maximum=10.0)
     tip_diameter: float | None = positive("length", "tip diameter d_a", None, display="from the rack")
     root_diameter: float | None = positive("length", "root diameter d_f", None, display="from the rack")
-    tip_alteration: float = quantity(
-        "length", "radial lengthening of the teeth k m_n, < 0 shortens them", 0.0
-    )
+    tip_alteration: float = quantity("length", "tip alteration k m_n, < 0 shortens the teeth", 0.0)
     tooth_thickness_allowance: float = quantity(
         "length", "normal tooth thickness allowance A_sn at the reference circle, < 0 is thinner", 0.0
     )
@@ -90,21 +90,19 @@ class Gear:
     cutter: Cutter | None = component(Cutter, "pinion-type cutter of an internal gear")
     initial_angle: float | None = quantity(
         "angle",
-        "angle of the centre of tooth 0 from the x axis of its body at spin 0",
+        "angle from the x axis of the body to the centre of tooth 0 at zero spin",
         None,
         display="assembled in mesh",
     )
-    rim_thickness: float | None = positive(
-        "length", "thickness of the rim below the teeth", None, display="solid"
-    )
-    web_thickness: float | None = positive("length", "thickness of the web", None, display="face width")
+    rim_thickness: float | None = positive("length", "rim thickness below the teeth", None, display="solid")
+    web_thickness: float | None = positive("length", "web thickness", None, display="face width")
     bore_diameter: float = quantity(
         "length",
-        "bore of an external gear, outer diameter of an internal one (0: none given)",
+        "bore of an external gear, outside diameter of an internal gear; 0: not given",
         0.0,
         minimum=0.0,
     )
-    material: Material | str = key("material", "name in the library or its properties", "steel")
+    material: Material | str = key("material", "name in the material library, or the properties", "steel")
     mass: float | None = quantity("mass", "mass of the gear", None, minimum=0.0, display="from geometry")
     polar_inertia: float | None = quantity(
         "inertia", "moment of inertia about the axis", None, minimum=0.0, display="from geometry"
@@ -117,10 +115,10 @@ class Gear:
         display="from geometry",
     )
     solid: SolidReference | None = component(
-        SolidReference, "solid whose mass and inertia take the place of those from geometry"
+        SolidReference, "solid whose mass and inertia replace those from geometry"
     )
     drawing_resolution: int | None = integer(
-        "points per flank in drawings and solids",
+        "points per flank in drawings and solid models",
         None,
         minimum=5,
         maximum=10000,
@@ -130,16 +128,16 @@ class Gear:
     deviations: Deviations | None = component(Deviations, "deviations of single teeth")
     faults: Mapping[str, ToothFault | SeatFault] = key(
         "components",
-        "faults of its teeth and of how it sits, by label",
+        "faults of the teeth and of the seat, by label",
         {},
         isolated=True,
         of={**FAULTS, **SEAT_FAULTS},
     )
     tooth_profile: ToothProfile | None = key(
-        "tooth_profile", "points of the real tooth, from a file", None, of=ToothProfile
+        "tooth_profile", "measured or calculated points of the tooth, from a file", None, of=ToothProfile
     )
     x: float | None = derived()
-    """Profile shift coefficient in force: the given one, or the one that follows from the centre distance."""
+    """Effective profile shift coefficient: as given, or from the centre distance."""
 
     @property
     def sign(self) -> int:
@@ -158,12 +156,12 @@ class Gear:
 
     @property
     def tooth_faults(self) -> dict[str, ToothFault]:
-        """Faults of the teeth, by label: all but those of the seat."""
+        """Faults of the teeth by label, without those of the seat."""
         return {label: fault for label, fault in self.faults.items() if not isinstance(fault, SeatFault)}
 
     @property
     def teeth_differ(self) -> bool:
-        """Whether some teeth may differ from others."""
+        """Whether the teeth may differ from each other."""
         return self.deviations is not None or bool(self.faults)
 
     @cached_property
@@ -186,7 +184,7 @@ class Gear:
         )
 
     def with_profile_shift(self, x: float) -> CylindricalGear:
-        """Geometry of this gear with the profile shift coefficient `x`, and with its real tooth."""
+        """Geometry with the profile shift coefficient `x` and the tooth profile, if one is given."""
         from pitchpoint.geometry.cylindrical_gear import CylindricalGear
         from pitchpoint.geometry.rack import BasicRack
 
@@ -226,14 +224,14 @@ class Gear:
 
     @property
     def material_data(self) -> Material:
-        """Properties of the material, looked up in the library when it is named."""
+        """Material properties, from the library if given by name."""
         from pitchpoint.geometry.materials import Material, material
 
         return self.material if isinstance(self.material, Material) else material(self.material)
 
     @property
     def blank_factor(self) -> float:
-        """Factor C_R of the gear blank for the stiffness by ISO 6336-1; 1 without rim and web."""
+        """Gear blank factor C_R of ISO 6336-1; 1 for a solid gear."""
         from pitchpoint.contact.stiffness.din3990 import blank_factor
 
         if self.rim_thickness is None and self.web_thickness is None:

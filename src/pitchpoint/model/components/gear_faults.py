@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Faults of how a gear sits on its body: eccentric or wobbling."""
+"""Faults of the gear seat: eccentric and wobbling gears."""
 
 from __future__ import annotations
 
@@ -8,28 +8,30 @@ from typing import ClassVar, TypeAlias
 
 from pitchpoint.model.keys import quantity
 
-SEVERITY = "share of the fault that is there: 0 is healthy"
+SEVERITY = "severity: 0 healthy, 1 the given size"
 
 
 @dataclass(frozen=True, kw_only=True)
 class Eccentricity:
-    """Teeth whose axis is offset from the axis of rotation; the mass of the body stays where it is."""
+    """Eccentric gear: tooth axis offset from the axis of rotation; the mass of the body is not displaced."""
 
     form: ClassVar[str] = "eccentricity"
     amount: float = quantity(
-        "length", "distance of both axes, half the runout; severity scales it", minimum=0.0
+        "length", "distance between the axes, half the runout; scaled by severity", minimum=0.0
     )
-    phase: float = quantity("angle", "where to, from the centre of tooth 0", 0.0)
+    phase: float = quantity("angle", "direction of the offset, measured from the centre of tooth 0", 0.0)
     severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Wobble:
-    """Teeth whose axis is tilted against the axis of rotation, both through the middle of the face."""
+    """Wobbling gear: tooth axis tilted relative to the axis of rotation, about the middle of the face."""
 
     form: ClassVar[str] = "wobble"
-    amount: float = quantity("angle", "angle between both axes; severity scales it", minimum=0.0, maximum=0.1)
-    phase: float = quantity("angle", "direction of the tilt on the way up z, from the centre of tooth 0", 0.0)
+    amount: float = quantity("angle", "angle between the axes; scaled by severity", minimum=0.0, maximum=0.1)
+    phase: float = quantity(
+        "angle", "direction of the tilt towards positive z, measured from the centre of tooth 0", 0.0
+    )
     severity: float = quantity("dimensionless", SEVERITY, 1.0, minimum=0.0, maximum=1.0)
 
 

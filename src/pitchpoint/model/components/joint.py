@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Joints between bodies: what moves against what, and in which directions."""
+"""Joints between bodies and their free coordinates."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from pitchpoint.model.keys import (
     quantity,
 )
 
-#: Displacements of a joint in the order in which they are made, and their dimensions.
+#: Displacements of a joint in the order in which they are applied, and their dimensions.
 DISPLACEMENTS: dict[str, str] = {
     "x": "length",
     "y": "length",
@@ -30,7 +30,7 @@ DISPLACEMENTS: dict[str, str] = {
 }
 RATES = {"length": "speed", "angle": "angular_speed"}
 
-#: Displacements that are free in each joint; those of `moved` follow time, those of `user` own coordinates.
+#: Free displacements of each joint; `moved` prescribes them over time, `user` defines its own coordinates.
 COORDINATES: dict[str, tuple[str, ...]] = {
     "fixed": (),
     "revolute": ("spin",),
@@ -46,85 +46,92 @@ COORDINATES: dict[str, tuple[str, ...]] = {
     "user": (),
 }
 FUNCTIONS = ("moved", "user")
-"""Joints whose displacements are functions."""
+"""Joints whose displacements are given by functions."""
 TUMBLING = ("spherical", "free")
-"""Joints whose turns start afresh while they run, so that no attitude is singular."""
+"""Joints whose rotations are re-referenced during a run, so that no orientation is singular."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class JointFriction:
-    """Friction of a pin in its bush, or of a slide, from the load that the joint carries.
+    """Friction of a pin in its bush, or of a slide, from the joint load.
 
-    What presses: the force across the axis, the one along it on the shoulder of a pin, and the moment that
-    bends the axis, over the length of the bush or slide.
+    Normal load: the force across the axis, the axial force on the shoulder of a pin, and the bending moment
+    divided by the length of the bush or slide.
     """
 
-    coefficient: float = quantity("dimensionless", "friction over load at fast sliding", minimum=0.0)
+    coefficient: float = quantity("dimensionless", "coefficient of sliding friction", minimum=0.0)
     radius: float | None = positive("length", "revolute: radius of the pin", None)
     shoulder_radius: float = quantity(
-        "length", "revolute: mean radius of what carries along the axis", 0.0, minimum=0.0
+        "length", "revolute: mean radius of the thrust shoulder", 0.0, minimum=0.0
     )
-    length: float | None = positive("length", "length of bush or slide; without it no moment presses", None)
-    preload: float = quantity("force", "force that always presses", 0.0, minimum=0.0)
-    static_ratio: float = quantity("dimensionless", "static over sliding friction", 1.0, minimum=1.0)
+    length: float | None = positive(
+        "length", "length of bush or slide; if omitted, moments cause no friction", None
+    )
+    preload: float = quantity("force", "constant normal force", 0.0, minimum=0.0)
+    static_ratio: float = quantity("dimensionless", "ratio of static to sliding friction", 1.0, minimum=1.0)
     stribeck_speed: float = quantity(
-        "speed", "sliding over which friction falls from the one to the other", 0.0, minimum=0.0
+        "speed",
+        "Stribeck speed: sliding velocity over which friction falls from static to sliding",
+        0.0,
+        minimum=0.0,
     )
-    slip_speed: float = positive("speed", "sliding of full friction; what should stick creeps slower", 1e-3)
+    slip_speed: float = positive(
+        "speed", "sliding velocity of full friction; a sticking joint creeps more slowly than this", 1e-3
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Joint:
-    """A joint between two bodies: it moves the second against the first.
+    """A joint between two bodies: the second moves relative to the first.
 
-    Its displacements are x, y, z along its axes on the first body, then the turns alpha about x, beta about
-    the turned y, spin about the turned z. All are zero where the file places the bodies.
+    Its displacements are x, y, z along its axes on the first body, then the rotations alpha about x, beta
+    about the rotated y and spin about the rotated z. All are zero in the positions given in the file.
     """
 
     type: str = choice(
         tuple(COORDINATES),
-        "fixed: none; revolute: spin; prismatic: z; cylindrical: z and spin; screw: spin, which moves along "
-        "z; universal: alpha and beta; spherical: all turns; planar: x, y, spin; shaft: all six, for what "
-        "spins and hardly tilts; free: all six, for what tumbles; moved: motion over time; user: coordinates "
-        "of its own",
+        "free displacements; fixed: none; revolute: spin; prismatic: z; cylindrical: z and spin; screw: "
+        "spin, with travel along z; universal: alpha and beta; spherical: all rotations; planar: x, y, "
+        "spin; shaft: all six, for bodies that spin with small tilt; free: all six, for any rotation; "
+        "moved: prescribed motion over time; user: user-defined coordinates",
     )
     bodies: tuple[str, str] = ends(
-        "what it sits on and what it moves, each of them ground, a body or BODY.MARKER", length=(2, 2)
+        "base and moved body, each of them ground, a body or BODY.MARKER", length=(2, 2)
     )
     position: Triple | None = quantities(
         "length",
-        "place in the world",
+        "position in the world",
         None,
         length=(3, 3),
-        display="that of its markers, else the origin of the body that it moves",
+        display="that of its markers, else the origin of the moved body",
     )
     axes: Axes | None = component(
-        Axes, "directions in the world; without them those of its first marker, else those of the world"
+        Axes, "directions in the world; default: those of its first marker, else those of the world"
     )
     lead: float | None = quantity(
-        "length", "screw: way along z per turn; negative for a left-hand thread", None
+        "length", "screw: travel along z per revolution; negative for a left-hand thread", None
     )
     start: Mapping[str, float] = key(
-        "displacements", "values of its coordinates at the start, such as {spin: 30 deg}; 0 for others", {}
+        "displacements", "initial values of its coordinates, such as {spin: 30 deg}; default 0", {}
     )
     speed: Mapping[str, float] = key(
-        "rates", "rates of its coordinates at the start, such as {spin: 100 rpm}; 0 for others", {}
+        "rates", "initial rates of its coordinates, such as {spin: 100 rpm}; default 0", {}
     )
     friction: JointFriction | None = component(JointFriction, "friction of a revolute or prismatic joint")
-    cut: bool = boolean("whether it closes a loop: it is not to carry the body that it moves", False)
+    cut: bool = boolean("cut joint that closes a kinematic loop; another joint carries the moved body", False)
     coordinates: Mapping[str, str] = key(
-        "coordinates", "user: names of its coordinates, each a length or an angle: {s: length}", {}
+        "coordinates", "user: names of its coordinates and their kind, length or angle: {s: length}", {}
     )
     motion: Mapping[str, tuple[Law, ...]] = key(
         "motions",
-        "displacements as functions, of t (moved) or of one coordinate each (user): "
-        "{x: 2 mm * sin(2*pi*25 Hz*t)}, {x: {table: [[t, x], ...]}}; a list of functions is their sum",
+        "displacements as functions of t (moved) or of one coordinate each (user): "
+        "{x: 2 mm * sin(2*pi*25 Hz*t)}, {x: {table: [[t, x], ...]}}; a list of functions is added up",
         {},
     )
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of its coordinates."""
+        """Names of the coordinates."""
         return tuple(self.coordinates) if self.type == "user" else COORDINATES[self.type]
 
     def dimension(self, coordinate: str) -> str:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Laws that a user writes for a torque, a force or a prescribed motion.
+"""Laws of torques, forces and prescribed motions in model files.
 
-A law is data: a constant, a formula of the whitelist parser, a table, a named Python function or the word
-`balance`. Nothing here evaluates anything.
+A law is pure data: a constant, a formula of the whitelist parser, a table, a named Python function or the
+word `balance`. It is evaluated elsewhere.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import TypeAlias
 
 AXES = {"time": "time", "angle": "angle", "elongation": "length", "rate": "speed"}
-"""What a table may run over, with the dimension of that."""
+"""Possible abscissas of a table, with their dimensions."""
 
 
 @dataclass(frozen=True)
@@ -31,9 +31,9 @@ class FormulaLaw:
     of `t`, `elongation` [m] and `rate` [m/s] along lines."""
 
     text: str
-    """Formula as the user wrote it; its result is in SI."""
+    """Formula as in the model file; its result is in SI units."""
     variables: tuple[str, ...] = ("t", "angle", "speed")
-    """Names the formula may use, in the order the compiled program expects them."""
+    """Names that the formula may use, in the order of the arguments of the compiled program."""
 
 
 @dataclass(frozen=True)
@@ -45,8 +45,8 @@ class TableLaw:
     values: tuple[float, ...]
     """SI values, same length."""
     over: str = "time"
-    """One of `AXES`, or a coordinate of a user joint; held constant outside the table, but over angles
-    repeated with its length."""
+    """One of `AXES`, or a coordinate of a user joint. Constant extrapolation; tables over angles repeat with
+    their length."""
 
 
 @dataclass(frozen=True)
@@ -54,13 +54,13 @@ class PythonLaw:
     """A Python function `f(t, x, parameters) -> float` in a file next to the model file."""
 
     file: str
-    """Path of the Python file, as resolved from the directory of the model file."""
+    """Path of the Python file, resolved from the directory of the model file."""
     function: str
     """Name of the function in it."""
     parameters: tuple[float, ...] = ()
-    """Numbers handed to the function."""
+    """Numbers passed to the function."""
     digest: str = field(init=False, default="", repr=False)
-    """SHA-256 of the file as it was when the law was named: a changed function is another model."""
+    """SHA-256 of the file when the model was read: a changed function makes a different model."""
 
     def __post_init__(self) -> None:
         with suppress(OSError, ValueError):  # a missing file is reported by the checks
@@ -70,7 +70,7 @@ class PythonLaw:
 
 @dataclass(frozen=True)
 class Balance:
-    """The constant value that balances all other loads at the start, pulsating ones in the mean."""
+    """The constant value that balances all other loads at the start; periodic loads count with their mean."""
 
 
 Law: TypeAlias = Constant | FormulaLaw | TableLaw | PythonLaw | Balance

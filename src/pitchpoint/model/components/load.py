@@ -11,7 +11,7 @@ from pitchpoint.model.keys import choice, key, quantities, text
 
 @dataclass(frozen=True, kw_only=True)
 class Load:
-    """A torque about the spin axis and/or a force in world directions on a body."""
+    """A torque about the spin axis of a body and/or a force on it."""
 
     body: str = text("name of the body", names="bodies")
     torque: Law | None = key(
@@ -30,21 +30,21 @@ class Load:
     )
     position: tuple[float, float, float] = quantities(
         "length",
-        "where the force acts, from the origin of the body; x and y keep their direction in space and do not "
-        "spin with the body, z lies on its axis",
+        "point of action relative to the origin of the body; x and y are directions fixed in space that do "
+        "not spin with the body, z is along its axis",
         (0.0, 0.0, 0.0),
         length=(3, 3),
     )
     marker: str | None = text(
-        "marker of the body at which the force acts, instead of position: it moves with the body", None
+        "marker of the body at which the force acts, instead of position; it moves with the body", None
     )
     along: str = choice(
         ("world", "marker"),
-        "directions of a force at a marker: of the world, or those of the marker",
+        "axes of a force at a marker: of the world or of the marker",
         "world",
     )
     reaction: str | None = text(
-        "body that the reaction acts on, at the same place; angle and speed of laws count against it",
+        "body that takes the reaction, at the same point; angle and speed in laws are relative to it",
         None,
         display="ground",
     )

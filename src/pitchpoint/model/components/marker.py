@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Named points and directions on bodies, to which joints, rods and forces are fixed."""
+"""Named points with axes on bodies, for joints, rods and forces."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Triple: TypeAlias = tuple[float, float, float]
 
 @dataclass(frozen=True, kw_only=True)
 class Axes:
-    """Directions of a right-handed frame; the third follows from the two."""
+    """Axes of a right-handed frame, given by z and x."""
 
     z: Triple = quantities(
         "dimensionless",
@@ -24,21 +24,21 @@ class Axes:
     )
     x: Triple | None = quantities(
         "dimensionless",
-        "direction of the x axis, at right angles to z",
+        "direction of the x axis, perpendicular to z",
         None,
         length=(3, 3),
         sample="[1, 0, 0]",
-        display="as near as z allows to the x axis they are given in, to its y axis for a z along it",
+        display="the projection of the reference x axis, or of its y axis for z along x",
     )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Marker:
-    """A point of a body with a frame, named elsewhere as BODY.MARKER."""
+    """A point of a body with axes, referred to as BODY.MARKER."""
 
     position: Triple = quantities(
-        "length", "from the origin of the body, along the axes of the body", (0.0, 0.0, 0.0), length=(3, 3)
+        "length", "position relative to the origin of the body, in its axes", (0.0, 0.0, 0.0), length=(3, 3)
     )
     axes: Axes | None = component(
-        Axes, "directions along the axes of the body; without them those of the body itself"
+        Axes, "directions of the axes in the axes of the body; default: those of the body"
     )

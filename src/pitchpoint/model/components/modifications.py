@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flank modifications and deviations of a gear as a user states them: amounts, starts, shapes."""
+"""Flank modifications and tooth deviations of a gear in the terms of the model file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ SHAPES = ("linear", "parabolic")
 
 @dataclass(frozen=True, kw_only=True)
 class Relief:
-    """Material taken off towards the tip or root of the flank."""
+    """Relief of the flank towards the tip or root."""
 
     amount: float = quantity("length", "material removed at the end of the flank, normal to it", minimum=0.0)
     start_diameter: float | None = positive(
@@ -26,34 +26,38 @@ class Relief:
     length: float | None = positive(
         "length", "length of the relief along the path of contact", None, one_of="extent"
     )
-    shape: str = choice(SHAPES, "growth of the relief from its start", "linear")
+    shape: str = choice(SHAPES, "shape of the relief curve", "linear")
 
 
 @dataclass(frozen=True, kw_only=True)
 class EndRelief:
-    """Material taken off towards both ends of the face width."""
+    """Relief of the flank towards both ends of the face width."""
 
-    amount: float = quantity("length", "material removed at the end of the tooth", minimum=0.0)
+    amount: float = quantity(
+        "length", "material removed at the end of the tooth, normal to the flank", minimum=0.0
+    )
     length: float = positive("length", "length of the relief from each end")
-    shape: str = choice(SHAPES, "growth of the relief from its start", "linear")
+    shape: str = choice(SHAPES, "shape of the relief curve", "linear")
 
 
 @dataclass(frozen=True, kw_only=True)
 class FlankModifications:
-    """Modifications of one kind of flank."""
+    """Modifications of the left, the right or both flanks."""
 
     tip_relief: Relief | None = component(Relief, "relief at the tip")
     root_relief: Relief | None = component(Relief, "relief at the root")
-    profile_crowning: float = quantity("length", "height of the profile crowning", 0.0)
-    lead_crowning: float = quantity("length", "height of the crowning along the face width", 0.0)
-    profile_slope: float = quantity("length", "profile slope over the active flank, > 0 adds at the tip", 0.0)
+    profile_crowning: float = quantity("length", "profile crowning", 0.0)
+    lead_crowning: float = quantity("length", "crowning along the face width", 0.0)
+    profile_slope: float = quantity(
+        "length", "profile slope over the active flank, > 0 adds material at the tip", 0.0
+    )
     helix_slope: float = quantity(
-        "length", "helix slope over the face width, > 0 adds at the upper face", 0.0
+        "length", "helix slope over the face width, > 0 adds material at the end of the largest z", 0.0
     )
     end_relief: EndRelief | None = component(EndRelief, "relief at both ends of the teeth")
 
     def of_geometry(self) -> intended.FlankModifications:
-        """The same in the terms of the geometry layer; GeometryError for values that no flank can have."""
+        """Convert to the geometry layer; raise GeometryError for values that no flank can have."""
         from pitchpoint.geometry import modifications as target
 
         parts = {f.name: getattr(self, f.name) for f in fields(target.FlankModifications)}
@@ -65,10 +69,9 @@ class FlankModifications:
 
 @dataclass(frozen=True, kw_only=True)
 class Modifications:
-    """Flank modifications by side, seen from the positive axis with the tooth pointing up, for stiffness laws
-    of single tooth pairs (din3990, energy, pair_table).
-
-    A side that is omitted takes `both`; nothing is added up.
+    """Flank modifications by side, seen from the positive axis with the tooth pointing up.
+    They require a stiffness law of single tooth pairs (din3990, energy, pair_table). An omitted side takes
+    `both`; the two are not added.
     """
 
     left: FlankModifications | None = component(FlankModifications, "left flanks")
@@ -86,21 +89,23 @@ class Runout:
     """Eccentricity of the teeth against the axis of rotation."""
 
     amount: float = quantity("length", "runout, twice the eccentricity", minimum=0.0)
-    phase: float = quantity("angle", "direction of the eccentricity from the centre of tooth 0", 0.0)
+    phase: float = quantity(
+        "angle", "direction of the eccentricity, measured from the centre of tooth 0", 0.0
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
 class FlankMap:
     """Measured deviation of one flank of one tooth on a regular grid."""
 
-    tooth: int = integer("number of the tooth, from 0", minimum=0)
+    tooth: int = integer("tooth number, counted from 0", minimum=0)
     flank: str = choice(("left", "right"), "flank of the tooth")
     values: tuple[tuple[float, ...], ...] = key(
         "grid",
-        "deviation along the transverse base tangent, > 0 is more material: rows at equal lengths of roll "
-        "from root form to tip form circle, columns at equal distances over the face width; or the name of a "
-        "text file with one row a line, numbers between commas, semicolons, tabs or blanks; a first line "
-        "such as [um] gives their unit",
+        "deviation along the transverse base tangent, > 0 is excess material. Rows: equal steps of the "
+        "length of roll from root form to tip form circle; columns: equal steps over the face width. Or the "
+        "name of a text file with one row per line, numbers separated by commas, semicolons, tabs or "
+        "blanks; a first line such as [um] gives the unit",
         dimension="length",
     )
 
@@ -123,9 +128,9 @@ class Deviations:
 
     pitch: tuple[float, ...] | FlankPitch = key(
         "pitch",
-        "single pitch deviations f_p (ISO 1328-1; not summed up), one per tooth: entry i is what the pitch "
-        "from tooth i - 1 to tooth i is too long on the reference circle; a list or the name of a text file "
-        "(one number a line, a first line such as [um] gives their unit) for both flanks, or {left: ..., "
+        "single pitch deviations f_p (ISO 1328-1; not cumulative), one per tooth: entry i is the excess of "
+        "the pitch from tooth i - 1 to tooth i on the reference circle; a list or the name of a text file "
+        "(one number per line, a first line such as [um] gives the unit) for both flanks, or {left: ..., "
         "right: ...}",
         (),
         dimension="length",
@@ -142,7 +147,7 @@ class Deviations:
         return self.pitch
 
     def of_geometry(self) -> real.Deviations:
-        """The same in the terms of the geometry layer."""
+        """Convert to the geometry layer."""
         from pitchpoint.geometry import deviations as target
 
         return target.Deviations(
@@ -154,5 +159,5 @@ class Deviations:
 
 
 def _as(kind: type[Any], part: Any) -> Any:
-    """The same values in a dataclass of another layer."""
+    """Copy the fields into the dataclass `kind` of another layer."""
     return None if part is None else kind(**{f.name: getattr(part, f.name) for f in fields(kind)})

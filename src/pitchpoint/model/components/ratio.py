@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fixed ratios between coordinates of joints: gears without play, racks, belts, planet sets."""
+"""Fixed ratios between joint coordinates: gears without backlash, racks, belts, planetary gear sets."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from pitchpoint.model.keys import key
 
 
 class Arm(float):
-    """A coefficient that is a length: the way per radian of a turn [m]."""
+    """A coefficient with the dimension of a length: travel per radian of rotation [m]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Ratio:
-    """A sum of coordinates that keeps its value: c1 q1 + c2 q2 (+ c3 q3) = constant.
+    """A linear constraint between coordinates: c1 q1 + c2 q2 (+ c3 q3) = constant.
 
-    Gears take their numbers of teeth (`{a: 20, b: 40}` turn against each other, `{a: 20, b: -40}` the same
-    way), a belt the radii (`{a: 50 mm, b: -80 mm}`), a rack its radius (`{pinion: 30 mm, rack.z: -1}`),
-    planets `{sun: 24, planet: 18, carrier: -24}` with the spin of the planet on the carrier.
+    Gears: numbers of teeth (`{a: 20, b: 40}` rotate in opposite directions, `{a: 20, b: -40}` in the same
+    direction). Belt: radii (`{a: 50 mm, b: -80 mm}`). Rack: pinion radius (`{pinion: 30 mm, rack.z: -1}`).
+    Planetary gear set: `{sun: 24, planet: 18, carrier: -24}` with the spin of the planet on the carrier.
     """
 
     terms: Mapping[str, float] = key(
         "terms",
-        "coefficients of two or three coordinates, each named as JOINT.COORDINATE, or by a body for its "
-        "spin: plain numbers, or lengths for turns that go with travels (Arm in Python)",
+        "coefficients of two or three coordinates, named JOINT.COORDINATE, or BODY for its spin: plain "
+        "numbers, or lengths for rotations that are coupled to translations (Arm in Python)",
     )

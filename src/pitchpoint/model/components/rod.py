@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rods without mass that hold two points at a distance."""
+"""Massless rods that keep two points at a constant distance."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from pitchpoint.model.keys import ends, positive
 
 @dataclass(frozen=True, kw_only=True)
 class Rod:
-    """A rigid rod without mass with a ball at either end."""
+    """A rigid massless rod with a ball joint at each end."""
 
-    ends: tuple[str, str] = ends("its two ends, each of them ground, a body or BODY.MARKER", length=(2, 2))
-    length: float | None = positive("length", "distance of its ends", None, display="as the ends are placed")
+    ends: tuple[str, str] = ends("the two ends, each of them ground, a body or BODY.MARKER", length=(2, 2))
+    length: float | None = positive(
+        "length", "distance between the ends", None, display="from the positions of the ends"
+    )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sensors: numbers with a name that a machine shows to its controllers."""
+"""Sensors: named signals measured on the model."""
 
 from __future__ import annotations
 
@@ -20,23 +20,23 @@ QUANTITIES = (
 )
 AXES = ("x", "y", "z")
 UNITS = ("1", "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N m", "W")
-"""Units that a signal may have; its numbers are always those of SI."""
+"""Units that a signal may have; its values are always in SI units."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class FrameSensor:
-    """A kinematic quantity between two frames, as seen from the second."""
+    """A kinematic quantity of the first frame relative to the second."""
 
     form: ClassVar[str] = "frames"
     quantity: str = choice(
         QUANTITIES,
-        "component of the way between the markers and its rates, their distance and its rate, angle about "
-        "the axis and its rates",
+        "component of the relative position and its derivatives, distance and its rate, angle about the axis "
+        "and its derivatives",
     )
-    ends: tuple[str, str] = ends("what is sensed, and from where: ground, BODY or BODY.MARKER", length=(2, 2))
-    axis: str = choice(
-        AXES, "axis of the second marker: of the component, or about which an angle counts", "z"
+    ends: tuple[str, str] = ends(
+        "measured frame and reference frame: ground, BODY or BODY.MARKER", length=(2, 2)
     )
+    axis: str = choice(AXES, "axis of the reference frame for components and angles", "z")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,26 +45,26 @@ class JointSensor:
 
     form: ClassVar[str] = "joint"
     coordinate: str = text("JOINT.COORDINATE, or a body for its spin")
-    derivative: int = integer("0 the coordinate, 1 its rate, 2 its acceleration", 0, minimum=0, maximum=2)
+    derivative: int = integer("0: coordinate, 1: rate, 2: acceleration", 0, minimum=0, maximum=2)
 
 
 @dataclass(frozen=True, kw_only=True)
 class LoadSensor:
-    """What the joint of a body puts on it: a component of the force, or of the moment about a marker."""
+    """Joint reaction on a body: a component of the force, or of the moment about a marker."""
 
     form: ClassVar[str] = "load"
-    at: str = end("BODY or BODY.MARKER: the body that the joint carries, and the place")
-    quantity: str = choice(("force", "moment"), "component that is sensed", "force")
-    seen_from: str = end("ground, BODY or BODY.MARKER that gives the axes", "ground")
+    at: str = end("BODY or BODY.MARKER: body carried by the joint, and reference point")
+    quantity: str = choice(("force", "moment"), "measured quantity", "force")
+    seen_from: str = end("ground, BODY or BODY.MARKER: reference axes", "ground")
     axis: str = choice(AXES, "axis of the component", "z")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Listener:
-    """An observation of another element by its name, such as tension[spring]."""
+    """An output of another element by its name, such as tension[spring]."""
 
     form: ClassVar[str] = "observation"
-    channel: str = text("name of the observation, as results have it")
+    channel: str = text("name of the observation as in results")
 
 
 Sensor: TypeAlias = FrameSensor | JointSensor | LoadSensor | Listener

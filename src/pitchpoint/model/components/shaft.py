@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""An elastic shaft: sections in a row, along its spin axis z."""
+"""An elastic shaft: cylindrical sections along its spin axis z."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class ShaftSection:
-    """A piece of a shaft with constant diameters."""
+    """A shaft section with constant diameters."""
 
     length: float = positive("length", "length")
     diameter: float = positive("length", "outer diameter")
@@ -30,56 +30,57 @@ class ShaftSection:
 
 @dataclass(frozen=True, kw_only=True)
 class Shaft:
-    """An elastic round shaft that bends, twists and stretches; gears, bearings and loads sit at places along
-    its z axis."""
+    """An elastic round shaft in bending, torsion and tension, along its z axis."""
 
     sections: tuple[ShaftSection, ...] = key(
         "list",
-        "pieces in the order in which they follow along the spin axis",
+        "shaft sections in their order along the spin axis",
         of=ShaftSection,
         length=(1, 1000),
         sample="[{length: 100 mm, diameter: 40 mm}]",
     )
-    material: Material | str = key("material", "name in the library or its properties", "steel")
+    material: Material | str = key("material", "name in the material library, or the properties", "steel")
     solid: SolidReference | None = component(
         SolidReference,
-        "solid whose mass is spread over the sections as theirs is; gears are not part of it",
+        "solid without gears; its mass is distributed over the sections in proportion to theirs",
     )
     gears: dict[str, float] = key(
-        "gears", "names of the gears, with the places of their mid-faces from the start of the shaft [m]", {}
+        "gears",
+        "names of the gears with the positions of their mid-faces, from the start of the shaft [m]",
+        {},
     )
     bevel_gears: dict[str, float] = key(
         "gears",
-        "names of the bevel gears, with the places of their apexes from the start of the shaft [m], which "
-        "may lie beyond its ends",
+        "names of the bevel gears with the positions of their apexes, from the start of the shaft [m]; also "
+        "beyond its ends",
         {},
         later=True,
     )
     position: tuple[float, float, float] | None = quantities(
         "length",
-        "start of the shaft [x, y, z]; it lies along its z axis",
+        "start of the shaft [x, y, z]; the shaft extends along its z axis",
         None,
         length=(3, 3),
         display="from meshes and couplings",
     )
     axes: Axes | None = component(
         Axes,
-        "directions of its axes in the world; without them those of a body that its gears mesh with, else "
-        "those of the world",
+        "directions of its axes in the world; default: those of a body that its gears mesh with, else those "
+        "of the world",
     )
     markers: Mapping[str, Marker] = key(
         "components",
-        "points with frames, by name; positions count from the start of the shaft",
+        "points with axes of their own, by name; positions from the start of the shaft",
         {},
         of=Marker,
     )
     largest_piece: float | None = positive(
-        "length", "longest piece that is reckoned as one beam", None, display="two diameters"
+        "length", "maximum length of a beam element", None, display="two diameters"
     )
     internal_damping: float = quantity(
         "time",
-        "damping per stiffness, in axes that spin with the shaft: the ratio of a mode is half of it times "
-        "its angular frequency",
+        "internal (rotating) damping over stiffness: the damping ratio of a mode is half of it times the "
+        "angular frequency",
         0.0,
         minimum=0.0,
     )
@@ -91,7 +92,7 @@ class Shaft:
 
     @property
     def material_data(self) -> Material:
-        """Properties of the material, looked up in the library when it is named."""
+        """Material properties, from the library if given by name."""
         from pitchpoint.geometry.materials import Material, material
 
         return self.material if isinstance(self.material, Material) else material(self.material)
@@ -103,7 +104,8 @@ class Shaft:
 
     @cached_property
     def density(self) -> float:
-        """Density in force [kg/m^3]: of the material, or what gives the sections the mass of the solid."""
+        """Effective density [kg/m^3]: of the material, or such that the sections have the mass of the
+        solid."""
         own = self.material_data.density
         if self.solid is None:
             return own
@@ -113,7 +115,7 @@ class Shaft:
         return self.solid.density_for(self.material) * self.solid.solid().volume / volume
 
     def pieces(self) -> list[tuple[float, float, float, float]]:
-        """Mass [kg], polar and transverse inertia about its middle [kg m^2] and place of its middle [m] of
+        """Mass [kg], polar and transverse inertia about the centre [kg m^2] and position of the centre [m] of
         every section."""
         found, start, density = [], 0.0, self.density
         for s in self.sections:

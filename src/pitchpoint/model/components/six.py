@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Linear behaviour in six directions: three displacements and three rotations about the axes of the body."""
+"""Linear stiffness and damping in six directions: three displacements and three rotations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Matrix6: TypeAlias = tuple[tuple[float, ...], ...]
 class Stiffness6:
     """Stiffness by direction, or a full symmetric 6x6 matrix (x, y, z, rx, ry, rz)."""
 
-    radial: float | None = quantity("stiffness", "x and y", None, minimum=0.0)
+    radial: float | None = quantity("stiffness", "along x and y", None, minimum=0.0)
     x: float | None = quantity("stiffness", "along x (instead of radial)", None, minimum=0.0)
     y: float | None = quantity("stiffness", "along y (instead of radial)", None, minimum=0.0)
     axial: float = quantity("stiffness", "along the axis z", 0.0, minimum=0.0)
@@ -23,7 +23,7 @@ class Stiffness6:
     rx: float | None = quantity("torsional_stiffness", "about x (instead of tilt)", None, minimum=0.0)
     ry: float | None = quantity("torsional_stiffness", "about y (instead of tilt)", None, minimum=0.0)
     torsion: float = quantity("torsional_stiffness", "about the axis z", 0.0, minimum=0.0)
-    matrix: Matrix6 | None = key("matrix", "6x6 matrix in SI, alone", None)
+    matrix: Matrix6 | None = key("matrix", "full 6x6 matrix in SI units, instead of the other keys", None)
 
     def matrix6(self) -> Matrix6:
         """Full 6x6 matrix [N/m, N, N m/rad]."""
@@ -34,7 +34,7 @@ class Stiffness6:
 class Damping6:
     """Damping by direction, a full symmetric 6x6 matrix, or a ratio of critical damping."""
 
-    radial: float | None = quantity("damping", "x and y", None, minimum=0.0)
+    radial: float | None = quantity("damping", "along x and y", None, minimum=0.0)
     x: float | None = quantity("damping", "along x (instead of radial)", None, minimum=0.0)
     y: float | None = quantity("damping", "along y (instead of radial)", None, minimum=0.0)
     axial: float = quantity("damping", "along the axis z", 0.0, minimum=0.0)
@@ -42,10 +42,10 @@ class Damping6:
     rx: float | None = quantity("torsional_damping", "about x (instead of tilt)", None, minimum=0.0)
     ry: float | None = quantity("torsional_damping", "about y (instead of tilt)", None, minimum=0.0)
     torsion: float = quantity("torsional_damping", "about the axis z", 0.0, minimum=0.0)
-    matrix: Matrix6 | None = key("matrix", "6x6 matrix in SI, alone", None)
+    matrix: Matrix6 | None = key("matrix", "full 6x6 matrix in SI units, instead of the other keys", None)
     ratio: float | None = quantity(
         "dimensionless",
-        "share of critical damping, per direction with the inertia of the body",
+        "fraction of critical damping in each direction, with the inertia of the body",
         None,
         minimum=0.0,
         maximum=10.0,

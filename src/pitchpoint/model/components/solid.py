@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A solid from a file of a CAD program, which gives a gear, a shaft or a body its mass and inertia."""
+"""A solid from a CAD file that supplies mass and inertia of a gear, a shaft or a body."""
 
 from __future__ import annotations
 
@@ -16,31 +16,31 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class SolidReference:
-    """A closed solid in an STL or STEP file; STEP needs the extra `cad`."""
+    """A closed solid in an STL or STEP file; STEP requires the extra `cad`."""
 
-    file: str = key("file", "the file, .step, .stp, .stl or .npy", sample="gear.step")
+    file: str = key("file", "file, .step, .stp, .stl or .npy", sample="gear.step")
     unit: float | None = positive(
         "length", "STL: length of one unit of the file; STEP files contain theirs", None, sample="1 mm"
     )
-    part: str | None = text("STEP: name of the solid in a file with several", None)
+    part: str | None = text("STEP: name of the solid in a file with several solids", None)
     material: Material | str | None = key(
         "material",
-        "name in the library or its properties",
+        "name in the material library, or the properties",
         None,
         display="that of the gear or shaft, or steel",
     )
     density: float | None = positive("density", "instead of a material", None)
     axes: Axes | None = component(
         Axes,
-        "directions in the file of the axes of the body; of gears and shafts z is the axis, which is found "
-        "if omitted",
+        "directions of the axes of the body in the file; for gears and shafts z is the axis of rotation, "
+        "default: the axis of symmetry of the solid",
     )
     origin: Triple | None = quantities(
-        "length", "bodies: place in the file of the origin of the body", None, length=(3, 3)
+        "length", "bodies: position of the origin of the body in the file", None, length=(3, 3)
     )
 
     def density_for(self, own: Material | str = "steel") -> float:
-        """Density in force [kg/m^3], with `own` where neither density nor material is given."""
+        """Effective density [kg/m^3]; that of the material `own` if neither density nor material is given."""
         from pitchpoint.geometry.materials import Material, material
 
         if self.density is not None:
@@ -55,7 +55,7 @@ class SolidReference:
         return read_solids(self.file, self.unit).part(self.part)
 
     def about_axis(self) -> RoundInertia:
-        """Its moments of inertia about the axis of a gear or a shaft, and across."""
+        """Polar and transverse moments of inertia about the axis of a gear or a shaft."""
         from pitchpoint.geometry.solid_mass import round_inertia
 
         return round_inertia(self.solid(), None if self.axes is None else self.axes.z)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Stiffness laws of a mesh as a user names them; the numbers are computed in `contact/stiffness`.
+"""Mesh stiffness laws of the model file; `contact/stiffness` evaluates them.
 
 A new law is a class of this file, listed in `LAWS`, and a function of its name in `contact/stiffness`.
 """
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def _ratio() -> float:
     value: float = quantity(
         "dimensionless",
-        "smallest over largest stiffness of one pair, S_R; 0 lets it vanish at A and E",
+        "ratio S_R of minimum to maximum stiffness of one pair; with 0 the stiffness is zero at A and E",
         0.8,
         minimum=0.0,
         maximum=1.0,
@@ -31,7 +31,7 @@ def _ratio() -> float:
 def _relief() -> float:
     value: float = quantity(
         "dimensionless",
-        "length of the ramps at A and E over frac(eps_alpha), T_R",
+        "length of the ramps at A and E over frac(eps_alpha), T_R; 0: no ramps",
         0.0,
         minimum=0.0,
         maximum=1.0,
@@ -40,20 +40,20 @@ def _relief() -> float:
 
 
 class StiffnessLaw:
-    """A stiffness law of a model file: its name, and what the function of that name is called with."""
+    """Base class of the stiffness laws: the name of a law and the arguments of its function."""
 
     law: ClassVar[str]
-    """Name in model files, of the module in `contact.stiffness`, and of the function in it."""
+    """Name in model files; also the name of the module in `contact.stiffness` and of its function."""
     of_pairs: ClassVar[bool] = False
-    """Whether it describes one tooth pair; all others prescribe the stiffness of the whole mesh."""
+    """Whether the law describes one tooth pair; all others give the stiffness of the whole mesh."""
 
     def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function next to the pair, for two gears: its keys, unless a law says more."""
+        """Arguments of the function besides the gear pair; by default the keys of the law."""
         return {name: getattr(self, name) for name in keys_of(type(self))}
 
 
 def standard_options(gears: Sequence[Gear], virtual_teeth: str = "iso") -> dict[str, Any]:
-    """Blank factor, moduli and virtual numbers of teeth for the single stiffness by DIN 3990 / ISO 6336-1."""
+    """Blank factor, moduli and formula of virtual teeth for the single stiffness by DIN 3990 / ISO 6336-1."""
     return {
         "C_R": min(gear.blank_factor for gear in gears),
         "moduli": tuple(gear.material_data.youngs_modulus for gear in gears),
@@ -71,7 +71,7 @@ def _moduli(gears: Sequence[Gear]) -> dict[str, Any]:
 
 @dataclass(frozen=True, kw_only=True)
 class BevelDin3990(StiffnessLaw):
-    """Single tooth stiffness by DIN 3990 of the virtual cylindrical gears, with a parabola along the path."""
+    """Single tooth stiffness by DIN 3990 of the virtual cylindrical gears, parabolic along the path."""
 
     law: ClassVar[str] = "din3990"
     of_pairs: ClassVar[bool] = True
@@ -79,21 +79,23 @@ class BevelDin3990(StiffnessLaw):
     tip_relief_factor: float = _relief()
     single_stiffness: float | None = positive(
         "stiffness_per_width",
-        "given single tooth stiffness c' per face width",
+        "single tooth stiffness c' per face width",
         None,
-        display="by the standard",
+        display="from the standard",
     )
-    low_load: bool = key("boolean", "lower the stiffness below 100 N/mm specific load", False)
+    low_load: bool = key("boolean", "reduce the stiffness at specific loads below 100 N/mm", False)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Din3990(BevelDin3990):
-    """Single tooth stiffness by DIN 3990 / ISO 6336 with a parabola along the path of contact."""
+    """Single tooth stiffness by DIN 3990 / ISO 6336, parabolic along the path of contact."""
 
-    virtual_teeth: str = choice(("iso", "cos3"), "z_n = z/(cos^2 beta_b cos beta), or z/cos^3 beta", "iso")
+    virtual_teeth: str = choice(
+        ("iso", "cos3"), "virtual number of teeth; iso: z/(cos^2 beta_b cos beta); cos3: z/cos^3 beta", "iso"
+    )
 
     def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function, with the factors of the gears."""
+        """Arguments of the function, including the factors of the gears."""
         return {
             "S_R": self.stiffness_ratio,
             "T_R": self.tip_relief_factor,
@@ -105,7 +107,7 @@ class Din3990(BevelDin3990):
 
 @dataclass(frozen=True, kw_only=True)
 class ConstantStiffness(StiffnessLaw):
-    """The same total mesh stiffness at every phase."""
+    """Constant total mesh stiffness."""
 
     law: ClassVar[str] = "constant"
     value: float = positive("stiffness", "total mesh stiffness along the base tangent")
@@ -120,11 +122,11 @@ class Rectangular(StiffnessLaw):
     """Total mesh stiffness that jumps between two values once per base pitch."""
 
     law: ClassVar[str] = "rectangular"
-    high: float = positive("stiffness", "total stiffness with the larger number of pairs")
-    low: float = positive("stiffness", "total stiffness with the smaller number of pairs")
+    high: float = positive("stiffness", "total stiffness with the larger number of tooth pairs")
+    low: float = positive("stiffness", "total stiffness with the smaller number of tooth pairs")
     duty: float | None = quantity(
         "dimensionless",
-        "share of the base pitch with the high value, from psi = 0",
+        "duty cycle: fraction of the base pitch with the high value, from psi = 0",
         None,
         minimum=0.0,
         maximum=1.0,
@@ -158,14 +160,14 @@ class Table(StiffnessLaw):
 
 @dataclass(frozen=True, kw_only=True)
 class PairTable(StiffnessLaw):
-    """Stiffness of one pair as a table along the path of contact from A to E."""
+    """Stiffness of one tooth pair as a table along the path of contact from A to E."""
 
     law: ClassVar[str] = "pair_table"
     of_pairs: ClassVar[bool] = True
     single_stiffness: float = positive("stiffness_per_width", "single tooth stiffness c' per face width")
     values: tuple[float, ...] = quantities(
         "dimensionless",
-        "stiffness over c' at equally spaced points, A and E included",
+        "stiffness over c' at equally spaced points from A to E",
         length=(2, 100000),
         minimum=0.0,
     )
@@ -174,15 +176,15 @@ class PairTable(StiffnessLaw):
 
 @dataclass(frozen=True, kw_only=True)
 class Energy(StiffnessLaw):
-    """Stiffness from bending, shear, axial, Hertz and body compliance of the real tooth form."""
+    """Stiffness by the energy method: bending, shear, axial, Hertz and body compliance of the tooth form."""
 
     law: ClassVar[str] = "energy"
     of_pairs: ClassVar[bool] = True
     tip_relief_factor: float = _relief()
-    body: bool = key("boolean", "include the compliance of the gear body", True)
+    body: bool = key("boolean", "includes the compliance of the gear body", True)
 
     def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function, with materials and bores of the gears."""
+        """Arguments of the function, including materials and bores of the gears."""
         return {
             "T_R": self.tip_relief_factor,
             "bores": tuple(gear.bore_diameter or None for gear in gears),
@@ -193,36 +195,36 @@ class Energy(StiffnessLaw):
 
 @dataclass(frozen=True, kw_only=True)
 class Hertz(StiffnessLaw):
-    """One tooth pair as an impact force K u^e over the overlap u, the same all along its path.
+    """Impact force K u^e of one tooth pair at the penetration u, constant along the path of contact.
 
-    K by Hertz from the curvatures at the pitch point, or from a force at a depth.
+    K from Hertz with the curvatures at the pitch point, or from `force` at `depth`.
     """
 
     law: ClassVar[str] = "hertz"
     of_pairs: ClassVar[bool] = True
     diameter: str = choice(
         ("reference", "operating"),
-        "diameter of gear 1 in the formula of its curvature; reference is exact, operating too large by "
-        "cos(alpha_t)/cos(alpha_wt)",
+        "diameter of gear 1 in the formula of the curvature; reference is exact, operating is too large by "
+        "the factor cos(alpha_t)/cos(alpha_wt)",
         "reference",
     )
     exponent: float = quantity(
-        "dimensionless", "exponent e of the force over the overlap", 1.5, minimum=1.0, maximum=5.0
+        "dimensionless", "exponent e of the penetration", 1.5, minimum=1.0, maximum=5.0
     )
     force: float | None = positive(
         "force",
-        "elastic force normal to the flanks at the overlap `depth`",
+        "elastic force normal to the flanks at the penetration `depth`",
         None,
         display="by Hertz",
         needs="depth",
     )
     depth: float | None = positive(
-        "length", "overlap normal to the flanks at which it is `force`", None, needs="force"
+        "length", "penetration normal to the flanks at which the force is `force`", None, needs="force"
     )
     tip_relief_factor: float = _relief()
 
     def options(self, gears: Sequence[Gear]) -> dict[str, Any]:
-        """Arguments of the function, with the materials of the gears."""
+        """Arguments of the function, including the materials of the gears."""
         given = self.force is not None and self.depth is not None
         return {
             "diameter": self.diameter,
@@ -235,7 +237,7 @@ class Hertz(StiffnessLaw):
 
 @dataclass(frozen=True, kw_only=True)
 class UserStiffness(StiffnessLaw):
-    """Total mesh stiffness k(t, psi) by a user's Python function; needs --allow-code."""
+    """Total mesh stiffness k(t, psi) from a user-defined Python function; requires --allow-code."""
 
     law: ClassVar[str] = "user"
     python: PythonLaw = key(
@@ -263,4 +265,4 @@ BEVEL_LAWS: dict[str, type] = {c.law: c for c in (BevelDin3990, ConstantStiffnes
 """Laws of bevel meshes."""
 
 OF_PAIRS = tuple(sorted(name for name, found in LAWS.items() if found.of_pairs))
-"""Laws that describe one tooth pair; all others prescribe the stiffness of the whole mesh."""
+"""Laws that describe one tooth pair; all others give the stiffness of the whole mesh."""

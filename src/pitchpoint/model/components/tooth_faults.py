@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Faults of teeth as a user states them: where, how large, how severe."""
+"""Tooth faults in the terms of the model file: location, size, severity."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SHAPES = ("straight", "corner")
 
 
 def _tooth() -> Any:
-    return integer("number of the tooth, counter-clockwise from tooth 0", minimum=0)
+    return integer("tooth number, counted counter-clockwise from tooth 0", minimum=0)
 
 
 def _flank(meaning: str) -> Any:
@@ -31,35 +31,36 @@ def _severity(meaning: str) -> Any:
 
 @dataclass(frozen=True, kw_only=True)
 class BrokenTooth:
-    """A tooth of which a part is missing, on both flanks: a corner, a piece of one end, a band along the tip,
-    or all of it.
+    """A broken tooth: a corner, one end, a band along the tip or the whole tooth is missing.
 
-    A size that is omitted is the whole of the tooth.
+    An omitted size is that of the whole tooth.
     """
 
     form: ClassVar[str] = "broken_tooth"
     tooth: int = _tooth()
     at: str = choice(
-        ENDS, "end of the face width from which width counts: start is the end of the lowest z", "start"
+        ENDS,
+        "end of the face width from which `width` is measured; start: the end of the smallest z",
+        "start",
     )
     width: float | None = positive(
-        "length", "width that is missing at the tip, along the face", None, display="the whole face"
+        "length", "missing width at the tip, along the face", None, display="the whole face"
     )
     height: float | None = positive(
         "length",
-        "height that is missing at the end of the face, radially from the tip",
+        "missing height at the end of the face, radially from the tip",
         None,
         display="the whole tooth",
     )
     shape: str = choice(
         SHAPES,
-        "straight: width times height is missing; corner: the triangle between width and height",
+        "missing area; straight: rectangle of width and height; corner: triangle of width and height",
         "straight",
     )
-    severity: float = _severity("scales the given sizes; without any of them, the height")
+    severity: float = _severity("scales the given sizes, or the height if none is given")
 
     def sizes(self, face_width: float, tooth_height: float) -> tuple[float, float]:
-        """Width and height that are missing [m]; omitted sizes are those of the whole tooth."""
+        """Missing width and height [m]; omitted sizes are those of the whole tooth."""
         width, height = self.width or face_width, self.height or tooth_height
         scaled = self.shape == "corner"
         if scaled or self.width is not None:
@@ -71,7 +72,7 @@ class BrokenTooth:
 
 @dataclass(frozen=True, kw_only=True)
 class PitchError:
-    """A tooth out of its place: both of its flanks are displaced by the same amount."""
+    """Pitch error of one tooth: both flanks are displaced by the same amount."""
 
     form: ClassVar[str] = "pitch_error"
     tooth: int = _tooth()
@@ -83,30 +84,32 @@ class PitchError:
 
 @dataclass(frozen=True, kw_only=True)
 class BrokenBevelTooth:
-    """A bevel gear's tooth of which one end is missing, or all of it."""
+    """A broken tooth of a bevel gear: one end or the whole tooth is missing."""
 
     form: ClassVar[str] = "broken_tooth"
     tooth: int = _tooth()
-    at: str = choice(("outer", "inner"), "end of the face from which width counts", "outer")
+    at: str = choice(("outer", "inner"), "end of the face from which `width` is measured", "outer")
     width: float | None = positive(
-        "length", "width that is missing along the pitch cone", None, display="the whole face"
+        "length", "missing width along the pitch cone", None, display="the whole face"
     )
     severity: float = _severity("scales the width")
 
     def left(self, R_i: float, R_e: float) -> tuple[float, float]:
-        """Cone distances between which the tooth is left [m], from those of the face; none if they cross."""
+        """Cone distances [m] of the ends of the remaining tooth; nothing remains if they cross."""
         missing = self.severity * (R_e - R_i if self.width is None else self.width)
         return (R_i, R_e - missing) if self.at == "outer" else (R_i + missing, R_e)
 
 
 @dataclass(frozen=True, kw_only=True)
 class RootCrack:
-    """A crack at the root of a tooth, which makes it softer under loads that open it."""
+    """A tooth root crack, which reduces the stiffness under loads that open it."""
 
     form: ClassVar[str] = "root_crack"
     tooth: int = _tooth()
-    flank: str = _flank("side of the root where it starts: loads on this flank open it, others close it")
-    depth: float = positive("length", "length of the crack in the transverse section, where it is deepest")
+    flank: str = _flank(
+        "flank at whose root the crack starts: loads on this flank open it, loads on the other close it"
+    )
+    depth: float = positive("length", "maximum depth: length of the crack in the transverse section")
     angle: float = quantity(
         "angle",
         "angle between the crack and the centre line of the tooth",
@@ -117,31 +120,31 @@ class RootCrack:
     )
     length: float | None = positive(
         "length",
-        "length along the face, over which the depth falls to nothing; without it the same depth everywhere",
+        "length along the face over which the depth decreases to zero; constant depth if omitted",
         None,
-        display="the whole face, at even depth",
+        display="the whole face, constant depth",
     )
-    at: str = choice(ENDS, "end of the face width where a crack with a length is deepest", "start")
+    at: str = choice(ENDS, "with `length`: end of the face width where the crack is deepest", "start")
     severity: float = _severity("scales the depth")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Patch:
-    """A pit or spall: a hollow with an elliptic edge, deepest in its middle."""
+    """A pit or spall with an elliptical outline, deepest at its centre."""
 
-    position: float = quantity("length", "middle along the face width, from its start", minimum=0.0)
-    diameter: float = positive("length", "diameter of its middle on the flank")
+    position: float = quantity("length", "centre along the face width, from its start", minimum=0.0)
+    diameter: float = positive("length", "diameter of the centre on the flank")
     length: float = positive("length", "axis of the ellipse along the face")
     height: float = positive("length", "axis of the ellipse along the profile, radially")
-    depth: float = positive("length", "depth in the middle, normal to the flank")
+    depth: float = positive("length", "depth at the centre, normal to the flank")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Pattern:
-    """Pits scattered evenly over a flank, of half to all of the given sizes."""
+    """Pits at uniformly distributed random positions, of 0.5 to 1 times the given sizes."""
 
     number: int = integer("number of pits", minimum=1, maximum=10000)
-    seed: int = integer("start of the random numbers; the same seed gives the same pits", 0, minimum=0)
+    seed: int = integer("seed of the random numbers; the same seed gives the same pits", 0, minimum=0)
     length: float = positive("length", "largest axis along the face")
     height: float = positive("length", "largest axis along the profile, radially")
     depth: float = positive("length", "largest depth, normal to the flank")
@@ -149,17 +152,17 @@ class Pattern:
 
 @dataclass(frozen=True, kw_only=True)
 class Pitting:
-    """Pits and spalls on a flank: `patches` one by one, or a random `pattern`."""
+    """Pits and spalls on a flank: individual `patches`, or a random `pattern`."""
 
     form: ClassVar[str] = "pitting"
     tooth: int = _tooth()
-    flank: str = _flank("flank they are on")
-    patches: tuple[Patch, ...] = key("list", "pits and spalls one by one", (), of=Patch)
-    pattern: Pattern | None = component(Pattern, "random pits instead")
-    severity: float = _severity("scales the axes of all ellipses, and with its square the depths")
+    flank: str = _flank("flank with the pits")
+    patches: tuple[Patch, ...] = key("list", "individual pits and spalls", (), of=Patch)
+    pattern: Pattern | None = component(Pattern, "random pits, instead of patches")
+    severity: float = _severity("scales the axes of all ellipses, and its square the depths")
 
     def on(self, gear: CylindricalGear) -> tuple[pits.Patch, ...]:
-        """All patches in the terms of the geometry layer."""
+        """All patches, converted to the geometry layer."""
         from pitchpoint.geometry import pits
 
         if self.pattern is not None:
@@ -169,19 +172,19 @@ class Pitting:
 
 @dataclass(frozen=True, kw_only=True)
 class Wear:
-    """Wear of all teeth of a gear after Archard: pressure times sliding, nothing at the pitch point.
+    """Wear of all teeth by Archard's law: pressure times sliding distance, zero at the pitch point.
 
-    Its size is either the largest `depth`, or follows from `coefficient`, `cycles` and `torque`.
+    Give the maximum `depth`, or `coefficient`, `cycles` and `torque`.
     """
 
     form: ClassVar[str] = "wear"
-    flank: str = _flank("flanks that are worn")
-    depth: float | None = positive("length", "largest depth, normal to the flank", None)
+    flank: str = _flank("worn flanks")
+    depth: float | None = positive("length", "maximum depth, normal to the flank", None)
     coefficient: float | None = positive(
-        "wear_coefficient", "volume worn off per force and sliding distance", None
+        "wear_coefficient", "wear coefficient: volume per force and sliding distance", None
     )
-    cycles: float | None = positive("dimensionless", "turns of the gear under load", None)
-    torque: float | None = positive("torque", "torque on the gear under which its flanks wear", None)
+    cycles: float | None = positive("dimensionless", "number of revolutions of the gear under load", None)
+    torque: float | None = positive("torque", "torque on the gear during wear", None)
     severity: float = _severity("scales the depth")
 
 
@@ -190,9 +193,9 @@ ToothFault = BrokenTooth | RootCrack | Pitting | Wear | PitchError
 FAULTS: dict[str, type[ToothFault]] = {
     cls.form: cls for cls in (BrokenTooth, RootCrack, Pitting, Wear, PitchError)
 }
-"""Classes of faults by the word of their key `type`."""
+"""Fault classes by the value of the key `type`."""
 
 BevelFault = BrokenBevelTooth | PitchError
 
 BEVEL_FAULTS: dict[str, type[BevelFault]] = {cls.form: cls for cls in (BrokenBevelTooth, PitchError)}
-"""Those of bevel gears."""
+"""Fault classes of bevel gears by the value of the key `type`."""

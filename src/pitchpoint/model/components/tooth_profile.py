@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The real tooth of a gear as points in the transverse plane, and the outline it turns into."""
+"""Tooth profile of a gear as points in the transverse plane, and its conversion to a tooth outline."""
 
 from __future__ import annotations
 
@@ -20,16 +20,17 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Points:
-    """Points (x, y) [m] in the order of an outline; from a file, with its name and the line of each point."""
+    """Points (x, y) [m] in the order of an outline, with the name of their file and the line of each
+    point."""
 
     xy: tuple[tuple[float, float], ...]
     file: str = field(default="", compare=False)
     lines: tuple[int, ...] = field(default=(), compare=False)
     teeth: tuple[int, ...] = field(default=(), compare=False)
-    """Number of the tooth of each point, where the file gives it."""
+    """Tooth number of each point, if the file gives it."""
 
     def of_tooth(self, number: int) -> Points:
-        """Only the points of one tooth; all of them where no tooth is named."""
+        """Points of one tooth; all points if the file does not number the teeth."""
         if not self.teeth:
             return self
         rows = [i for i, tooth in enumerate(self.teeth) if tooth == number]
@@ -43,23 +44,23 @@ def _points(meaning: str) -> Points | None:
 
 @dataclass(frozen=True, kw_only=True)
 class ToothProfile:
-    """The real tooth as points of its transverse section; give `tooth`, or `both`, or `left` and `right`.
-    Drawings, mass and inertia take the outline; the contact of single tooth pairs (laws din3990, energy,
-    pair_table) takes how far its flanks lie off the nominal involute, added to modifications and deviations;
-    stiffness stays that of the generated tooth. A CSV file has a heading line with units, such as
-    `x [mm],y [mm]`, then one point a line in the order of the outline, as `pitchpoint gears --export` writes
-    it; a column `tooth` may number the teeth, others are not read. A flank or tip more than 0.2 modules off
-    is refused as that of another gear.
+    """Points of the tooth in the transverse section; give `tooth`, or `both`, or `left` and `right`.
+    Drawings, mass and inertia use the outline. The contact of single tooth pairs (laws din3990, energy,
+    pair_table) uses the deviations of the flanks from the nominal involute, added to modifications and
+    deviations; the stiffness remains that of the generated tooth. A CSV file has a header line with units,
+    such as `x [mm],y [mm]`, then one point per line in the order of the outline, as written by
+    `pitchpoint gears --export`; a column `tooth` may number the teeth, other columns are ignored. A flank or
+    tip that deviates by more than 0.2 modules is rejected.
     """
 
     tooth: Points | None = _points("one tooth, root to root: CSV file, or list of [x, y]")
-    both: Points | None = _points("one flank, root to tip or back; the other flank is its mirror image")
-    left: Points | None = _points("the left flank, root to tip or back; nominal if omitted")
-    right: Points | None = _points("the right flank, root to tip or back; nominal if omitted")
+    both: Points | None = _points("one flank, root to tip or tip to root; the other flank is mirrored")
+    left: Points | None = _points("left flank, root to tip or tip to root; nominal if omitted")
+    right: Points | None = _points("right flank, root to tip or tip to root; nominal if omitted")
     number: int = integer(
-        "number of the tooth that the points are of; turns them back by as many pitches", 0, minimum=0
+        "tooth number of the points; they are rotated back by this number of pitches", 0, minimum=0
     )
-    angle: float = quantity("angle", "direction of the centre of tooth 0 from the x axis of the points", 0.0)
+    angle: float = quantity("angle", "angle from the x axis of the points to the centre of tooth 0", 0.0)
 
     @property
     def given(self) -> tuple[str, ...]:
@@ -67,11 +68,11 @@ class ToothProfile:
         return tuple(n for n in ("tooth", "both", "left", "right") if getattr(self, n) is not None)
 
     def of_number(self) -> ToothProfile:
-        """Only the points of the tooth `number`."""
+        """Profile with the points of tooth `number` only."""
         return replace(self, **{name: getattr(self, name).of_tooth(self.number) for name in self.given})
 
     def outline(self, gear: CylindricalGear) -> ToothOutline:
-        """Outline of a gear with this tooth; GeometryError, with key and line, if it does not fit."""
+        """Tooth outline of a gear; GeometryError with key and line if the points do not fit the gear."""
         from pitchpoint.geometry.tooth_outline import OutlineError, outline_from_flanks, outline_from_tooth
 
         turn = self.angle + 2.0 * math.pi * self.number / abs(gear.z)
@@ -81,7 +82,7 @@ class ToothProfile:
                 return outline_from_tooth(gear, parts["tooth"])
             if "both" in parts:
                 left = parts["both"].copy()
-                # of one flank, it does not matter which: a right one is mirrored
+                # a single flank may be left or right: a right flank is mirrored
                 left[:, 1] *= -1.0 if left[:, 1].sum() < 0.0 else 1.0
                 mirrored = left * (1.0, -1.0)
                 return outline_from_flanks(gear, left=left, right=mirrored)
@@ -105,7 +106,7 @@ class ToothProfile:
         return xy @ np.array([[cos, sin], [-sin, cos]])
 
     def _source(self, name: str, point: int | None) -> str:
-        """Where a point comes from, for messages."""
+        """Source of a point (file and line, or index), for messages."""
         points: Points = getattr(self, name)
         if points.file and point is not None:
             return f" (file '{points.file}', line {points.lines[point]})"

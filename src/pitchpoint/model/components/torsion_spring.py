@@ -8,24 +8,26 @@ from dataclasses import dataclass
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import key, positive, quantity
 
-TURNING = "names of the two bodies whose turns it couples; one name alone: the body and ground"
+TURNING = "names of the two bodies; one name: the body and ground"
 
 
 @dataclass(frozen=True, kw_only=True)
 class TorsionSpring:
-    """Torsion spring and damper side by side between two bodies, over any number of turns."""
+    """Torsion spring and damper in parallel between two bodies, for any number of revolutions."""
 
     bodies: tuple[str, ...] = key("names", TURNING, length=(1, 2))
-    stiffness: float = quantity("torsional_stiffness", "torque per angle", 0.0, minimum=0.0)
-    damping: float = quantity("torsional_damping", "torque per relative speed", 0.0, minimum=0.0)
-    angle: float = quantity("angle", "of the first body against the second without torque", 0.0)
-    play: float = quantity("angle", "total angle within which the spring does not act", 0.0, minimum=0.0)
+    stiffness: float = quantity("torsional_stiffness", "torsional stiffness", 0.0, minimum=0.0)
+    damping: float = quantity("torsional_damping", "torsional damping", 0.0, minimum=0.0)
+    angle: float = quantity("angle", "angle of the first body relative to the second at zero torque", 0.0)
+    play: float = quantity(
+        "angle", "backlash: total angle within which the spring does not act", 0.0, minimum=0.0
+    )
     torque: Law | None = key(
         "law",
-        "further torque on the first body: a formula of t, angle, speed (of the first body against the "
-        "second), {table: [[angle, T], ...], over: angle} (repeated if it is a whole turn long), "
-        "{python: 'file.py:function', parameters: [...]} "
-        "with f(t, angle, parameters), the speed behind the parameters",
+        "additional torque on the first body: a formula of t, angle, speed (of the first body relative to "
+        "the second), {table: [[angle, T], ...], over: angle} (periodic if it covers a full revolution), "
+        "{python: 'file.py:function', parameters: [...]} with f(t, angle, parameters); the speed is "
+        "appended to the parameters",
         None,
         dimension="torque",
     )
@@ -33,8 +35,8 @@ class TorsionSpring:
 
 @dataclass(frozen=True, kw_only=True)
 class TorsionMaxwell:
-    """Torsion spring and damper in series between two bodies; without torque at the start."""
+    """Torsion spring and damper in series between two bodies; zero torque at the start."""
 
     bodies: tuple[str, ...] = key("names", TURNING, length=(1, 2))
-    stiffness: float = positive("torsional_stiffness", "of the spring")
-    damping: float = positive("torsional_damping", "of the damper")
+    stiffness: float = positive("torsional_stiffness", "torsional stiffness of the spring")
+    damping: float = positive("torsional_damping", "torsional damping of the damper")

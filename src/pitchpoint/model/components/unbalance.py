@@ -10,10 +10,10 @@ from pitchpoint.model.keys import positive, quantities, text
 
 @dataclass(frozen=True, kw_only=True)
 class Unbalance:
-    """A further point mass on a body, which turns with it."""
+    """An additional point mass fixed to a body."""
 
     body: str = text("name of the body", names="bodies")
-    mass: float = positive("mass", "mass that is added to that of the body")
+    mass: float = positive("mass", "point mass, added to the mass of the body")
     position: tuple[float, float, float] = quantities(
-        "length", "from the origin of the body, along its axes", length=(3, 3)
+        "length", "position relative to the origin of the body, in its axes", length=(3, 3)
     )

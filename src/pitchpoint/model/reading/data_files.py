@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Numbers and points in text files that a model file names: columns, grids, tooth profiles."""
+"""Readers of text files named in a model file: columns, grids, tooth profiles."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ _SEPARATOR = re.compile(r"[,;\t]")
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?|[+-]?(?:nan|inf)", re.IGNORECASE)
 _HEADING = re.compile(r"([^\[\]]*)\[([^\[\]]+)\]")
 _SHOWN = 5
-"""Bad lines of one file that are reported one by one."""
+"""Maximum number of bad lines of a file that are reported individually."""
 
 Line = tuple[int, list[str]]
-"""Number of a line in its file, and its cells."""
+"""Line number and cells of a line."""
 
 
 def lines(reader: Reader, name: str, path: Place, instead: str) -> Any:
-    """Cells of every line of a text file that holds any; '#' starts a comment. BAD if it cannot be read."""
+    """Cells of every non-empty line of a text file; '#' starts a comment. BAD if it cannot be read."""
     file = Path(reader.directory) / name
     try:
         if not file.is_file():
@@ -46,7 +46,7 @@ def lines(reader: Reader, name: str, path: Place, instead: str) -> Any:
 
 
 def _cells(text: str) -> list[str]:
-    """Cells between commas, semicolons or tabs; a line of plain numbers may have blanks between them."""
+    """Cells separated by commas, semicolons or tabs; plain numbers may be separated by blanks."""
     parts = text.split()
     if not _SEPARATOR.search(text) and all(_NUMBER.fullmatch(part) for part in parts):
         return parts
@@ -54,7 +54,7 @@ def _cells(text: str) -> list[str]:
 
 
 def _quantities(reader: Reader, name: str, found: list[Line], dimension: str, path: Place) -> Any:
-    """Quantities of all lines; a first line such as 'f_p [um]' gives the bare numbers below it their unit."""
+    """Quantities of all lines; a first line such as 'f_p [um]' gives the unit of bare numbers."""
     unit = ""
     if found and len(found[0][1]) == 1:
         match = _HEADING.fullmatch(found[0][1][0])
@@ -72,7 +72,7 @@ def _quantities(reader: Reader, name: str, found: list[Line], dimension: str, pa
         except UnitError as error:
             faults += 1
             if faults <= _SHOWN:
-                remedy = "write numbers between commas or blanks; a first line [um] gives their unit"
+                remedy = "write numbers separated by commas or blanks; a first line [um] gives the unit"
                 reader.problem(path, f"{error} (file '{name}', line {number})", remedy=remedy)
     if faults > _SHOWN:
         reader.problem(path, f"there are {faults - _SHOWN} more such lines in '{name}'")
@@ -89,7 +89,7 @@ def column(reader: Reader, key: Key, name: str, path: Place) -> Any:
 
 
 def grid(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read a rectangular list of lists of quantities, or a text file with one row a line."""
+    """Read a rectangular list of lists of quantities, or a text file with one row per line."""
     if isinstance(data, str):
         found = lines(reader, data, path, "a list of rows")
         data = BAD if found is BAD else _quantities(reader, data, found, key.dimension, path)
@@ -112,7 +112,7 @@ def pitch(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def tooth_profile(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read the points of a tooth and keep those of the tooth that is meant."""
+    """Read the points of a tooth profile and select those of the tooth `number`."""
     found = reader.component(ToothProfile, data, path)
     if found is BAD:
         return BAD
@@ -167,7 +167,7 @@ def _from_file(reader: Reader, name: str, found: list[Line], path: Place) -> Any
                     path,
                     f"is not a point (file '{name}', line {number})",
                     value=shown(",".join(cells)),
-                    remedy="give finite numbers in the units of the heading, with a decimal point",
+                    remedy="give finite numbers with a decimal point, in the units of the header",
                 )
             continue
         xy.append((point[0], point[1]))
@@ -181,7 +181,7 @@ def _from_file(reader: Reader, name: str, found: list[Line], path: Place) -> Any
 
 
 def _columns(reader: Reader, name: str, found: list[Line], path: Place) -> Any:
-    """Places of the columns x, y and, if there is one, tooth; factors of x and y to metres."""
+    """Indices of the columns x, y and optionally tooth; factors of x and y to metres."""
     number, cells = found[0] if found else (1, [])
     here = f"(file '{name}', line {number})"
     places: dict[str, int] = {}
@@ -192,7 +192,7 @@ def _columns(reader: Reader, name: str, found: list[Line], path: Place) -> Any:
         if word not in ("x", "y", "tooth"):
             continue
         if word in places:
-            return reader.problem(path, f"has two columns {word} {here}", remedy="leave one out")
+            return reader.problem(path, f"has two columns {word} {here}", remedy="remove one")
         places[word] = i
         if match and word != "tooth":
             try:
@@ -207,7 +207,7 @@ def _columns(reader: Reader, name: str, found: list[Line], path: Place) -> Any:
     if not {"x", "y"} <= set(places) or set(scales) != {"x", "y"}:
         return reader.problem(
             path,
-            f"begins without a heading that names columns and units {here}",
+            f"has no header line with column names and units {here}",
             value=shown(",".join(cells)),
             remedy="begin with x [mm],y [mm]",
         )

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain data of a plan to a `DatasetPlan`, alone and against the model it names; every problem collected."""
+"""Conversion of plain data to a `DatasetPlan`, and its check against the model; all problems are
+collected."""
 
 from __future__ import annotations
 
@@ -21,27 +22,27 @@ from pitchpoint.model.show import shown
 OWN = ("factors", "jitter")
 MOST_CASES = 10_000_000
 RESERVED = ("case", "file", "status", "status_code", "sentence", "seed", "steps")
-"""Columns that every table of cases has in addition to the labels."""
+"""Columns of every table of cases in addition to the labels."""
 _SHARE = Key("quantity", "standard deviation over the value", "dimensionless", minimum=0.0, maximum=1.0)
 _HOW = "write PATH: [VALUE, ...], or named conditions NAME: {PATH: VALUE, ...}"
 
 
 def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan:
-    """Make a plan from the nested mappings of a file.
+    """Create a plan from the nested mappings of a file.
 
     Parameters
     ----------
     data
-        Mappings, lists, texts and numbers.
+        Mappings, lists, strings and numbers.
     reader
-        Reader with the lines of the file; problems that it holds already are reported too.
+        Reader with the line numbers of the file; its previous problems are reported too.
     file
         Name of the file for messages.
 
     Raises
     ------
     ModelError
-        With every problem of the plan alone, in the order of the file.
+        With all problems of the plan itself, in the order of the file.
     """
     if not isinstance(data, Mapping):
         what = "is empty" if data is None else "is not a mapping of keys"
@@ -69,8 +70,8 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
     if "length" in values and "sample_rate" in values and values["length"] * values["sample_rate"] < 2.0:
         reader.problem(
             ("length",),
-            "holds less than two samples",
-            remedy="lengthen it, or raise sample_rate",
+            "contains less than two samples",
+            remedy="increase length or sample_rate",
             taint=False,
         )
     if reader.problems:
@@ -78,7 +79,7 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
     plan = DatasetPlan(**values, file=file, lines=reader.lines, allow_code=reader.allow_code)
     if len(plan) > MOST_CASES:
         limit = f"at most {MOST_CASES}"
-        raise ModelError([Message("factors", f"make {len(plan)} cases", None, limit, "split the plan")], file)
+        raise ModelError([Message("factors", f"give {len(plan)} cases", None, limit, "split the plan")], file)
     return plan
 
 
@@ -88,7 +89,7 @@ def in_order(problems: list[Message]) -> list[Message]:
 
 
 def _factors(data: Any, reader: Reader) -> dict[str, tuple[Level, ...]]:
-    """Levels of every factor; a path may belong to one factor only."""
+    """Read the levels of every factor; a path may occur in one factor only."""
     if data is None:
         return {}
     if not isinstance(data, Mapping):
@@ -101,14 +102,14 @@ def _factors(data: Any, reader: Reader) -> dict[str, tuple[Level, ...]]:
         if not reader.good_name(name, ("factors",)):
             continue
         if name in RESERVED:
-            reader.problem(at, "is a column of every table", remedy="give the factor another name")
+            reader.problem(at, "is a reserved column name", remedy="give the factor another name")
             continue
         levels = _levels(entry, at, reader)
         for path in dict.fromkeys(p for level in levels for p in level.changes):
             if taken.setdefault(path, str(name)) != name:
                 reader.problem(
                     at,
-                    f"changes {path}, as {taken[path]} does",
+                    f"changes {path}, as does {taken[path]}",
                     remedy="change it in one factor only",
                     taint=False,
                 )
@@ -117,7 +118,7 @@ def _factors(data: Any, reader: Reader) -> dict[str, tuple[Level, ...]]:
 
 
 def _levels(data: Any, at: Place, reader: Reader) -> tuple[Level, ...]:
-    """Levels of one factor."""
+    """Read the levels of one factor."""
     if not isinstance(data, Mapping) or not data:
         reader.problem(at, "is not a mapping with entries", value=shown(data), remedy=_HOW)
         return ()
@@ -151,7 +152,7 @@ def _text(value: Any) -> str:
 
 
 def _jitter(data: Any, reader: Reader) -> dict[str, float]:
-    """Share of variation by path."""
+    """Read the relative standard deviations by path."""
     if data is None:
         return {}
     if not isinstance(data, Mapping):
@@ -167,7 +168,7 @@ def _jitter(data: Any, reader: Reader) -> dict[str, float]:
 
 
 def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> DatasetPlan:
-    """Check a plan against its model; gives it back with its scenario named.
+    """Check a plan against its model and return it with the name of its scenario.
 
     Parameters
     ----------
@@ -176,22 +177,22 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
     model
         Its model.
     channels
-        Observations that the model makes, by name; empty if they are not known, and not checked then.
+        Names of the observations of the model; empty if unknown, then they are not checked.
 
     Raises
     ------
     ModelError
-        With every level that the model refuses, and every name that it does not know.
+        With all levels that the model rejects, and all unknown names.
     """
     report = Reader(lines=plan.lines)
     over_time = [name for name, s in model.scenarios.items() if s.kind == "time"]
     scenario = plan.scenario or (over_time[0] if len(over_time) == 1 else None)
     if scenario is None:
         listed = ", ".join(over_time) or "none"
-        report.problem(("scenario",), "is missing", remedy=f"name one over time; there are: {listed}")
+        report.problem(("scenario",), "is missing", remedy=f"name a time response; there are: {listed}")
     elif scenario not in over_time:
         report.problem(
-            ("scenario",), f"is not a scenario over time: {scenario}", remedy=hint(scenario, over_time, 3)
+            ("scenario",), f"is not a time response: {scenario}", remedy=hint(scenario, over_time, 3)
         )
     for levels in plan.factors.values():
         for level in levels:
@@ -208,7 +209,7 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
                 )
                 is None
             ):
-                remedy = "name a key of the model that holds one number"
+                remedy = "name a key of the model with a single number"
                 report.problem(("jitter", path), "is not a number of the model", remedy=remedy)
         except ModelError:
             continue  # reported for the level
@@ -220,7 +221,7 @@ def check_plan(plan: DatasetPlan, model: Model, channels: tuple[str, ...]) -> Da
 
 
 def _check_level(level: Level, model: Model, report: Reader, allow_code: bool) -> None:
-    """Problems of the model with the values of a level, each at its own line where that is known."""
+    """Report the problems of the model with the values of a level, with their lines if known."""
     if not level.changes:
         return
     try:
@@ -233,19 +234,19 @@ def _check_level(level: Level, model: Model, report: Reader, allow_code: bool) -
             value = f"{problem.value} " if problem.value else ""
             report.problem(
                 at if at in report.lines else level.place,
-                f"is refused: {problem.where}: {value}{problem.text}{limits}",
+                f"is rejected: {problem.where}: {value}{problem.text}{limits}",
                 remedy=problem.remedy,
                 taint=False,
             )
 
 
 def _check_channel(name: str, channel: Any, model: Model, channels: tuple[str, ...], report: Reader) -> None:
-    """Names of observations and bodies."""
+    """Check the names of observations and bodies."""
     at = ("channels", name)
     if isinstance(channel, ObservedChannel) and channels and channel.channel not in channels:
         report.problem(
             (*at, "channel"),
-            f"nothing observes {channel.channel!r}",
+            f"there is no observation {channel.channel!r}",
             remedy=hint(channel.channel, channels, 3),
         )
     elif isinstance(channel, TachoChannel) and channel.body not in model.bodies:
@@ -255,4 +256,4 @@ def _check_channel(name: str, channel: Any, model: Model, channels: tuple[str, .
             remedy=hint(channel.body, tuple(model.bodies), 3),
         )
     elif isinstance(channel, TachoChannel) and channels and f"angle[{channel.body}]" not in channels:
-        report.problem((*at, "body"), f"{channel.body} does not spin", remedy="name a body that does")
+        report.problem((*at, "body"), f"{channel.body} does not spin", remedy="name a body with a spin")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Readers of values with a form of their own: gears of a body, speeds by name, matrices, orders."""
+"""Readers of special values: gears of a body, speeds by name, matrices, orders."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 
 ROUNDED = 1e-3
-"""Negative eigenvalue of a scaled matrix that may come from entries written with few digits."""
+"""Negative eigenvalue of a scaled matrix that is attributed to rounded entries."""
 
 
 def gears(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read a list of gear names or a mapping of names to axial offsets."""
+    """Read a list of gear names or a mapping of names to axial positions."""
     if isinstance(data, Mapping):
         axial = Key("quantity", key.meaning, dimension="length")
         offsets = {str(n): reader.number(axial, v, (*path, str(n))) for n, v in data.items()}
@@ -58,7 +58,7 @@ def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     if least < -ROUNDED:
         return reader.problem(
             path,
-            "pushes away in some direction: one of its eigenvalues is negative",
+            "is not positive semidefinite: one of its eigenvalues is negative",
             remedy="correct the signs, or the off-diagonal entries",
         )
     return rows

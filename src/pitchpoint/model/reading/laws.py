@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Readers of the values that are more than a number: laws over time, Python functions, materials.
+"""Readers of laws, Python functions and materials.
 
-Formulas go through the whitelist parser of `core.formula.formula` and are never evaluated as Python; a Python
-function is only named here, and only when the caller allows code.
+Formulas are parsed by the whitelist parser of `core.formula.formula` and never evaluated as Python. A Python
+function is only named here, and only if the caller allows code.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, varia
 
 
 def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, over: Any) -> Any:
-    """Read rows of two values with rising first ones; BAD with any problem."""
+    """Read rows of two values with increasing first values; BAD with any problem."""
     if not isinstance(rows, list | tuple) or len(rows) < 2:
         return reader.problem(at, "is not a list of at least two rows", remedy="write [[0 s, 0], [1 s, 150]]")
     if over is BAD:
@@ -97,13 +97,13 @@ def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, ove
     for i in range(1, len(points)):
         if not points[i][0] > points[i - 1][0]:
             return reader.problem(
-                (*at, i), f"does not come later in {over} than the row before", remedy="sort the table"
+                (*at, i), f"is not larger in {over} than the previous row", remedy="sort the table"
             )
     return points
 
 
 def python(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read 'file.py:function' with parameters; a problem unless code is allowed."""
+    """Read 'file.py:function' with parameters; reports a problem unless code is allowed."""
     parameters: Any = ()
     name = data
     if isinstance(data, Mapping):
@@ -139,7 +139,7 @@ def material(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return reader.problem(
         path,
         f"{str(data)[:40]!r} is not a material of the library",
-        remedy=f"{did_you_mean(data, known)}known are {', '.join(known)}",
+        remedy=f"{did_you_mean(data, known)}available are {', '.join(known)}",
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Readers of values that only bodies and joints have: centres of mass, places, coordinates, motions."""
+"""Readers of values of bodies and joints: centres of mass, ends, coordinates, motions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.reading.reader import Reader
 
 RESERVED = ("t", "angle", "speed", "elongation", "rate", "pi", *DISPLACEMENTS)
-"""Names that a user's coordinate cannot have: they mean something else in formulas."""
+"""Names that are reserved in formulas and not allowed for user-defined coordinates."""
 _WORDS = re.compile(r"(?<![\w.])(?:[a-zA-Z_]\w*)")
 
 
@@ -35,15 +35,15 @@ def end(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     name = reader.string(key, data, path)
     if name is not BAD and (name.count(".") > 1 or not all(name.split("."))):
         return reader.problem(
-            path, "names no place on a body", value=shown(data), remedy="write ground, BODY or BODY.MARKER"
+            path, "is not a point on a body", value=shown(data), remedy="write ground, BODY or BODY.MARKER"
         )
     return name
 
 
 def ends(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read a list of places on bodies."""
+    """Read a list of points on bodies."""
     if isinstance(data, list | tuple) and len(data) != key.length[0] == key.length[1]:
-        remedy = f"write {key.length[0]} of them, such as [ground, BODY]"
+        remedy = f"write {key.length[0]} entries, such as [ground, BODY]"
         return reader.problem(
             path, f"has {len(data)} entries", limit=f"{key.length[0]} entries", remedy=remedy
         )
@@ -57,14 +57,14 @@ def file(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return BAD
     found = Path(reader.directory) / name
     if "\0" in name or not found.is_file():
-        remedy = "names count from the directory of the model file"
-        return reader.problem(path, "names a file that is not there", value=shown(name), remedy=remedy)
+        remedy = "file names are relative to the directory of the model file"
+        return reader.problem(path, "names a file that does not exist", value=shown(name), remedy=remedy)
     return str(found)
 
 
 # --- joints -------------------------------------------------------------------------------------------------
 def coordinates(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read the names of a user's coordinates, each a length or an angle."""
+    """Read the names of user-defined coordinates, each a length or an angle."""
     if not isinstance(data, Mapping):
         return reader.problem(
             path, "is not a mapping of names", value=shown(data), remedy="write {s: length}"
@@ -79,9 +79,7 @@ def coordinates(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         if found is not BAD:
             out[str(name)] = found
     if len(data) > 6:
-        return reader.problem(
-            path, f"has {len(data)} coordinates", limit="<= 6", remedy="make several joints"
-        )
+        return reader.problem(path, f"has {len(data)} coordinates", limit="<= 6", remedy="use several joints")
     return out if len(out) == len(data) else BAD
 
 
@@ -107,12 +105,12 @@ def _by_coordinate(reader: Reader, data: Any, path: Place, dimensions: Mapping[s
 
 
 def displacements(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read start values of coordinates."""
+    """Read initial values of coordinates."""
     return _by_coordinate(reader, data, path, {**DISPLACEMENTS, **_known(_own(reader))})
 
 
 def rates(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read start values of rates."""
+    """Read initial rates of coordinates."""
     known = {**DISPLACEMENTS, **_known(_own(reader))}
     return _by_coordinate(reader, data, path, {n: RATES[d] for n, d in known.items()})
 
@@ -144,7 +142,7 @@ def motions(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         ]
         out[str(name)] = BAD if BAD in found else tuple(found)
     if len(out) != len(data):
-        reader.tainted.add(path)  # an empty rest is not a problem of its own
+        reader.tainted.add(path)  # do not report the remaining mapping as empty
         return BAD
     return BAD if any(v is BAD for v in out.values()) else out
 
@@ -193,7 +191,7 @@ def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, dimen
 
 
 def recheck_motions(value: Mapping[str, Any], path: Place, reader: Reader) -> None:
-    """Report functions made in Python that a file could not hold."""
+    """Check laws of motion created in Python."""
     for name, laws in value.items():
         at = (*path, name)
         if name not in DISPLACEMENTS:
@@ -212,14 +210,14 @@ def recheck_motions(value: Mapping[str, Any], path: Place, reader: Reader) -> No
 
 # --- ratios -------------------------------------------------------------------------------------------------
 def terms(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read coefficients by coordinates; lengths are noted, to distinguish them from plain numbers."""
+    """Read coefficients by coordinate; lengths become `Arm`."""
     if not isinstance(data, Mapping):
         return reader.problem(
             path, "is not a mapping of coordinates", value=shown(data), remedy="write {A: 20, B: 40}"
         )
     if not 2 <= len(data) <= 3:
         return reader.problem(
-            path, f"has {len(data)} terms", limit="2 or 3 terms", remedy="join more by several ratios"
+            path, f"has {len(data)} terms", limit="2 or 3 terms", remedy="use several ratios for more"
         )
     out = {}
     for name, value in data.items():
@@ -231,6 +229,6 @@ def terms(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         if found is BAD:
             return BAD
         if found == 0.0:
-            return reader.problem(at, "is zero", remedy="leave the term out")
+            return reader.problem(at, "is zero", remedy="remove the term")
         out[str(name)] = Arm(found) if is_text else found
     return out

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plain mappings (from YAML, JSON or Python) to components, with every problem collected.
+"""Conversion of plain mappings (from YAML, JSON or Python) to components; all problems are collected.
 
-The reader knows nothing about files: it is given the data and, if there are any, the lines of the keys.
+The reader does not access model files: it receives the data and, if available, the line numbers of the keys.
 """
 
 from __future__ import annotations
@@ -21,27 +21,27 @@ from pitchpoint.model.reading import data_files, forms, laws, mechanism, signals
 from pitchpoint.model.show import SI, dotted, example, limit_text, shown
 
 HUGE, TINY = 1e60, 1e-60
-"""Sizes in SI beyond which products of a few quantities overflow or vanish; no machine comes near them."""
+"""Limits of SI values, so that products of a few quantities neither overflow nor underflow."""
 FASTEST = 1e9
-"""Largest rotational speed [rad/s]; the rim of a gear of 1 mm would move at 0.2 % of the speed of light."""
+"""Maximum rotational speed [rad/s]: the rim of a gear of 1 mm would move at 0.2 % of the speed of light."""
 
 
 @dataclass
 class Reader:
-    """Turns data into components and remembers what was wrong.
+    """Converts data to components and collects problems.
 
     Parameters
     ----------
     lines
-        Line of the file for each path, from 1; empty without a file.
+        Line number for each path, from 1; empty without a file.
     allow_code
-        Whether entries that name Python functions are accepted.
+        Whether Python functions are permitted.
     directory
-        Directory that relative file names start from.
+        Directory of relative file names.
     within
-        Keys next to the one that is being read, for values whose meaning depends on them.
+        Data of the component that is being read, for values that depend on other keys.
     aliases
-        Where the file has components that represent others: SECTION, NAME -> SECTION, NAME.
+        Paths in the file of components that represent others: SECTION, NAME -> SECTION, NAME.
     """
 
     lines: Mapping[Place, int] = field(default_factory=dict)
@@ -53,7 +53,7 @@ class Reader:
     aliases: dict[Place, Place] = field(default_factory=dict)
 
     def line(self, path: Place) -> int | None:
-        """Line of a path, or of the nearest part of it in the file."""
+        """Line of a path, or of the nearest enclosing path in the file."""
         for n in range(len(path), -1, -1):
             if path[:n] in self.lines:
                 return self.lines[path[:n]]
@@ -69,7 +69,7 @@ class Reader:
         remedy: str | None = None,
         taint: bool = True,
     ) -> Any:
-        """Note a problem; `taint` keeps what merely follows from it from being reported."""
+        """Add a problem; `taint` marks the path, so that consequential problems are not reported."""
         if taint:
             self.tainted.update(path[:n] for n in range(1, len(path) + 1))
         path = (*self.aliases.get(path[:2], path[:2]), *path[2:])
@@ -79,7 +79,7 @@ class Reader:
         return BAD
 
     def hand_on(self, base: Place, found: Message, taint: bool = True) -> Any:
-        """Note a problem of a part, such as of its geometry, at the key below `base` that it names."""
+        """Add a problem of another layer, such as geometry, at the key below `base` that it names."""
         steps = found.where.split(".") if found.where else []
         place: Place = (*base, *(int(step) if step.isdigit() else step for step in steps))
         return self.problem(
@@ -92,7 +92,7 @@ class Reader:
         if not isinstance(data, Mapping):
             wanted = ", ".join(keys_of(cls))
             return self.problem(
-                path, "is not a mapping", value=shown(data), remedy=f"give keys out of: {wanted}"
+                path, "is not a mapping", value=shown(data), remedy=f"possible keys: {wanted}"
             )
         keys, defaults = keys_of(cls), defaults_of(cls)
         self.unknown(data, keys, path)
@@ -119,13 +119,13 @@ class Reader:
         return cls(**values) if usable else BAD
 
     def missing(self, path: Place, name: str, description: Key) -> None:
-        """Report a required key that is not there."""
+        """Report a missing required key."""
         self.problem(
             (*path, name), f"is missing: {description.meaning}", remedy=f"add {name}: {example(description)}"
         )
 
     def unknown(self, data: Mapping[Any, Any], allowed: Iterable[str], path: Place) -> None:
-        """Report keys that nothing reads, with the nearest spelling."""
+        """Report unknown keys, with the nearest spelling."""
         allowed = list(allowed)
         for name in data:
             if name in allowed:
@@ -202,7 +202,7 @@ class Reader:
         return value
 
     def word(self, description: Key, data: Any, path: Place) -> Any:
-        """Read one word out of the choices."""
+        """Read one of the choices."""
         if isinstance(data, str) and data in description.choices:
             return data
         return self.problem(
@@ -213,7 +213,7 @@ class Reader:
         )
 
     def string(self, description: Key, data: Any, path: Place) -> Any:
-        """Read text; numbers are taken as they are written."""
+        """Read text; numbers are converted to text."""
         if isinstance(data, bool) or not isinstance(data, str | int | float):
             return self.problem(path, "is not a text", value=shown(data))
         return str(data)
@@ -227,7 +227,7 @@ class Reader:
         )
 
     def sequence(self, description: Key, data: Any, path: Place, read: Callable[..., Any]) -> Any:
-        """Read a list of a limited length entry by entry."""
+        """Read a list entry by entry and check its length."""
         low, high = description.length
         wanted = f"{low} entries" if low == high else f"at least {low} entries" if low else "a list"
         if not isinstance(data, list | tuple):
@@ -254,7 +254,7 @@ class Reader:
         return self.sequence(description, data, path, self.string)
 
     def words(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a list of words out of the choices."""
+        """Read a list of choices."""
         return self.sequence(description, data, path, self.word)
 
     # --- nested values ------------------------------------------------------------------------------------
@@ -269,7 +269,7 @@ class Reader:
         )
 
     def nested_names(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a mapping of names to components; what cannot be read is omitted."""
+        """Read a mapping of names to components; unreadable components are omitted."""
         if not isinstance(data, Mapping):
             return self.problem(path, "is not a mapping of names", value=shown(data))
         out = {}
@@ -285,7 +285,7 @@ class Reader:
         return out
 
     def good_name(self, name: Any, path: Place, dotted: bool = False) -> bool:
-        """Names are words, so that paths and channels like `mesh_force[stage]` stay readable."""
+        """Check a name: it must be usable in paths and channels such as `mesh_force[stage]`."""
         text = str(name)
         first, dot, rest = text.partition(".")
         if dotted and dot and first and rest and "." not in rest:
@@ -305,11 +305,11 @@ class Reader:
         return False
 
     def variant(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a component whose key `law` names its kind."""
+        """Read a component whose key `law` selects its class."""
         return self.chosen(description.of, "law", data, path)
 
     def chosen(self, forms: Mapping[str, type], tag: str, data: Any, path: Place) -> Any:
-        """Read a component whose key `tag` names its kind, one of several."""
+        """Read a component whose key `tag` selects its class."""
         listed = ", ".join(forms)
         if not isinstance(data, Mapping):
             remedy = f"write {{{tag}: {next(iter(forms))}}}; {tag}s are {listed}"
@@ -323,7 +323,7 @@ class Reader:
 
 
 def _within(description: Key, data: Any, value: float) -> str:
-    """What to write instead of a quantity out of range: its number in the usual unit, or without its sign."""
+    """Remedy for a quantity out of range: the number with its customary unit, or without its sign."""
     if not isinstance(data, str) and description.dimension in ("length", "angle"):
         meant = f"{data} {DIMENSIONS[description.dimension].example.partition(' ')[2]}"
         fits = description.allows(parse_quantity(meant, description.dimension))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Readers of values of signals and of gains: numbers in SI units of whatever quantity they are.
+"""Readers of signal values and gains: numbers in SI units of any dimension.
 
-A unit that is written turns the number into SI; what the signals on both sides mean is known to the user
-alone, so it is compared with nothing.
+A given unit converts the number to SI units. It is not checked, because the dimensions of the signals are
+unknown.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def _text_of(data: Any) -> str | None:
 
 
 def values(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read a list of such numbers."""
+    """Read a list of signal values."""
     low, high = key.length
     if isinstance(data, list | tuple) and low == high != len(data):
         return reader.problem(path, f"has {len(data)} entries", limit=f"{low} entries")
@@ -51,7 +51,7 @@ def values(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read a mapping of names of signals to such numbers."""
+    """Read a mapping of signal names to gains."""
     if not isinstance(data, Mapping):
         return reader.problem(
             path, "is not a mapping of signals to gains", value=shown(data), remedy="write {speed: -1}"
@@ -61,7 +61,7 @@ def gains(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read rows [input, value] with rising inputs, or a text file with two columns."""
+    """Read rows [input, value] with increasing inputs, or a text file with two columns."""
     if isinstance(data, str):
         lines = data_files.lines(reader, data, path, "a list of rows")
         data = BAD if lines is BAD else [cells for _, cells in lines]
@@ -84,13 +84,13 @@ def curve(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     for i in range(1, len(points)):
         if not points[i][0] > points[i - 1][0]:
             return reader.problem(
-                (*path, i), "does not have a larger input than the row before", remedy="sort the rows"
+                (*path, i), "does not have a larger input than the previous row", remedy="sort the rows"
             )
     return tuple(points)
 
 
 def code(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read FILE.py:function; its arguments are in other keys."""
+    """Read FILE.py:function; parameters have a separate key."""
     if isinstance(data, Mapping):
         return reader.problem(
             path,

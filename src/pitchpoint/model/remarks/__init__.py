@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data that are allowed but have no effect, or one that few users want."""
+"""Remarks and warnings on valid data that have no effect or a rarely intended one."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Beams that begin with a jolt: one end turns at the start of a scenario, the other is fixed to ground."""
+"""Remarks on beams with a jump in speed at the start: one end moves, the other is at rest on ground."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Drive, Scenario
 
 SHORT = 1e-6
-"""Time over which the rate of a prescribed angle is taken [s]."""
+"""Step of the difference quotient of a prescribed angle [s]."""
 SLOW = 1e-6
-"""Rate up to which a drive begins at rest [rad/s, m/s]."""
+"""Rate below which a drive starts at rest [rad/s, m/s]."""
 
 
 def ends_left_behind(model: Model) -> tuple[Message, ...]:
-    """A remark for every beam with an end that moves freely on ground and rests while the other turns."""
+    """A remark for every beam with one end at rest on a body with `motion` while the other end moves."""
     found = []
     for name, beam in model.beams.items():
         bodies = [split(end)[0] for end in beam.ends]
@@ -39,9 +39,9 @@ def ends_left_behind(model: Model) -> tuple[Message, ...]:
             found.append(
                 remark(
                     f"beams.{name}",
-                    f"{far} hangs on ground (motion: {model.bodies[far].motion}) and begins at rest while "
-                    f"{near} moves in {', '.join(turning)}, so the beam begins with a jolt",
-                    f"write a joint {{type: free, bodies: [{near}, {far}]}} in its place",
+                    f"{far} moves against ground (motion: {model.bodies[far].motion}) and starts at rest "
+                    f"while {near} moves in {', '.join(turning)}, so the beam starts with a jump in speed",
+                    f"use a joint {{type: free, bodies: [{near}, {far}]}} instead of motion",
                     model.line(("beams", name)),
                 )
             )
@@ -49,7 +49,7 @@ def ends_left_behind(model: Model) -> tuple[Message, ...]:
 
 
 def _turns(model: Model, scenario: Scenario, body: str) -> bool:
-    """Whether a body, or one that carries it, has a rate at the start of a scenario."""
+    """Whether a body or one of its parents moves at the start of a scenario."""
     speeds = model.start_speeds(scenario)
     seats = model.mechanism.seats
     while body != GROUND and body in seats:
@@ -70,7 +70,7 @@ def _driven(model: Model, scenario: Scenario, seat: Seat) -> bool:
 
 
 def _rate(drive: Drive) -> float:
-    """Rate that a drive begins with [rad/s, m/s]; 0 for functions of Python, which are not called here."""
+    """Initial rate of a drive [rad/s, m/s]; 0 for Python functions, which are not called here."""
     if drive.rate is not None:
         return _value(drive.rate, 0.0)
     if drive.value is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Data of a model without effect, or with one that few users want: allowed, but reported."""
+"""Remarks and warnings of a model: valid data without effect or with a rarely intended one."""
 
 from __future__ import annotations
 
@@ -25,26 +25,26 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 INTERFERENCE = 1e-7
-"""Negative backlash [m] that comes from rounded profile shifts and centre distances and bends nothing."""
+"""Negative backlash [m] up to which it is attributed to rounded profile shifts and centre distances."""
 
 NEAR_WHOLE = 0.05
-"""Distance of eps_alpha from a whole number up to which a small change of the centre distance passes it."""
+"""Distance of eps_alpha from an integer that a small change of the centre distance can bridge."""
 
 _DISTANCE = ("centre distance", "center_distance or a tip diameter")
-"""What moves the contact ratio of cylindrical gears, and what to change about it."""
+"""Quantity that varies the contact ratio of cylindrical gears, and the keys to change."""
 
 DRAWN_APART = 1e-6
-"""Distance of the ends of a bushing as drawn [m] that comes from rounded places."""
+"""Initial distance of the ends of a bushing [m] that is attributed to rounded positions."""
 
 
 def follows_flanks(model: Model, mesh: str) -> bool:
-    """Whether modifications, deviations or profiles of the gears of a mesh have an effect."""
+    """Whether modifications, deviations or tooth profiles of the gears of a mesh have an effect."""
     found = model.meshes[mesh]
     return found.stiffness.law in OF_PAIRS and any(model.gears[g].is_modified for g in found.gears)
 
 
 def ignored_flanks(model: Model) -> tuple[Message, ...]:
-    """A remark for every mesh whose law knows no tooth pairs while its gears have flanks of their own."""
+    """A remark for every mesh whose law describes the whole mesh while its gears have modified flanks."""
     found = []
     for name, mesh in model.meshes.items():
         gears = [g for g in mesh.gears if model.gears[g].is_modified]
@@ -52,16 +52,16 @@ def ignored_flanks(model: Model) -> tuple[Message, ...]:
             found.append(
                 remark(
                     f"meshes.{name}",
-                    f"the law {mesh.stiffness.law} prescribes the stiffness of the whole mesh, so "
+                    f"the law {mesh.stiffness.law} describes the stiffness of the whole mesh, so "
                     f"modifications, deviations and profiles of {' and '.join(gears)} have no effect",
-                    f"{', '.join(OF_PAIRS[:-1])} and {OF_PAIRS[-1]} follow them",
+                    f"{', '.join(OF_PAIRS[:-1])} and {OF_PAIRS[-1]} include them",
                 )
             )
     return tuple(found)
 
 
 def bushings_at_a_distance(model: Model) -> tuple[Message, ...]:
-    """A remark for every bushing whose ends have different places as drawn, and which is loaded by that."""
+    """A remark for every bushing that is preloaded because its ends do not coincide initially."""
     found = []
     for name, bushing in model.bushings.items():
         one, two = (place_of(model, end) for end in bushing.ends)
@@ -72,8 +72,8 @@ def bushings_at_a_distance(model: Model) -> tuple[Message, ...]:
             found.append(
                 remark(
                     f"bushings.{name}",
-                    f"{' and '.join(bushing.ends)} lie {format_quantity(apart, 'length', 3)} apart as drawn, "
-                    "and the bushing pulls them together",
+                    f"{' and '.join(bushing.ends)} are {format_quantity(apart, 'length', 3)} apart in the "
+                    "initial position, and the bushing pulls them together",
                     line=model.line(("bushings", name)),
                 )
             )
@@ -90,15 +90,15 @@ def negative_backlash(model: Model) -> tuple[Message, ...]:
             found.append(
                 remark(
                     at,
-                    f"the backlash along the base tangent is {size}: both flanks carry without load",
-                    f"if that is not wanted, {_more_room(model, name)}",
+                    f"the backlash along the base tangent is {size}: both flanks are in contact without load",
+                    f"if this is not intended, {_more_room(model, name)}",
                 )
             )
     return tuple(found)
 
 
 def _more_room(model: Model, name: str) -> str:
-    """What to do about the negative backlash of a mesh."""
+    """Remedy for the negative backlash of a mesh."""
     if model.every_mesh[name].backlash is not None:
         return "give a backlash >= 0"
     if name in model.bevel_meshes:
@@ -107,24 +107,24 @@ def _more_room(model: Model, name: str) -> str:
 
 
 def _wider(pair: GearPair) -> str:
-    """What to do about teeth that are too thick for their centre distance."""
+    """Remedy for teeth that are too thick for their centre distance."""
     a = pair.a_w
     try:
         for _ in range(8):  # dj_bt/da = 2 sin alpha_wt: converges in three or four steps
             a -= pair.backlash(a).j_bt / (2.0 * math.sin(pair.working_pressure_angle(a)))
     except GeometryError:
         return "change center_distance or give tooth_thickness_allowance < 0"
-    # rounded to the side with the gap
+    # rounded to positive backlash
     edge = (math.floor if pair.is_internal else math.ceil)(abs(a) * 1e6) * 1e-6
     distance = f"center_distance {'<=' if pair.is_internal else '>='} {edge * 1e3:.3f} mm"
     return f"give {distance}, or tooth_thickness_allowance < 0"
 
 
 def jumping_ramps(model: Model) -> tuple[Message, ...]:
-    """A remark for every mesh whose relief ramps jump with a small change of its contact ratio.
+    """A remark for every mesh whose relief ramps are discontinuous in the contact ratio.
 
     Their length T_R frac(eps_alpha) is that of the published law; it falls from T_R to 0 base pitches where
-    eps_alpha passes a whole number.
+    eps_alpha passes an integer.
     """
     found = []
     for name, mesh in model.every_mesh.items():
@@ -140,14 +140,14 @@ def jumping_ramps(model: Model) -> tuple[Message, ...]:
                     f"eps_alpha = {eps_alpha:.4f} is nearly {whole}, where the ramps of tip_relief_factor "
                     f"jump: T_R frac(eps_alpha) is nearly {ramp:g} base pitches below {whole} and nearly "
                     f"none above, and the stiffness jumps with it, also in a run where the {moves} moves",
-                    f"if that is not wanted, write tip_relief_factor: 0 or change {cure}",
+                    f"if this is not intended, write tip_relief_factor: 0 or change {cure}",
                 )
             )
     return tuple(found)
 
 
 def flat_grooves(model: Model) -> tuple[Message, ...]:
-    """A remark for every groove of a ball bearing that is flatter across than its raceway is along."""
+    """A remark for every groove of a ball bearing whose radius exceeds that of its raceway."""
     found = []
     for name, bearing in model.rolling_bearings.items():
         for k, (ring, ratio) in enumerate(zip(("inner", "outer"), bearing.grooves or (), strict=False)):
@@ -165,7 +165,7 @@ def flat_grooves(model: Model) -> tuple[Message, ...]:
 
 
 def odd_shapes(model: Model) -> tuple[Message, ...]:
-    """A warning for all that is unusual about the shape of a gear or of a pair that can be made."""
+    """A warning for every unusual feature of the geometry of a gear or of a gear pair."""
     found: list[tuple[str, Message]] = []
     for name, gear in model.gears.items():
         thin = [at_tip_diameter(gear, problem, name) for problem in gear.geometry.warnings(name)]
@@ -177,13 +177,13 @@ def odd_shapes(model: Model) -> tuple[Message, ...]:
 
 
 def gaps_in_contact(model: Model) -> tuple[Message, ...]:
-    """A warning for every mesh that leaves moments without a pair of teeth in contact."""
+    """A warning for every mesh with phases without a tooth pair in contact."""
     found = [(at, each) for at, each in _odd_pairs(model) if each.text == NO_PAIR_IN_CONTACT]
     return tuple(each.changed(where=f"{at}.{each.where}", kind="warning") for at, each in found)
 
 
 def _odd_pairs(model: Model) -> list[tuple[str, Message]]:
-    """All that is odd about the pairs of a model, with their sections."""
+    """All geometry warnings of the gear pairs of a model, with their sections."""
     return [
         (model.section_of(name), problem)
         for pairs in (model.pairs, model.bevel_pairs)
@@ -193,7 +193,7 @@ def _odd_pairs(model: Model) -> list[tuple[str, Message]]:
 
 
 def remarks_of(model: Model) -> tuple[Message, ...]:
-    """Everything in a model that is allowed, but that a user should know, with the lines of its file."""
+    """All remarks and warnings of a model, with the lines of its file."""
     finders = (
         ignored_flanks,
         negative_backlash,

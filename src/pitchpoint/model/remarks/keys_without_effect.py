@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Keys that a model gives and that have no effect next to its other keys: a sentence for each of them.
+"""Remarks on given keys that have no effect because of other keys.
 
-A sentence is exact: without the key every result stays as it is, or the sentence names what is left of it.
-Data of a part that its motion does not need, such as the mass of a body that only spins, are not reported:
-they belong to the part and are used with another motion.
+A remark is exact: without the key no result changes, or the remark names the remaining effect. Data that the
+motion of a part does not need, such as the mass of a body that only spins, are not reported: they are used
+with another motion.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ MOVES: dict[str, tuple[int, ...]] = {
     "torsion": (5,),
     "planar": (0, 1, 5),
     "free": (0, 1, 2, 3, 4, 5),
-    "joint": (0, 1, 2, 3, 4, 5),  # whatever carries it may move
+    "joint": (0, 1, 2, 3, 4, 5),  # its parent may move
 }
 
-#: Inertias that a motion needs, by their keys on the body and on the gear.
+#: Inertias required by each motion, by their keys in the body and in the gear.
 POLAR, MASS = ("inertia", "polar_inertia"), ("mass", "mass")
 TRANSVERSE = ("transverse_inertia", "transverse_inertia")
 NEEDS: dict[str, tuple[tuple[str, str], ...]] = {
@@ -83,47 +83,47 @@ def keys_without_effect(model: Model) -> tuple[Message, ...]:
 
 
 def _only_spins(model: Model, mesh: Mesh) -> bool:
-    """Whether the bodies of both gears spin at most; not for gears without a body."""
+    """Whether the bodies of both gears spin only or are fixed; False for gears without a body."""
     bodies = [model.body_of(g) for g in mesh.gears]
     return None not in bodies and {model.bodies[str(b)].moves for b in bodies} <= {"torsion", "fixed"}
 
 
 def _frictions(model: Model) -> Iterator[Message]:
-    """Teeth that roll do not slide at the pitch point; what slides there is vibration and sideways motion."""
+    """Friction without effect: zero coefficients, and laws without sliding at the pitch point."""
     for name, mesh in model.every_mesh.items():
         if mesh.friction is None:
             continue
         at = f"{model.section_of(name)}.{name}"
         if mesh.friction.mu == 0.0 and mesh.friction.static:
-            yield remark(f"{at}.friction.static", "has no effect with mu: 0, which leaves all friction out")
+            yield remark(f"{at}.friction.static", "has no effect with mu: 0, which disables all friction")
         if mesh.friction.mu > 0.0 and mesh.stiffness.law not in OF_PAIRS:
             yield remark(
                 f"{at}.friction",
                 f"the law {mesh.stiffness.law} acts at the pitch point, where "
-                "rolling teeth do not slide, so friction has no effect but on vibration and sideways motion",
+                "rolling teeth do not slide, so friction acts only on vibration and lateral motion",
                 f"{_listed(OF_PAIRS)} follow the contact along its path",
             )
 
 
 def _width_integrals(model: Model) -> Iterator[Message]:
-    """Slices that are not used, and slices of what is the same across the width."""
+    """Slices that are not used, and slices of a law that is uniform over the face width."""
     for name, mesh in model.meshes.items():
         law = mesh.stiffness.law
         follows = law in OF_PAIRS and any(model.gears[g].is_modified for g in mesh.gears)
         if mesh.width == "exact" and mesh.slices != defaults_of(type(mesh))["slices"] and not follows:
             yield remark(
-                f"meshes.{name}.slices", "has no effect with width: exact", "write width: slices if it should"
+                f"meshes.{name}.slices", "has no effect with width: exact", "write width: slices to use it"
             )
         elif mesh.width == "slices" and law not in OF_PAIRS and _only_spins(model, mesh):
             yield remark(
                 f"meshes.{name}.width",
-                f"has no effect as slices: the law {law} spreads evenly over the width, "
+                f"has no effect as slices: the law {law} is uniform over the face width, "
                 "and the bodies only spin",
             )
 
 
 def _restitution(damping: ContactDamping, where: str) -> Iterator[Message]:
-    """Keys of a damper next to a restitution, and the other way round."""
+    """Keys of damping that have no effect with a restitution, and keys that require one."""
     usual = defaults_of(type(damping))
     if damping.restitution is None:
         if damping.speed != usual["speed"]:
@@ -137,13 +137,13 @@ def _restitution(damping: ContactDamping, where: str) -> Iterator[Message]:
 
 
 def _laws(model: Model) -> Iterator[Message]:
-    """Keys next to others that decide alone: of stiffness, contact damping and tip circles."""
+    """Keys of stiffness, contact damping and tip circles that are overridden by others."""
     for name, mesh in model.every_mesh.items():
         law, damping, at = mesh.stiffness, mesh.damping, f"{model.section_of(name)}.{name}"
         if isinstance(law, Din3990) and law.single_stiffness is not None and law.virtual_teeth != "iso":
             yield remark(
                 f"meshes.{name}.stiffness.virtual_teeth",
-                "has no effect on the stiffness: single_stiffness takes the place of the formula",
+                "has no effect on the stiffness: single_stiffness replaces the formula",
             )
         if isinstance(law, Hertz) and law.force is not None and law.diameter != "reference":
             yield remark(
@@ -151,19 +151,19 @@ def _laws(model: Model) -> Iterator[Message]:
                 "has no effect together with force and depth, which give K",
             )
         if damping is not None and damping.s_0 == 0.0 and damping.law != "linear":
-            yield remark(f"{at}.damping.law", "has no effect with s_0: 0, where the damping is there at once")
+            yield remark(f"{at}.damping.law", "has no effect with s_0: 0, where the damping acts immediately")
         if damping is not None:
             yield from _restitution(damping, f"{at}.damping")
     for name, gear in model.gears.items():
         if gear.tip_diameter is not None and gear.tip_alteration != 0.0:
             yield remark(
                 f"gears.{name}.tip_alteration",
-                "has no effect together with tip_diameter, which is taken as it is",
+                "has no effect together with tip_diameter, which takes precedence",
             )
 
 
 def _blanks(model: Model) -> Iterator[Message]:
-    """Rim and web enter the inertia, and the stiffness of DIN 3990 / ISO 6336 by the blank factor."""
+    """Rim and web that affect neither the inertia nor the blank factor of DIN 3990 / ISO 6336."""
     for name, gear in model.gears.items():
         keys = [k for k in ("rim_thickness", "web_thickness") if getattr(gear, k) is not None]
         laws = {n: m.stiffness for n, m in model.meshes.items() if name in m.gears}
@@ -179,9 +179,9 @@ def _blanks(model: Model) -> Iterator[Message]:
         elif energy:
             yield remark(
                 where,
-                f"has no effect on the stiffness of {_listed(energy)}: the law energy takes no notice of "
+                f"has no effect on the stiffness of {_listed(energy)}: the law energy does not include "
                 f"them{', only the inertia does' if weighs else ''}",
-                "din3990 has a blank factor for them",
+                "the law din3990 has a blank factor for them",
             )
         elif not weighs and not (gear.web_thickness is not None and any(map(_by_formula, laws.values()))):
             yield remark(
@@ -192,15 +192,15 @@ def _blanks(model: Model) -> Iterator[Message]:
 
 
 def _by_formula(law: StiffnessLaw) -> bool:
-    """Whether a law computes the single tooth stiffness by the standard, with its blank factor."""
+    """Whether a law computes the single tooth stiffness by the standard, including the blank factor."""
     return isinstance(law, Din3990) and law.single_stiffness is None
 
 
 def _blank_weighs(model: Model, gear: str) -> bool:
-    """Whether rim or web of a gear enter an inertia that its body needs."""
+    """Whether rim or web of a gear affect an inertia that is required by the motion of its body."""
     name = str(model.body_of(gear))
     body, part = model.bodies[name], model.gears[gear]
-    # the outer diameter decides about a ring, where it is given
+    # the inertia of a ring gear follows from the outside diameter, if given
     if part.type == "internal" and (part.rim_thickness is None or part.bore_diameter > 0.0):
         return False
     needed = NEEDS[body.moves]
@@ -208,12 +208,12 @@ def _blank_weighs(model: Model, gear: str) -> bool:
         return False
     if any(getattr(body, own) is None and getattr(part, of_gear) is None for own, of_gear in needed):
         return True
-    # the centre of mass of several gears, and the part of each in the inertia about it
+    # centre of mass of several gears, and the inertia of each about it
     return body.moves == "free" and len(body.gears) > 1 and part.mass is None
 
 
 def _inertias(model: Model) -> Iterator[Message]:
-    """Inertias of gears on bodies that give their own."""
+    """Inertias of gears on bodies with given inertia."""
     for name, body in model.bodies.items():
         for gear in body.gears:
             for own, of_gear in (POLAR, TRANSVERSE):
@@ -221,31 +221,31 @@ def _inertias(model: Model) -> Iterator[Message]:
                     yield remark(
                         f"gears.{gear}.{of_gear}",
                         f"has no effect on the motion together with bodies.{name}.{own}, "
-                        "which holds for the whole body",
+                        "which applies to the whole body",
                     )
 
 
 def _joints(model: Model) -> Iterator[Message]:
-    """Keys of joints that their type does not read, joints that hold nothing, markers without use."""
+    """Keys of joints that do not apply to their type, joints without constraints, unused markers."""
     for name, joint in model.joints.items():
         if joint.lead is not None and joint.type != "screw":
             yield remark(
-                f"joints.{name}.lead", f"has no effect with type: {joint.type}; only a screw has one"
+                f"joints.{name}.lead", f"has no effect with type: {joint.type}; only a screw has a lead"
             )
         for key in ("motion", "coordinates") if joint.type not in FUNCTIONS else ():
             if getattr(joint, key):
                 yield remark(f"joints.{name}.{key}", f"has no effect with type: {joint.type}")
         if name in model.mechanism.cut and joint.type in ("free", "shaft"):
-            yield remark(f"joints.{name}", "has no effect: it closes a loop and holds nothing fast")
+            yield remark(f"joints.{name}", "has no effect: it closes a loop and constrains nothing")
     given = [places for _, _, _, places in ends_of(model)]
     named = {e for places in given for e in ((places,) if isinstance(places, str) else places)}
     named |= {f"{load.body}.{load.marker}" for load in model.loads.values()}
     for body, part in model.bodies.items():
-        for marker in part.markers if part.elastic is None else ():  # nodes shape its modes, too
+        for marker in part.markers if part.elastic is None else ():  # nodes also affect the modes
             if f"{body}.{marker}" not in named:
                 group = "shafts" if part.shaft is not None else "bodies"
                 yield remark(
-                    f"{group}.{body}.markers.{marker}", f"has no effect: nothing names {body}.{marker}"
+                    f"{group}.{body}.markers.{marker}", f"has no effect: {body}.{marker} is not used"
                 )
 
 
@@ -263,7 +263,7 @@ def _springs(model: Model) -> Iterator[Message]:
 
 
 def _supports(model: Model) -> Iterator[Message]:
-    """Bearings and couplings that hold only what cannot move."""
+    """Bearings and couplings that act only in directions without motion."""
     for name, bearing in model.bearings.items():
         motion = model.bodies[bearing.body].moves
         house = split(bearing.housing)[0] if bearing.housing is not None else GROUND
@@ -271,35 +271,36 @@ def _supports(model: Model) -> Iterator[Message]:
         if not _holds(bearing, moving):
             yield remark(
                 f"bearings.{name}",
-                f"has no effect and no force at any load: it holds no direction in which "
+                f"has no effect and no force at any load: it acts in no direction in which "
                 f"{bearing.body} (motion: {motion}) moves",
             )
     for name, coupling in model.couplings.items():
         if not _holds(coupling, {k for b in coupling.bodies for k in MOVES[model.bodies[b].moves]}):
             yield remark(
                 f"couplings.{name}",
-                f"has no effect and no force at any load: it holds no direction in which "
+                f"has no effect and no force at any load: it acts in no direction in which "
                 f"{' or '.join(coupling.bodies)} moves",
             )
 
 
 def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:
-    """Whether a spring or damper feels a displacement in any of some directions."""
+    """Whether a spring or damper acts in any of the given directions."""
     matrices = [part.stiffness.matrix6()]
     if part.damping is not None:
-        matrices.append(part.damping.matrix6())  # a ratio damps what the stiffness holds
+        matrices.append(part.damping.matrix6())  # a ratio damps the directions of the stiffness
     return any(row[j] != 0.0 for m in matrices for row in m for j in moves)
 
 
 def _loads(model: Model) -> Iterator[Message]:
-    """Places of torques, and forces along directions in which a body cannot move."""
+    """Positions of torques, and forces in directions without motion."""
     for name, load in model.loads.items():
         motion = model.bodies[load.body].moves
         if load.force is None:
             idle = load.position if load.body not in model.shafts else load.position[:2]
             if any(v != 0.0 for v in idle):
                 yield remark(
-                    f"loads.{name}.position", "has no effect on a torque; it is the place of a force"
+                    f"loads.{name}.position",
+                    "has no effect on a torque; it is the point of action of a force",
                 )
             continue
         axis = abs(body_frame(model, load.body)[1][:, 2])
@@ -308,18 +309,18 @@ def _loads(model: Model) -> Iterator[Message]:
         if (
             load.marker is None
             and motion in ("torsion", "planar")
-            and axis[k] > ALONG  # a force along no axis of the world has parts that count
+            and axis[k] > ALONG  # a force is checked only if the axis is an axis of the world
             and not (isinstance(along, Constant) and along.value == 0.0)
         ):
             yield remark(
                 f"loads.{name}.force",
-                f"its part along {'xyz'[k]} has no effect: {load.body} has motion: "
+                f"its component {'xyz'[k]} has no effect: {load.body} has motion: "
                 f"{motion} and neither moves along its axis nor tilts",
             )
 
 
 def _scenarios(model: Model) -> Iterator[Message]:
-    """Keys of a time response in sweeps and slow rolls, and the tolerance of methods with a fixed step."""
+    """Keys of a time response in sweeps and quasi-static rolls, and keys that the chosen method ignores."""
     for name, scenario in model.scenarios.items():
         kind = scenario.kind
         keys = [k for k in TIME_KEYS if getattr(scenario, k) != defaults_of(type(scenario))[k]]
@@ -334,24 +335,24 @@ def _scenarios(model: Model) -> Iterator[Message]:
         if "tolerance" in keys and scenario.method not in ERROR_METHODS:
             yield remark(
                 f"scenarios.{name}.tolerance",
-                f"has no effect with method: {scenario.method}, which takes equal steps",
-                "step sets them, or write method: runge_kutta",
+                f"has no effect with method: {scenario.method}, which uses constant steps",
+                "give step, or write method: runge_kutta",
             )
         if "form" in keys and scenario.method in EXPLICIT_METHODS:
             yield remark(
                 f"scenarios.{name}.form",
-                f"has no effect with method: {scenario.method}, which holds constraints on accelerations",
+                f"has no effect with method: {scenario.method}, which enforces constraints on accelerations",
             )
         if "order" in keys and scenario.method not in STIFF_METHODS:
             yield remark(
                 f"scenarios.{name}.order",
                 f"has no effect with method: {scenario.method}",
-                f"methods with a choice of order are {_listed(STIFF_METHODS)}",
+                f"methods with selectable order are {_listed(STIFF_METHODS)}",
             )
 
 
 def _driven_starts(model: Model) -> Iterator[Message]:
-    """Start values and rates of joints whose coordinate a scenario drives: the drive decides them."""
+    """Initial values and rates of joint coordinates that a scenario drives."""
     for name, scenario in model.scenarios.items():
         for word, drive in scenario.drive.items():
             found = coordinate(model.mechanism, model, word)
@@ -364,11 +365,11 @@ def _driven_starts(model: Model) -> Iterator[Message]:
                 if idle and own in getattr(model.joints[str(seat.joint)], key):
                     yield remark(
                         f"joints.{seat.joint}.{key}",
-                        f"{own} has no effect in {name}, whose drive of {word} decides",
+                        f"{own} has no effect in {name}, where the drive of {word} determines it",
                     )
 
 
 def _listed(names: Iterable[str]) -> str:
-    """Names in a row, the last one behind `and`."""
+    """List of names as text, with `and` before the last."""
     found = list(names)
     return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}"

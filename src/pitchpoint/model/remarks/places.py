@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bodies at places that are rarely intended, because the model leaves their places open."""
+"""Remarks on bodies at unintended positions, because the model does not give their positions."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Span = tuple[str, str, Array, Array, float, float]
-"""Body, gear, place and axis of the body, where along it the gear begins and ends [m]."""
+"""Body, gear, position and axis of the body, axial start and end of the gear [m]."""
 SAME = 1e-6
-"""Distance of two axes as a share of the tip circles on them up to which they count as one."""
+"""Distance of two axes, relative to the tip diameter, up to which they coincide."""
 
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
-    """A remark for every axis that a joint has placed, and for gears that overlap."""
+    """A remark for every axis that is located by a joint, and for overlapping gears."""
     return (*_axes_by_joints(model), *_gears_in_gears(model))
 
 
 def _axes_by_joints(model: Model) -> Iterator[Message]:
-    """Bodies that turn about an axis of their own, which goes through a joint for want of a position.
+    """Bodies without position that rotate about their own axis through a joint.
 
-    A carrier whose planets have places would turn about the pin of the first of them.
+    A planet carrier without position would rotate about the pin of its first planet.
     """
     joined: dict[str, list[str]] = {}
     for joint, part in model.joints.items():
@@ -52,13 +52,13 @@ def _axes_by_joints(model: Model) -> Iterator[Message]:
         yield remark(
             f"bodies.{name}",
             f"has no position and takes that of joints.{joints[0]}, [{where}], so that it "
-            "turns about an axis there",
-            "if its axis is another one, give position: [x, y, z]",
+            "rotates about an axis there",
+            "for another axis, give position: [x, y, z]",
         )
 
 
 def _gears_in_gears(model: Model) -> Iterator[Message]:
-    """External gears of two bodies on one axis that overlap along it, such as planets without directions."""
+    """External gears of two bodies that overlap on one axis, such as planets without `direction`."""
     spans = [
         (name, gear, *span)
         for name, body in model.bodies.items()
@@ -78,12 +78,12 @@ def _gears_in_gears(model: Model) -> Iterator[Message]:
             yield remark(
                 f"bodies.{two}",
                 f"{b} overlaps with {a} of {one}, on the same axis",
-                "give the meshes that place them a direction each, or the bodies a position: [x, y, z]",
+                "give direction in the meshes that locate them, or position: [x, y, z] of the bodies",
             )
 
 
 def _on_one_axis(spans: list[Span], sizes: list[float]) -> Iterator[tuple[Span, Span]]:
-    """Pairs of gears whose axes may be one, with room for round-off: thousands of gears make millions."""
+    """Pairs of gears on nearly the same axis, preselected by array operations for models with many gears."""
     places = np.array([span[2] for span in spans]).reshape(-1, 3)
     ways = np.array([span[3] for span in spans]).reshape(-1, 3)
     for k, (span, size) in enumerate(zip(spans, sizes, strict=True)):
@@ -95,7 +95,7 @@ def _on_one_axis(spans: list[Span], sizes: list[float]) -> Iterator[tuple[Span, 
 
 
 def _span(model: Model, body: str, gear: str, offset: float) -> tuple[Array, Array, float, float] | None:
-    """Place and axis of the body of an external gear, and where along it the gear begins and ends [m]."""
+    """Position and axis of the body of an external gear, axial start and end of the gear [m]."""
     origin, axes = body_frame(model, body)
     if origin is None or model.gears[gear].geometry.is_internal:
         return None
