@@ -110,11 +110,11 @@ def test_results_of_another_state_of_the_model_are_marked(
     result = str(tmp_path / "run.h5")
     assert run_command(["run", file, "-s", "steady", "-o", result, "-q"]) == 0
     assert run_command(["report", file, result, "-o", str(target)]) == 0
-    assert "another state of the model" not in target.read_text(encoding="utf-8")
+    assert "different version of the model" not in target.read_text(encoding="utf-8")
     assert "note:" not in capsys.readouterr().out
     written(tmp_path, TORSION.replace("150 N m", "100 N m"))
     assert run_command(["report", file, result, "-o", str(target)]) == 0
-    assert "run.h5 was computed with another state" in target.read_text(encoding="utf-8")
-    assert "note: run.h5 was computed with another state of the model." in capsys.readouterr().out
+    assert "run.h5 was computed with a different version" in target.read_text(encoding="utf-8")
+    assert "note: run.h5 was computed with a different version of the model." in capsys.readouterr().out
     assert run_command(["report", file, result, "-o", str(target), "-q"]) == 0
     assert capsys.readouterr().out == ""

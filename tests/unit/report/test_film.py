@@ -21,10 +21,10 @@ from tests.support.scene_data import gears, page_of, texts_of
 
 
 def test_endings_and_files_that_are_there_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(PitchpointError, match=r"film.avi has no ending of a film; use .mp4, .webm, .gif"):
+    with pytest.raises(PitchpointError, match=r"film.avi has no video extension; use .mp4, .webm, .gif"):
         films.film_maker(tmp_path / "film.avi")
     (tmp_path / "mine.mp4").write_bytes(b"mine")
-    with pytest.raises(PitchpointError, match="is there already, and a film replaces no file"):
+    with pytest.raises(PitchpointError, match="exists, and a video does not replace files"):
         films.film_maker(tmp_path / "mine.mp4")
     assert (tmp_path / "mine.mp4").read_bytes() == b"mine"
 

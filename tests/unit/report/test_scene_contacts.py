@@ -235,5 +235,5 @@ def test_rings_of_rolling_bearings_push_where_they_are():
 def test_a_result_of_another_state_of_the_model_says_so(pair):
     _, system, result = pair
     changed: xr.Dataset = result.assign_attrs(model_hash="another")
-    assert any("another state" in note for note in scene_of(system.model, changed).notes)
-    assert not any("another state" in note for note in scene_of(system.model, result).notes)
+    assert any("different version" in note for note in scene_of(system.model, changed).notes)
+    assert not any("different version" in note for note in scene_of(system.model, result).notes)

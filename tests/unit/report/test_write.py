@@ -228,7 +228,7 @@ def test_a_run_that_failed_is_shown_as_far_as_its_numbers_go(file: Path) -> None
     assert shown.scene is not None
     assert shown.run == "r"
     assert shown.scene.times[-1] < float(run["time"][end])
-    assert f"no longer finite, at {float(run['time'][end]):.6g} s" in shown.words
+    assert f"It ends at {float(run['time'][end]):.6g} s" in shown.words
     (flow,) = power_part(model, {"r": TimeRun(data=run)}).values()
     assert flow.span[1] < float(run["time"][end])
 

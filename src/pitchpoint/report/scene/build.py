@@ -148,8 +148,8 @@ def _another_state(model: Model, result: xr.Dataset) -> list[str]:
     if known in ("", content_hash(model)):
         return []
     return [
-        "computed with another state of the model than the one that is kept; teeth, faults and scenario are "
-        "those of the latter, forces and motion those of the run"
+        "computed with a different version of the model than the stored one; teeth, faults and scenario are "
+        "those of the stored model, forces and motion those of the run"
     ]
 
 
