@@ -36,7 +36,7 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
         options = json.loads(options)
     status, sentence = _end(header)
     theirs = str(header.get("model_hash", ""))
-    same = "" if not theirs else " (this model)" if theirs == model_hash else " (different version of the model)"
+    same = "" if not theirs else " (this model)" if theirs == model_hash else " (other version of the model)"
     kind = str(header.get("kind", ""))
     rows = [
         ("file", file),

@@ -39,8 +39,8 @@ ROUND_OFF = 1e-10
 def periods_until_repeat(model: Model, mesh: str) -> int:
     """Number of periods of a mesh after which a slow roll repeats.
 
-    Another mesh of the train repeats when the ratio of the mesh frequencies times the periods is an integer, a gear
-    with single-tooth deviations after whole turns.
+    Another mesh of the train repeats when the ratio of the mesh frequencies times the periods is an integer,
+    a gear with single-tooth deviations after whole turns.
     """
     turning, order = _rates(model, mesh)
     if not order:

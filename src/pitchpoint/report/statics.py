@@ -98,8 +98,8 @@ def with_rolls(
         progress(k + 1, len(rolled) + LINEAR, name)
     if fewer:
         notes.append(
-            f"Slow rolls have at most {POINTS_OF_LARGE} points instead of {ALL_POINTS}, because the machine has "
-            f"more than {LARGE} coordinates: {', '.join(fewer)}. "
+            f"Slow rolls have at most {POINTS_OF_LARGE} points instead of {ALL_POINTS}, because the machine "
+            f"has more than {LARGE} coordinates: {', '.join(fewer)}. "
             "A scenario with quasi_static sets its own number."
         )
     return found, notes

@@ -57,7 +57,7 @@ def write_report(
     ModelError
         If the model file is invalid.
     PitchpointError
-        If a result cannot be shown in a report, or the page cannot be written or would overwrite an input file.
+        If a result cannot be shown, or the page cannot be written or would overwrite an input file.
 
     Notes
     -----

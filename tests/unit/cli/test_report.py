@@ -63,7 +63,7 @@ def test_the_model_of_a_result_file(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert "torsional pair" in (tmp_path / "run.html").read_text(encoding="utf-8")
     bare = write_run(tmp_path / "bare.h5")
     assert run_command(["report", bare]) == 2
-    assert "name the model file as well" in capsys.readouterr().err
+    assert "give the model file, too" in capsys.readouterr().err
 
 
 def test_bad_input(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
