@@ -257,7 +257,7 @@ def store(path: Path, header: Header, found: Modes) -> None:
             Quantity("body_shape", ("mode", "body", "direction"), "1", "motion of the bodies [m, rad]"),
             found.body_shape,
         ),
-        (Quantity("name", ("mode",), dtype="text", long_name="what moves"), list(found.names)),
+        (Quantity("name", ("mode",), dtype="text", long_name="dominant motion"), list(found.names)),
     ]
     if found.elements:
         axes.append(Axis("element", list(found.elements)))

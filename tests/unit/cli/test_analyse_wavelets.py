@@ -130,7 +130,7 @@ def test_a_period_is_found_or_not(tmp_path: Path, capsys: pytest.CaptureFixture[
     values = {name: v["values"] for name, v in found["variables"].items()}
     assert values["found"] is True and values["turns"] == 4
     assert values["period"] == pytest.approx(3.3833, abs=2.3e-3)
-    assert "rough score" in html.read_text(encoding="utf-8")
+    assert "approximate score" in html.read_text(encoding="utf-8")
     assert run_command(["analyse", rig, "find_period", "-c", "good", *search]) == 0
     assert "nothing found" in capsys.readouterr().out
     assert run_command(["analyse", rig, "period_evidence", "-c", "bad", "-O", "periods=3.3833,12"]) == 0

@@ -86,7 +86,7 @@ def test_the_model_alone_has_what_follows_from_it(tmp_path: Path) -> None:
     for words in (
         "without load (mean 50",
         "mesh force 2128 N (mean 5",
-        "share in the load",
+        "load share",
         "mesh stage: driver against driven",
         "stage \\u00d7 3",
         "Campbell diagram",

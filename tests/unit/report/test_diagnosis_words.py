@@ -18,7 +18,7 @@ def _evidence(*, found: bool, explained: str = "") -> Evidence:
 @pytest.mark.parametrize(
     ("beyond", "words"),
     [
-        (0, "none of 5 tests exceeds its limit (a healthy record does so with 1 %)"),
+        (0, "none of 5 tests exceeds its limit (probability for a healthy record: 1 %)"),
         (1, "of 5 tests 1 exceeds its limit, but not in the pattern of damage; listed below"),
         (3, "of 5 tests 3 exceed their limits, but not in the pattern of damage; listed below"),
     ],

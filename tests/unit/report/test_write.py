@@ -174,7 +174,7 @@ def test_designers_find_modifications_measures_and_sliding(tmp_path: Path) -> No
     ]
     text = pp.write_report(model, tmp_path / "x.html").read_text(encoding="utf-8")
     for words in (
-        "<p>2 faults of gears have severity 0 and change nothing.</p>",
+        "<p>2 gear faults have severity 0 and no effect.</p>",
         "parabolic, over 2 mm",
         "span",
         "dimension over balls",

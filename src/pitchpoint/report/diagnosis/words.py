@@ -34,7 +34,7 @@ def nothing_found(diagnosis: Diagnosis) -> str:
         return f"nothing found: of {tests} {which}, but not in the pattern of damage; listed below"
     return (
         f"nothing found: none of {tests} exceeds its limit "
-        f"(a healthy record does so with {percent(diagnosis.false_alarm)})"
+        f"(probability for a healthy record: {percent(diagnosis.false_alarm)})"
     )
 
 
