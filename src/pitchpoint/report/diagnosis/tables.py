@@ -34,7 +34,7 @@ def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:
 
 def origin_table(study: Study) -> str:
     """Table of quantity, value, origin."""
-    return plain_table(("what", "value", "from"), rows_html(study.origin, 3), numbers=False)
+    return plain_table(("quantity", "value", "source"), rows_html(study.origin, 3), numbers=False)
 
 
 def shaft_table(study: Study) -> str:
@@ -87,7 +87,7 @@ def mesh_table(study: Study) -> str:
         "teeth",
         "order",
         "[Hz]",
-        "seen",
+        "visible",
         f"aliased of {HARMONICS} harmonics",
     )
     return plain_table(head, rows_html(rows, 2)) if rows else ""
