@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint view`: the 3-D scene of a model or a result as one HTML file."""
+"""`pitchpoint view`: 3-D scene of a model or a result as one HTML file."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def view(
     maker = None if film is None else film_maker(film)
     target = output or str(Path(file).with_suffix(".view.html"))
     if modes and other is not None:
-        raise click.BadParameter("modes are shown of one result or model, not of two", param_hint="--modes")
+        raise click.BadParameter("modes can only be shown for one result or model", param_hint="--modes")
     sources = [file] if other is None else [file, other]
     written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0)
     if not quiet:

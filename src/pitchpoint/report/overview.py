@@ -89,9 +89,7 @@ def _finite(data: xr.Dataset) -> tuple[xr.Dataset, str]:
     if fine.all():
         return data, ""
     end = int(np.argmin(fine))
-    words = (
-        f"It ends at {float(data['time'][end]):.6g} s, where the result becomes non-finite."
-    )
+    words = f"It ends at {float(data['time'][end]):.6g} s, where the result becomes non-finite."
     return data.isel(time=slice(0, max(end, 1))), words
 
 

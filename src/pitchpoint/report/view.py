@@ -134,7 +134,5 @@ def _motion(model: Model, result: xr.Dataset, name: str, modes: int) -> Scene:
 
     if "time" not in result.dims and "body_shape" not in result:
         kind = result.attrs.get("kind", "no time run")
-        raise PitchpointError(
-            f"{name}: contains no motion over time ({kind}); view a time run or modes"
-        )
+        raise PitchpointError(f"{name}: contains no motion over time ({kind}); view a time run or modes")
     return scene_of(model, result, modes=modes)

@@ -182,7 +182,7 @@ def test_a_period_that_cannot_be_judged_is_told_in_words(
     assert run_command(["analyse", rig, "period_evidence", "-c", "slow", "-O", "periods=15,1"]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert "nan" not in told
-    assert "chance in noise of 15 s not known 1 turn, 0 lines: too few to decide" in told
+    assert "probability in noise of 15 s not known 1 turn, 0 lines: too few to decide" in told
     # lines beside no sideband: a table of numbers, with none of round-off
     assert run_command(
         ["analyse", rig, "sideband_table", "-c", "fast", "-O", "mesh=135.6667", "-O", "spacing=20",

@@ -108,7 +108,7 @@ def test_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     # written again, since it is ours; all meshes, and the neighbours in words
     assert run_command(["clearance", model, "-o", str(picture)]) == 0
     said = capsys.readouterr().out
-    assert "overlap" in said and "7 of the distances below their limits, 7 of them overlaps" in said
+    assert "overlap" in said and "7 distances below their limits, of which 7 overlap" in said
 
 
 def test_what_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

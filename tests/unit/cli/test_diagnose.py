@@ -37,7 +37,7 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
         (["--train", "32/95", "--speed", "11Hz"], "strongest lines at 320 Hz"),
         (["--train", "32-95", "--speed", "10Hz"], "is not a pair of tooth counts"),
         (["--train", "32/95", "--speed", "10Hz", "-c", "ac"], "no channel 'ac'; did you mean acc?"),
-        (["--train", "32/95", "--tacho", "acc"], "--tacho needs --pulses N"),
+        (["--train", "32/95", "--tacho", "acc"], "--tacho requires --pulses N"),
         (
             ["--train", "32/95", "--speed", "10Hz", "--bearing", "left:8"],
             "is not NAME:elements,d,D,angle@shaft",

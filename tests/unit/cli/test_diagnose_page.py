@@ -49,7 +49,12 @@ def test_the_page_of_a_measured_file_names_gear_tooth_and_chance(
     )
     assert tooth and abs(float(tooth[1]) - 6.4) < 0.5
     assert tooth[0] in printed and "FM4" in printed and "M6A" in printed
-    for words in ("train of gears 32/95", "--speed 10Hz, refined by the mesh lines", "5000 Hz", "10000 samples"):
+    for words in (
+        "train of gears 32/95",
+        "--speed 10Hz, refined by the mesh lines",
+        "5000 Hz",
+        "10000 samples",
+    ):
         assert words in page
     assert "Mean of 20 turns of shaft 1, over the teeth of Z1" in captions(page)
     assert "nothing found" not in page and "Detection limits" not in page
@@ -87,10 +92,7 @@ def test_a_healthy_record_has_the_same_pictures_and_says_what_would_be_found(
     assert "does not prove that the machine is healthy" in page
     assert "Detection limits" in page and "line at the limit" in page
     assert "FM4" not in printed
-    assert (
-        "Not tested:" in page
-        and "no test of the lowest orders of shaft 2" in page
-    )
+    assert "Not tested:" in page and "no test of the lowest orders of shaft 2" in page
     words = captions(page)
     assert "Spectrum of acc" in words and "Mean of" in words and "shaded" not in words
 

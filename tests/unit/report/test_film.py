@@ -63,7 +63,10 @@ def test_an_ffmpeg_without_the_encoder_is_told_and_what_it_can_write(
     )
     program.chmod(0o755)
     monkeypatch.setattr(shutil, "which", lambda name: str(program))
-    with pytest.raises(PitchpointError, match=r"cannot write .mp4 files, it lacks the encoder libx264 or .*; it writes .webm, .gif"):
+    with pytest.raises(
+        PitchpointError,
+        match=r"cannot write .mp4 files, it lacks the encoder libx264 or .*; it writes .webm, .gif",
+    ):
         films.film_maker(tmp_path / "film.mp4")
     assert films.film_maker(tmp_path / "film.webm").encoder == "libvpx"
 

@@ -169,9 +169,7 @@ def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]
         unseen = [gear for gear in one.gears if one.kind != "bearing" and gear not in shown]
         if unseen:
             # naming one of several gears would be a guess, too
-            remarks.append(
-                f"no gear of {one.shaft} is named: no mesh line of {', '.join(unseen)} is visible"
-            )
+            remarks.append(f"no gear of {one.shaft} is named: no mesh line of {', '.join(unseen)} is visible")
         findings.append(replace(one, gears=()) if unseen else one)
     return replace(found, findings=tuple(findings)), remarks
 

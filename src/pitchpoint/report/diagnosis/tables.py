@@ -204,9 +204,7 @@ def _fault(e: Evidence) -> str:
         return "bearing impacts in the envelope"
     if e.kind == "sidebands":
         return f"modulation of the mesh of {e.gear} over a turn"
-    return {"comb": "one impact per turn: all orders", "low order": "unbalance, misalignment"}[
-        e.kind
-    ]
+    return {"comb": "one impact per turn: all orders", "low order": "unbalance, misalignment"}[e.kind]
 
 
 def _rates(order: float, hertz: float) -> tuple[str, str]:

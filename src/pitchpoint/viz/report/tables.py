@@ -41,7 +41,9 @@ def mode_section(modes: Any) -> Section:
         )
     held = f"; motion prescribed by the scenario: {escape(', '.join(modes.held))}" if modes.held else ""
     section.add(f"<p>Linearised about the loaded state with mean mesh stiffness{held}.</p>")
-    section.add(plain_table(("mode", "dominant motion", "natural frequency", "damping ratio"), body[:MOST_MODES]))
+    section.add(
+        plain_table(("mode", "dominant motion", "natural frequency", "damping ratio"), body[:MOST_MODES])
+    )
     total = max(modes.total, len(body))
     if total > MOST_MODES:
         section.add(f"<p>The lowest {MOST_MODES} of {total} modes; use pitchpoint modes for all.</p>")
