@@ -3,12 +3,13 @@
 
 A writer holds an exclusive lock while it creates the structure of its file, and a shared lock from the start
 of SWMR: readers, which use shared locks, are then admitted, and a process that replaces the file must obtain
-an exclusive lock first. The system releases a lock when its process ends. The locks of HDF5 are not used for the
-writer: HDF5 releases and reacquires its lock at the start of SWMR, and a reader in between would end the run.
+an exclusive lock first. The system releases a lock when its process ends. The locks of HDF5 are not used for
+the writer: HDF5 releases and reacquires its lock at the start of SWMR, and a reader in between would end the
+run.
 
 An older file is not truncated but unlinked, and the new one is created under the free name: a reader of the
-old file without a lock can read it to its end. Of several writers that start simultaneously one continues; the
-others find the name in use, or another file under it.
+old file without a lock can read it to its end. Of several writers that start simultaneously one continues;
+the others find the name in use, or another file under it.
 
 Windows has no such locks; there an open file cannot be removed. On a file system without locks the last
 writer wins, and a writer whose file was removed reports this at its end.

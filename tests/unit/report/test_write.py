@@ -237,7 +237,7 @@ def test_a_model_without_shapes_says_so() -> None:
     bare = loads_model("bodies:\n  disc: {motion: torsion, inertia: 1 kg m^2, position: [0, 0, 0]}\n")
     shown = scene_part(bare, {})
     assert shown.scene is not None
-    assert any("whose shape the model does not give" in note for note in shown.scene.notes)
+    assert any("without a shape in the model" in note for note in shown.scene.notes)
     gear = "number_of_teeth: 20, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0"
     alone = scene_part(loads_model(f"gears:\n  a: {{{gear}}}\n"), {})
     assert alone.scene is None
