@@ -140,7 +140,7 @@ def test_a_narrow_page_in_the_dark_without_webgl(
     """
     narrow = found(open_page, report, script, webgl=False, dark=True, size=(500, 900))
     assert narrow["choices"] > 0 and narrow["over"] <= 0
-    assert "no WebGL" in narrow["said"]
+    assert "WebGL 2 is not available" in narrow["said"]
     assert narrow["drawn"] == wide["drawn"]
     assert wide["colours"] == ["#1f2933", "rgb(255, 255, 255)"]
     assert narrow["colours"] == ["#e6e9ed", "rgb(20, 24, 29)"]

@@ -216,7 +216,7 @@ def test_without_webgl_a_sentence_stands_there_and_curves_work(
     page.evaluate("pitchpointViewer.seek(0.05)")
     page.keyboard.press("ArrowRight")
     state = asked(page, "return S();")
-    assert "no WebGL" in state["message"] and state["drawn"] == 0
+    assert "WebGL 2 is not available" in state["message"] and state["drawn"] == 0
     assert [c["at"] for c in state["cursor"]] == pytest.approx(2 * [0.0502], abs=LENGTH / 900)
 
 

@@ -94,9 +94,9 @@ def test_steps_are_frames_of_the_finer_record_and_say_so(open_page: OpenPage, pa
       const press = (title) => all(".ppv-transport button").find((b) => b.title.startsWith(title)).click();
       const out = [];
       V.seek(0.03);
-      for (let k = 0; k < 3; k++) {{ press("One frame on"); out.push(S().time); }}
+      for (let k = 0; k < 3; k++) {{ press("One frame forward"); out.push(S().time); }}
       const clock = $(".ppv-now").textContent, says = all(".ppv-transport button").map((b) => b.title);
-      V.seek({LENGTH}); press("One frame on"); out.push(S().time); press("One frame on"); out.push(S().time);
+      V.seek({LENGTH}); const on = () => {{ press("One frame forward"); out.push(S().time); }}; on(); on();
       V.seek(0.01); const wrong = V.repeat("turn");
       named("Notes (2)").click();
       return {{out, clock, says, wrong, window: S().window, note: $(".ppv-notes").textContent}};
@@ -106,10 +106,10 @@ def test_steps_are_frames_of_the_finer_record_and_say_so(open_page: OpenPage, pa
     assert found["out"] == pytest.approx([*TIMES[151:154], *beyond], abs=1e-12)
     assert found["clock"] == "30.60\u2009ms"
     assert [t for t in found["says"] if t.startswith("One frame")] == [
-        f"One frame {way}, 200\u2009µs, as the frames of Two gears"
-        for way in ("back (left arrow)", "on (right arrow)")
+        f"One frame {way}, 200\u2009µs, the frame interval of Two gears"
+        for way in ("back (left arrow)", "forward (right arrow)")
     ]
-    assert "those of Sampled are 700\u2009µs apart" in found["note"]
+    assert "the frames of Sampled, every 700\u2009µs, are interpolated linearly" in found["note"]
     # a turn of the pinion, whichever record the clock counts by
     window = found["window"]
     assert found["wrong"] == "" and window[1] - window[0] == pytest.approx(2 * np.pi / SPEED, rel=1e-3)

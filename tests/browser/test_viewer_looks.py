@@ -130,9 +130,9 @@ def test_a_film_ends_by_itself_and_plays(open_page: OpenPage, pair: tuple[str, s
         page.keyboard.press(key)
     speed = page.evaluate("pitchpointViewer.state().speed")
     assert 0.1 < speed < 0.5
-    page.get_by_role("button", name="Picture, solids, film").click()
+    page.get_by_role("button", name="Picture, solids, video").click()
     with page.expect_download() as saved:
-        page.get_by_role("button", name="Film what is played").click()
+        page.get_by_role("button", name="Record a video").click()
     state = page.evaluate("pitchpointViewer.state()")
     assert state["time"] == pytest.approx(LENGTH) and not state["playing"]
     ending = Path(saved.value.suggested_filename).suffix

@@ -69,10 +69,10 @@ def test_hundreds_of_solids_bend_and_can_be_hidden(open_page: OpenPage) -> None:
       V.seek(1); out.end = look();
       const all = S().pictures[0].drawnTriangles;
       named("View").click();
-      label("represents").querySelector("input").click(); V.draw(); out.plain = look();
+      label("schematic parts").querySelector("input").click(); V.draw(); out.plain = look();
       out.fewer = all - S().pictures[0].drawnTriangles;
       housing("hidden"); V.draw(); out.open = look();
-      housing("solid"); label("represents").querySelector("input").click(); V.draw(); out.again = look();
+      housing("solid"); label("schematic parts").querySelector("input").click(); V.draw(); out.again = look();
       out.batches = S().pictures[0].batches;
       return out;
     """

@@ -162,7 +162,7 @@ def test_stretched_bent_and_schematic_solids(open_page: OpenPage) -> None:
       V.draw(); out.all = S().pictures[0].drawnTriangles;
       named("View").click();
       const stands = [...document.querySelectorAll(".ppv-panel label")].find((l) =>
-        l.textContent.includes("represents")).querySelector("input");
+        l.textContent.includes("schematic parts")).querySelector("input");
       stands.click(); V.draw(); out.fewer = S().pictures[0].drawnTriangles; out.plain = await stl();
       stands.click();
       V.seek(0); V.draw(); out.start = await stl();

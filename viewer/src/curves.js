@@ -16,7 +16,7 @@ export class Curves {
       type: "search",
       placeholder: `add a curve (${this.labels.size})`,
       "aria-label": "Search channels",
-      title: "Channels, by any words of their names",
+      title: "Search channels by words of their names",
     });
     this.list = el("div", { className: "ppv-list", role: "listbox", "aria-label": "Channels", hidden: true });
     this.search.addEventListener("focus", () => this.fill());
@@ -85,9 +85,9 @@ export class Curves {
         );
       }),
     );
-    if (!all.length) this.list.append(el("p", {}, "No channel has these words."));
+    if (!all.length) this.list.append(el("p", {}, "No matching channel."));
     if (all.length > 200)
-      this.list.append(el("p", {}, `${all.length - 200} more: search for words of their names.`));
+      this.list.append(el("p", {}, `${all.length - 200} more: refine the search.`));
     this.list.hidden = false;
   }
 

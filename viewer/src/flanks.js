@@ -188,7 +188,7 @@ export class FlankBox {
       for (const line of lines) line.loads.forEach((_, s) => (most = Math.max(most, flanks.value(contact, line, s))));
     this.what.textContent = legend;
     this.now.textContent = most > 0 ? `now ${format(most)}` : "now none";
-    this.end.textContent = flanks.own ? "largest of the mesh" : format(flanks.top(flanks.meshes[0].contact));
+    this.end.textContent = flanks.own ? "maximum of the mesh" : format(flanks.top(flanks.meshes[0].contact));
     this.gap.hidden = !gauge;
     if (!gauge) return;
     const both = gauge.contact.penetration();
@@ -217,8 +217,8 @@ export function activeWords({ contact, name }) {
     const [least, most] = [Math.min(...ends), Math.max(...ends)].map((d) => d.toFixed(2));
     return `${gear} ${least} to ${most}`;
   });
-  const where = cone ? " in the middle of the face" : "";
-  return `${name} touches between the diameters ${gears.join(", ")} mm${where}.`;
+  const where = cone ? " at mid-face" : "";
+  return `${name}: contact between the diameters ${gears.join(", ")} mm${where}.`;
 }
 
 /** Change what all pictures show of their flanks. @param {import("./page.js").Page} page @param {(flanks: Flanks) => void} change */
@@ -269,26 +269,26 @@ export function flankRows(page) {
   const set = (change) => changeFlanks(page, change);
   const lines = tick("contact lines", true, (on) => set((flanks) => (flanks.showsLines = on)));
   const pattern = choice(
-    "pattern so far",
+    "contact pattern",
     [
       ["off", "none"],
-      ["all", "all teeth as one"],
+      ["all", "all teeth superimposed"],
       ["each", "each tooth"],
     ],
     (mode) => set((flanks) => (flanks.mode = mode)),
-    "Largest load, or pressure, of every place of a flank so far",
+    "Maximum load or pressure up to now at every point of a flank",
   );
   const shade = pressures
     ? choice(
-        "colours show",
+        "colour by",
         Object.entries(SHADES).map(([key, { name }]) => [key, name]),
         (what) => set((flanks) => (flanks.shade = what)),
-        "Load per width, or the largest pressure of the line contact that it makes",
+        "Load per width, or maximum Hertzian pressure of the line contact",
       )
     : null;
   const times = logSlider({
     label: "× ",
-    title: "How much the gap is magnified along the line of action",
+    title: "Magnification of the gap along the line of action",
     least: 1,
     most: 1e4,
     value: 1,
@@ -299,9 +299,9 @@ export function flankRows(page) {
     "gap of",
     [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name])],
     (k) => showGauge(page, Number(k)),
-    "Mesh whose gap is shown, magnified",
+    "Mesh with a magnified gap",
   );
-  const own = tick("colours of each mesh by itself", false, (on) => set((flanks) => (flanks.own = on)));
+  const own = tick("separate colour scale per mesh", false, (on) => set((flanks) => (flanks.own = on)));
   const active = el("p", { className: "ppv-soft" });
   page.flankRows = {
     lines,
@@ -328,14 +328,14 @@ export function flankRows(page) {
     el(
       "div",
       { className: "ppv-buttons" },
-      button("look at the gap", "Look into the mesh whose gap is shown", () => lookAtGap(page)),
+      button("look at the gap", "Look into the mesh with the magnified gap", () => lookAtGap(page)),
     ),
     el(
       "p",
       { className: "ppv-soft" },
       greatest > 0
-        ? "Balls at the ends of a line: front or back flank; a thin grey line carries nothing."
-        : "Yellow lines: front flanks; purple: back flanks; thin and grey: none of them touches. The mesh law gives no loads per tooth pair.",
+        ? "Balls at the ends of a line mark front or back flank; thin grey lines carry no load."
+        : "Yellow lines: front flanks; purple: back flanks; thin and grey: no contact. The mesh law gives no loads per tooth pair.",
     ),
   ].filter(Boolean);
 }

@@ -4,16 +4,16 @@ import { round125, SLOWEST } from "./player.js";
 
 export const KEYS = [
   ["space", "play, pause"],
-  ["← →", "one frame back, on"],
+  ["← →", "one frame back, forward"],
   ["Home, End", "start, end"],
   ["+ −", "faster, slower"],
-  ["[ ]", "mark before, next mark"],
+  ["[ ]", "previous, next mark"],
   ["f", "show all"],
   ["1 … 9, 0", "follow a body, none"],
   ["s", "section"],
   ["m", "vibrations ×1, ×10, ×100, ×1000"],
-  ["drag", "turn; right button or shift: move"],
-  ["wheel", "zoom to the pointer"],
+  ["drag", "rotate; right button or Shift: pan"],
+  ["wheel", "zoom at the pointer"],
   ["double click", "follow the body of a part"],
 ];
 

@@ -27,7 +27,7 @@ export class Legend {
         row: el("tr", {}, el("th", { scope: "row", title: `${arrow.kind} ${name}` }, state, name), ...cells),
       };
     });
-    this.folder = button("forces", "Fold or unfold the forces", () => this.fold(!this.folded), {
+    this.folder = button("forces", "Collapse or expand the forces", () => this.fold(!this.folded), {
       "aria-expanded": "true",
     });
     this.folded = this.chosen = false;

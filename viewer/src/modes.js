@@ -17,7 +17,7 @@ export class Modes {
     this.amplitude = 1;
     this.unit = modes.map((mode) => this.#unit(mode));
     this.buttons = modes.map((mode, k) =>
-      button("", `Swing in ${mode.name}`, () => this.choose(this.number === k ? -1 : k), {
+      button("", `Animate ${mode.name}`, () => this.choose(this.number === k ? -1 : k), {
         "aria-pressed": "false",
       }),
     );
@@ -25,7 +25,7 @@ export class Modes {
       each.append(...this.#lines(modes[k]).map((line) => el("span", {}, line))),
     );
     const moves = stage.pictures[0].poses.times.length > 1;
-    this.stop = button(moves ? "back to the record" : "back to rest", "End the mode shape", () => this.choose(-1));
+    this.stop = button(moves ? "back to the record" : "back to rest", "Stop the animation of the mode", () => this.choose(-1));
     this.stop.hidden = true;
     const slider = logSlider({
       label: "amplitude",

@@ -23,7 +23,7 @@ import { Transport } from "./transport.js";
 import { Views } from "./views.js";
 
 const NO_WEBGL =
-  "This browser or machine offers no WebGL 2, so the solids cannot be drawn; curves and time work.";
+  "WebGL 2 is not available, so the solids cannot be drawn; curves and time controls work.";
 /** Width of a page from which one begins with an open panel, in pixels. */
 const ROOM = 900;
 
@@ -87,7 +87,7 @@ export class Page {
 
   #scene() {
     if (!this.scenes.some((scene) => scene.solids.length)) {
-      this.#announce("This scene holds no solids: the model gives no shapes, or the result none that moves.");
+      this.#announce("This scene contains no solids: the model has no shapes, or none of them is in the result.");
       return;
     }
     const found = graphics();
@@ -98,15 +98,15 @@ export class Page {
     this.stage = new Stage(this.host, this.scenes, found.software);
     const { stage } = this;
     stage.canvas.tabIndex = 0;
-    stage.canvas.setAttribute("aria-label", "3-D scene: drag to turn, right button to shift, wheel to zoom");
+    stage.canvas.setAttribute("aria-label", "3-D scene: drag to rotate, right button to pan, wheel to zoom");
     stage.canvas.addEventListener("webglcontextlost", () =>
-      this.#announce("The graphics card gave the scene up. Load the page again."),
+      this.#announce("The graphics context was lost. Reload the page."),
     );
     this.orbit = new Orbit(stage.camera, stage.canvas, () => this.changed(), this.scenes[0].up);
     // within a longer page the wheel scrolls the page until the reader clicks the scene
     this.orbit.takesWheel = (event) => {
       const takes = this.fills || event.ctrlKey || document.activeElement === stage.canvas;
-      if (!takes) this.#hint("click the scene first, then the wheel zooms");
+      if (!takes) this.#hint("click the scene to zoom with the wheel");
       return takes;
     };
     touches(this);
@@ -144,7 +144,7 @@ export class Page {
   #panels() {
     const { panels, stage } = this;
     if (stage) {
-      panels.action("Fit", "Show all of it (f)", () => this.views.fit());
+      panels.action("Fit", "Show everything (f)", () => this.views.fit());
       panels.add("View", "Views, following a body, housing, meshes", viewRows(this));
       if (this.scenes.some((scene) => scene.arrows.length))
         panels.add("Forces", "Arrows of forces", forceRows(this));
@@ -160,10 +160,10 @@ export class Page {
         // shapes are all that moves in a page without a record
         if (this.player.times.length < 2 && this.host.clientWidth >= ROOM) panels.show("Modes", this.modes.rows, opener);
       }
-      panels.add("Save", "Picture, solids, film", saveRows(this));
+      panels.add("Save", "Picture, solids, video", saveRows(this));
     }
     if (this.transport.marks.length)
-      panels.add("Marks", "Instants worth looking at", markRows(this));
+      panels.add("Marks", "Events in the record", markRows(this));
     const notes = [...new Set([this.shared.note, ...this.scenes.flatMap((scene) => scene.notes)])].filter(Boolean);
     const help = [el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)]))];
     if (notes.length)

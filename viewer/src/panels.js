@@ -84,7 +84,7 @@ export function viewRows(page) {
     (value) => page.follow(Number(value)),
     "Body that the camera follows (1 to 9, 0)",
   );
-  const turning = tick("turn with it", false, (on) => {
+  const turning = tick("rotate with it", false, (on) => {
     page.views.turning = on;
     page.views.follow(page.views.body, on);
   });
@@ -104,7 +104,7 @@ export function viewRows(page) {
       ).row
     : null;
   const schematics = solids.some((solid) => solid.schematic)
-    ? tick("what only represents parts", true, (on) => {
+    ? tick("schematic parts", true, (on) => {
         for (const picture of stage.pictures) picture.solids.schematics(on);
         page.changed();
       }).row
@@ -181,14 +181,14 @@ export function saveRows(page) {
     record.title = record.ariaLabel = title;
     record.setAttribute("aria-pressed", String(Boolean(stop)));
   };
-  const offer = camera && `Film what is played, to the end of the record, ${camera.ending}`;
+  const offer = camera && `Record a video of the playback up to the end of the record, ${camera.ending}`;
   const record = camera
-    ? button("film", offer, async () => {
+    ? button("video", offer, async () => {
         if (!stop) {
           page.filming = true;
           stage.coarsen(false);
           stop = camera.start();
-          relabel("stop and save", "Stop the film and save it; it stops by itself at the end of what is played");
+          relabel("stop and save", "Stop and save the video; it stops automatically at the end of the playback");
           page.player.atEnd = () => record.click();
           page.toggle(true);
           return;
@@ -198,7 +198,7 @@ export function saveRows(page) {
         page.player.atEnd = null;
         page.filming = false;
         page.toggle(false);
-        relabel("film", offer);
+        relabel("video", offer);
         download(await end(), fileName(page, camera.ending));
       })
     : null;
@@ -207,7 +207,7 @@ export function saveRows(page) {
       "div",
       { className: "ppv-buttons" },
       button("picture", "PNG of the scene with title, time and forces", () => picture(1)),
-      button("picture × 2", "The same with twice as many pixels each way", () => picture(2)),
+      button("picture × 2", "PNG with twice the resolution", () => picture(2)),
       record,
     ),
     el(
@@ -216,7 +216,7 @@ export function saveRows(page) {
       button("GLB, moving", "Solids and their motion, binary glTF", () =>
         download(movingSolids(page), fileName(page, "glb")),
       ),
-      button("STL", "Solids where they are now, metres", () => download(stl(page), fileName(page, "stl"))),
+      button("STL", "Solids at the current time, in metres", () => download(stl(page), fileName(page, "stl"))),
     ),
   ];
 }
@@ -225,7 +225,7 @@ export function saveRows(page) {
 export function vibrationRows(page) {
   page.magnification = logSlider({
     label: "× ",
-    title: "How much vibrations are magnified; turning is not (m)",
+    title: "Magnification of vibrations; rotation is not magnified (m)",
     least: 1,
     most: 1e4,
     value: 1,
@@ -237,7 +237,7 @@ export function vibrationRows(page) {
     el(
       "p",
       { className: "ppv-soft" },
-      "Displacements, tilts and torsion about their means; the turning itself is not magnified.",
+      "Displacements, tilts and torsion about their means; mean rotation is not magnified.",
     ),
   ];
 }

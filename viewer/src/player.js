@@ -102,13 +102,13 @@ export class Player {
     this.window = [this.first, this.last];
     if (loop === "record") return "";
     const body = this.reference(followed, solids);
-    if (body < 0) return "No body of this scene turns.";
+    if (body < 0) return "No body of this scene rotates.";
     const teeth = solids.find((solid) => solid.body === body && solid.teeth)?.teeth;
     if (loop === "cycle" && !teeth) return "The followed body is not a gear.";
     const angle = (2 * Math.PI) / (loop === "cycle" ? teeth : 1);
     const at = (t) => this.poses.angle(body, this.#frame(t));
     const swept = Math.abs(at(this.last) - at(this.first));
-    if (swept < angle) return "The record is shorter than that.";
+    if (swept < angle) return "The record is too short for this.";
     // as late a start as leaves one whole piece
     let a = this.time;
     if (Math.abs(at(this.last) - at(a)) < angle)

@@ -75,7 +75,7 @@ export function readTable(buffer, entry, what) {
   const at = entry.at;
   const held = planes ? length * entry.bytes : length;
   if (!Number.isInteger(at) || at < 0 || at % 8 || !(at + held * Type.BYTES_PER_ELEMENT <= buffer.byteLength)) {
-    throw new SceneError(`This scene is truncated: ${what} lies beyond the end of the numbers.`);
+    throw new SceneError(`This scene is truncated: ${what} is beyond the end of the numbers.`);
   }
   const bytes = new Type(buffer, at, held);
   const stored = planes ? fromPlanes(bytes, length, entry) : bytes;
@@ -159,7 +159,7 @@ function checkShapes(scene) {
       const { shapes, node, coordinates } = solid.modal;
       check(
         shapes?.shape.length === 3 && node?.count === solid.points?.count,
-        `solid ${solid.name} does not state how it bends`,
+        `solid ${solid.name} has no deformation data`,
       );
       for (const each of node.data) check(each < shapes.shape[1], `solid ${solid.name} has a point without a node`);
       rows(coordinates, `the modal coordinates of ${solid.name}`);
@@ -173,7 +173,7 @@ function checkShapes(scene) {
     check(arrow.body >= -1 && arrow.body < scene.bodies.length, `arrow ${arrow.name} belongs to no body`);
     for (const part of ["circumferential", "radial", "axial"])
       rows(arrow.components?.[part], `the ${part} force ${arrow.name}`);
-    rows(arrow.at, `the place of arrow ${arrow.name}`);
+    rows(arrow.at, `the position of arrow ${arrow.name}`);
     rows(arrow.state, `the state of arrow ${arrow.name}`);
   }
   for (const contact of scene.contacts) checkContact(scene, contact, rows);
@@ -193,13 +193,13 @@ function checkContact(scene, contact, rows) {
     check(contact[part], `contact ${name} has no ${part}`);
     rows(contact[part], `${part} of contact ${name}`);
   }
-  check(contact.width?.length === 2 && contact.path?.length === 2, `contact ${name} has no place`);
+  check(contact.width?.length === 2 && contact.path?.length === 2, `contact ${name} has no position`);
   check(!contact.unit_pressure || contact.unit_pressure.count > 1, `contact ${name} has no pressures`);
   check(contact.base_pitch > 0 && contact.flanks?.length, `contact ${name} has no flanks`);
   for (const flank of contact.flanks) {
     check(flank.travel?.count === scene.times.count, `contact ${name} has no travel for each time`);
     for (const part of ["forces", "loads"]) rows(flank[part], `${part} of contact ${name}`);
-    check(Boolean(flank.forces) === Boolean(flank.loads), `contact ${name} has forces or loads alone`);
+    check(Boolean(flank.forces) === Boolean(flank.loads), `contact ${name} has forces without loads, or loads without forces`);
     for (const surface of flank.surfaces ?? [])
       check(
         surface.body in scene.bodies && surface.points?.shape.length === 3 && surface.teeth > 0,
@@ -215,7 +215,7 @@ function checkContact(scene, contact, rows) {
 export async function readScene(suffix = "") {
   const header = document.getElementById(`pp-scene${suffix}`);
   const numbers = document.getElementById(`pp-scene-numbers${suffix}`);
-  if (!header || !numbers) throw new SceneError("This page holds no scene.");
+  if (!header || !numbers) throw new SceneError("This page contains no scene.");
   let node;
   try {
     node = JSON.parse(header.textContent ?? "");

@@ -26,7 +26,7 @@ export class SectionView {
     );
     this.enable = tick("cut the solids (s)", false, (on) => this.turn(on));
     this.axis = choice(
-      "square to",
+      "normal to",
       [...Object.keys(AXES).map((name) => [name, name]), ["mesh", "axis of the mesh"]],
       (name) => this.along(name),
     );
@@ -35,8 +35,8 @@ export class SectionView {
       type: "range",
       min: "0",
       max: "1000",
-      title: "Place of the cut",
-      "aria-label": "Place of the cut",
+      title: "Position of the cut",
+      "aria-label": "Position of the cut",
     });
     this.place.addEventListener("input", () => this.#moved());
     this.output = el("output", {});

@@ -25,6 +25,6 @@ export function sharedFrames(scenes) {
   if (same || !Number.isFinite(steps[1 - fine])) return { times, whose: "", note: "" };
   const names = namesOf(scenes);
   const [mine, its] = [names[fine], names[1 - fine]];
-  const note = `Time steps through the frames of ${mine}, ${duration(steps[fine])} apart; those of ${its} are ${duration(steps[1 - fine])} apart, with straight lines between them.`;
+  const note = `Time steps follow the frames of ${mine}, every ${duration(steps[fine])}; the frames of ${its}, every ${duration(steps[1 - fine])}, are interpolated linearly.`;
   return { times, whose: mine, note };
 }

@@ -49,7 +49,7 @@ export class Spectra {
       (name) => this.choose(name, this.over),
     );
     this.ways = choice("over", [], (over) => this.choose(this.name, over));
-    this.near = el("span", { className: "ppv-curve", hidden: true }, el("i", {}), el("span", {}, "around the cursor"));
+    this.near = el("span", { className: "ppv-curve", hidden: true }, el("i", {}), el("span", {}, "near the cursor"));
     this.element = el(
       "div",
       { className: "ppv-spectra" },

@@ -24,7 +24,7 @@ export class Transport {
     for (let k = 1; k < player.times.length; k++)
       this.stepLength = Math.min(this.stepLength, player.times[k] - player.times[k - 1] || Infinity);
     if (!Number.isFinite(this.stepLength)) this.stepLength = 1;
-    const step = whose && `, ${duration(this.stepLength)}, as the frames of ${whose}`;
+    const step = whose && `, ${duration(this.stepLength)}, the frame interval of ${whose}`;
     this.play = button("", "Play (space)", does.toggle, { className: "ppv-play" });
     this.range = el("input", {
       type: "range",
@@ -51,7 +51,7 @@ export class Transport {
     this.read = el("output", { className: "ppv-now", title: "Time of the record" });
     this.speed = logSlider({
       label: "",
-      title: "Speed, part of real time (+ and −)",
+      title: "Speed relative to real time (+ and −)",
       least: SLOWEST,
       most: 1,
       value: player.speed,
@@ -74,7 +74,7 @@ export class Transport {
     this.status = el("span", { className: "ppv-status", role: "status" });
     this.jump = this.marks.length
       ? [
-          button("⟨", "Mark before ([)", () => this.toMark(-1)),
+          button("⟨", "Previous mark ([)", () => this.toMark(-1)),
           button("⟩", "Next mark (])", () => this.toMark(1)),
         ]
       : [];
@@ -88,7 +88,7 @@ export class Transport {
         this.play,
         button("|◂", "To the start (Home)", () => does.seek(player.window[0])),
         button("◂", `One frame back (left arrow)${step}`, () => does.step(-1)),
-        button("▸", `One frame on (right arrow)${step}`, () => does.step(1)),
+        button("▸", `One frame forward (right arrow)${step}`, () => does.step(1)),
         ...this.jump,
         this.read,
         this.speed.row,

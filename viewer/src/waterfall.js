@@ -64,7 +64,7 @@ export class Waterfall {
     this.element.append(
       el(
         "div",
-        { className: "ppv-map-scale", title: "Amplitudes below the largest one of the map" },
+        { className: "ppv-map-scale", title: "Amplitudes relative to the maximum of the map" },
         el("i", { style: `background:${gradient().replace("to right", "to top")}` }),
         el("span", {}, `0 dB = ${worth} ${shown.unit === "1" ? "" : shown.unit}`),
         el("span", {}, `\u2212${first.decibels} dB`),

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The command line: one file per command, heavy imports inside the commands."""
+"""Command-line interface: one module per command; heavy imports are inside the commands."""

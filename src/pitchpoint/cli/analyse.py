@@ -102,21 +102,21 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
 
 
 _MOST = 100_000
-"""Values of a map that are printed as JSON, 2 MB; a file holds more."""
+"""Maximum number of values of a map in JSON output (2 MB); files contain all."""
 
 _TARGETS = {"csv": "analysis", "html": "page"}
 
 
 def _one_shaft(tacho: str | None, angle: str | None, pulses: int | None) -> None:
-    """Refuse what does not define one shaft."""
+    """Reject options that do not define one reference shaft."""
     if tacho is not None and angle is not None:
-        raise click.UsageError("--tacho and --angle both name the shaft; give one of them")
+        raise click.UsageError("--tacho and --angle both define the shaft; omit one of them")
     if (tacho is None) != (pulses is None):
-        raise click.UsageError("--tacho and --pulses-per-revolution belong together; give both")
+        raise click.UsageError("--tacho requires --pulses-per-revolution and vice versa; give both")
 
 
 def value_of(text: str) -> Any:
-    """Number, quantity in SI, truth value, nothing, several of them, or a text.
+    """Parsed option value: number, quantity in SI, Boolean, None, tuple of these, or text.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def value_of(text: str) -> Any:
 
 
 def _pairs(texts: Sequence[str], flag: str) -> dict[str, str]:
-    """Texts of the form name=value."""
+    """Mapping from texts of the form name=value."""
     found = {}
     for text in texts:
         name, sign, value = text.partition("=")
@@ -160,7 +160,7 @@ def _pairs(texts: Sequence[str], flag: str) -> dict[str, str]:
 
 
 def _lost(record: xr.Dataset, lines: Sequence[str]) -> str:
-    """Sentence about harmonics of mesh frequencies that the record cannot hold."""
+    """Sentence about mesh harmonics above half the sampling rate."""
     from pitchpoint.analysis.bandwidth import lost_harmonics
     from pitchpoint.core.errors import UnitError
     from pitchpoint.core.units import parse_quantity
@@ -180,7 +180,7 @@ def _lost(record: xr.Dataset, lines: Sequence[str]) -> str:
 
 
 def _list_tools(as_json: bool) -> None:
-    """All tools with their options."""
+    """Print all tools with their options."""
     from pitchpoint.analysis.dataset import tool_options
 
     if as_json:
@@ -188,12 +188,12 @@ def _list_tools(as_json: bool) -> None:
             {n: {"summary": r.summary, "options": list(tool_options(n))} for n, r in TOOLS.items()}
         )
     rows = [[name, row.summary, ", ".join(tool_options(name))] for name, row in TOOLS.items()]
-    table("Tools", ["tool", "what it gives", "options"], rows)
+    table("Tools", ["tool", "result", "options"], rows)
     return None
 
 
 def _list_channels(file: str, record: xr.Dataset, notes: Sequence[str], as_json: bool) -> None:
-    """Channels of a file with what is known of them."""
+    """Print the channels of a file with their properties."""
     import numpy as np
 
     from pitchpoint.viz.quantities import number
@@ -224,7 +224,7 @@ def _list_channels(file: str, record: xr.Dataset, notes: Sequence[str], as_json:
 
 
 def _highlights(result: xr.Dataset) -> None:
-    """Show the numbers of a result and where its curves are largest."""
+    """Print the numbers of a result and the maxima of its curves."""
     from pitchpoint.cli.highlights import highlights
     from pitchpoint.viz.analysis_page import results_by_channel
 
@@ -233,14 +233,14 @@ def _highlights(result: xr.Dataset) -> None:
 
 
 def _plain(result: xr.Dataset, notes: Sequence[str]) -> Mapping[str, Any]:
-    """What `--json` prints; of maps larger than `_MOST` every n-th place in their longest direction."""
+    """Output of `--json`; maps above `_MOST` values are decimated along their longest dimension."""
     maps = [v for v in result.data_vars.values() if v.ndim > 1 and v.size > _MOST]
     if maps:
         largest = max(maps, key=lambda v: v.size)
         dim = max(largest.sizes, key=lambda d: largest.sizes[d])
         step, count = -(-largest.size // _MOST), result.sizes[dim]
         result = result.isel({dim: slice(None, None, step)})
-        notes = [*notes, f"of {count} places in {dim} every {step}th is given; --csv FILE writes all of them"]
+        notes = [*notes, f"every {step}th of {count} values of {dim} is given; --csv FILE writes all of them"]
     variables = {
         str(name): {"dims": list(v.dims), "unit": v.attrs.get("units", ""), "values": v.values}
         for name, v in result.variables.items()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `pitchpoint gears` shows and writes of bevel gears."""
+"""Tables and solids of bevel gears for `pitchpoint gears`."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ def export_bevel(model: Model, name: str, target: Path, inputs: Sequence[str | P
     inputs
         Files that must not be replaced.
     points
-        Points of a flank where the gear gives none.
+        Points per flank if the gear does not define them.
     """
     if target.suffix.lower() != ".stl":
         raise click.BadParameter(
-            f"{target.name}: {name} is a bevel gear, which is written as .stl alone", param_hint="--export"
+            f"{target.name}: {name} is a bevel gear, which can only be written as .stl", param_hint="--export"
         )
     from pitchpoint.io.gear_export import export_bevel_gear
     from pitchpoint.io.target import check_target
@@ -57,7 +57,7 @@ def export_bevel(model: Model, name: str, target: Path, inputs: Sequence[str | P
 
 
 def print_bevel_gears(model: Model, only: str | None, *, quiet: bool) -> None:
-    """Show the geometry of bevel gears, one a column."""
+    """Print the geometry of bevel gears, one per column."""
     from pitchpoint.report.bevel_numbers import BEVEL_GEAR_ROWS, bevel_gear_numbers
 
     names = [n for n in model.bevel_gears if only in (None, n)]
@@ -77,7 +77,7 @@ def print_bevel_gears(model: Model, only: str | None, *, quiet: bool) -> None:
 
 
 def print_bevel_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
-    """Show the geometry of bevel meshes, one a column."""
+    """Print the geometry of bevel meshes, one per column."""
     from pitchpoint.report.bevel_numbers import BEVEL_PAIR_ROWS, BEVEL_STIFFNESS_ROWS, bevel_mesh_numbers
 
     names = [n for n, m in model.bevel_meshes.items() if only is None or only in m.gears]
@@ -89,6 +89,6 @@ def print_bevel_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
     notes = []
     for n in names:
         if numbers[n]["j_mt"] < 0.0:
-            notes.append(f"{n}: negative backlash, both flanks carry")
+            notes.append(f"{n}: negative backlash, both flanks carry load")
         notes += [f"{n}: {w}" for w in model.bevel_pairs[n].warnings(names=model.bevel_meshes[n].gears)]
     table("Bevel pairs", ["", *heads], rows, () if quiet else notes)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`--vary` of `run` and `sweep`: many variants of a model on all cores, into one table."""
+"""`--vary` of `run` and `sweep`: many variants of a model on all cores, with one results table."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def set_option(function: Any) -> Any:
 
 
 def with_settings(model: Model, settings: Sequence[str]) -> Model:
-    """The model with the values of `--set`."""
+    """Model with the values of `--set`."""
     changes: dict[str, Any] = {}
     for text in settings:
         path, sign, value = (part.strip() for part in split_at_path(text, model))
@@ -64,7 +64,7 @@ def with_settings(model: Model, settings: Sequence[str]) -> Model:
 
 
 def split_at_path(text: str, model: Model | None = None) -> tuple[str, str, str]:
-    """Split `PATH=VALUE` as `str.partition` does; names of the model may have an equals sign themselves."""
+    """Split `PATH=VALUE` like `str.partition`; names in the model may contain an equals sign."""
     if model is not None:
         from pitchpoint.model.numbers import has_path
 
@@ -75,14 +75,14 @@ def split_at_path(text: str, model: Model | None = None) -> tuple[str, str, str]
 
 
 def values_of(text: str, model: Model | None = None) -> tuple[str, list[Any]]:
-    """Read one `PATH=V1,V2`; commas inside brackets belong to a value.
+    """Read one `PATH=V1,V2`; commas inside brackets are part of a value.
 
     Parameters
     ----------
     text
-        What follows `--vary`.
+        Argument of `--vary`.
     model
-        Its names decide where the path ends if one of them has an equals sign.
+        Model whose names determine the end of the path if they contain an equals sign.
 
     Examples
     --------
@@ -105,7 +105,7 @@ def values_of(text: str, model: Model | None = None) -> tuple[str, list[Any]]:
 
 
 def _scalar(text: str, option: str = "--vary") -> Any:
-    """Read a value as a model file would: number, list, mapping or text."""
+    """Read a value as in a model file: number, list, mapping or text."""
     from pitchpoint.core.errors import PitchpointError
     from pitchpoint.io.yaml_tree import value_of
 
@@ -126,7 +126,7 @@ def run_varied(
     as_json: bool,
     quiet: bool,
 ) -> int:
-    """Run all combinations of the values, write the table, show or print it; gives the exit code."""
+    """Run all combinations of the values, write and print the table; return the exit code."""
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.core.errors import SolverError
     from pitchpoint.io.writing import how_it_ended
@@ -146,7 +146,7 @@ def run_varied(
     try:
         results, status, error = compute(model, file, name, target, cases, jobs=jobs, quiet=quiet)
     except (SolverError, KeyboardInterrupt) as stopped:
-        # the model cannot be compiled: no case was begun
+        # the model cannot be compiled: no case was started
         status, error = how_it_ended(stopped)[0], stopped
     wall_s = time.perf_counter() - begun
     if as_json:
@@ -170,7 +170,7 @@ def run_varied(
 
 
 def refuse_the_impossible(model: Model, cases: Sequence[dict[str, Any]]) -> None:
-    """Stop with all problems if no case can be run; single impossible cases only get a status."""
+    """Stop with all problems if no case can be run; single invalid cases only get a status."""
     from pitchpoint.core.errors import Message, ModelError
 
     problems: dict[Message, None] = {}
@@ -194,7 +194,7 @@ def compute(
     jobs: int | None = None,
     quiet: bool = False,
 ) -> tuple[list[CaseResult], str, BaseException | None]:
-    """Run cases into a file; gives the results, how it ended, and what stopped it or made cases fail."""
+    """Run cases into a file; return results, status, and the reason for a stop or for failed cases."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
@@ -227,7 +227,7 @@ def compute(
 
 
 def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
-    """Channels whose statistics go into the table, and the size of the sweeps."""
+    """Channels with statistics in the table, and the size of the sweeps."""
     from pitchpoint.system.compile import compile_model
 
     if scenario.sweep is not None:
@@ -244,12 +244,12 @@ def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], 
 
 
 def notes_of(results: Sequence[CaseResult]) -> list[str]:
-    """Notes on single cases, with their number."""
+    """Notes on single cases, with their numbers."""
     return [f"case {r.index}: {note}" for r in results for note in r.notes]
 
 
 def as_data(result: CaseResult) -> dict[str, Any]:
-    """Write a case as `--json` prints it."""
+    """Case in the form of `--json`."""
     from pitchpoint.cli.results import how_a_status_ends
 
     found: dict[str, Any] = {
@@ -269,7 +269,7 @@ def as_data(result: CaseResult) -> dict[str, Any]:
 
 
 def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> None:
-    """Show the mesh forces of each case next to its values; one row per case, of a roll one per mesh."""
+    """Print the mesh forces of each case next to its values; one row per case, for rolls one per mesh."""
     from pitchpoint.cli import roll
     from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK
@@ -313,16 +313,16 @@ def is_roll(result: CaseResult) -> bool:
 
 
 def meshes_of(result: CaseResult) -> list[str]:
-    """Names of the meshes of a case; a sweep has one without a name."""
+    """Names of the meshes of a case; a sweep has one unnamed mesh."""
     if result.points:
         return [""]
     return [n[len("deflection[") : -1] for n in result.channels if n.startswith("deflection[")]
 
 
 def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
-    """What people see of one mesh: as after a slow roll, or rms of the deflection, force and contact lost.
+    """Table cells of one mesh: results of a slow roll, or rms of the deflection, force and contact loss.
 
-    There are `count` cells, also of a case without numbers.
+    There are `count` cells, also for a case without numbers.
     """
     if is_roll(result):
         from pitchpoint.cli import roll
@@ -336,7 +336,7 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
         force = greatest(result.channels[f"mesh_force[{mesh}]"])
         share = result.channels[f"contact_state[{mesh}]"]["share_zero"]
-        # a case that failed before its window has no sample
+        # a case that failed before its window has no samples
         lost = NOTHING if math.isnan(share) else "yes" if share > 0.0 else "no"
     else:
         return [NOTHING] * count
@@ -344,7 +344,7 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
 
 
 def shortest(path: str, paths: Sequence[str]) -> str:
-    """Shortest end of a path that no other path shares.
+    """Shortest unambiguous end of a path.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint check`: report every problem of a file, or what will be simulated and what was assumed."""
+"""`pitchpoint check`: report all problems of a file, or its components and defaults."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DETAILED = (
     *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
     *("bevel_meshes", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
 )
-"""Sections that are shown in other ways than by the names of their components."""
+"""Sections that are not shown by the names of their components alone."""
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
 FREEDOMS = {
     "torsion": ("spin",),
@@ -52,7 +52,7 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
 
 
 def summary(model: Model) -> dict[str, Any]:
-    """Collect what will be simulated."""
+    """Data of the simulated model."""
     from pitchpoint.model.mechanism import seat_frame
     from pitchpoint.model.signals import HEAD, signal_lines
     from pitchpoint.report.defaults import defaults
@@ -73,7 +73,7 @@ def summary(model: Model) -> dict[str, Any]:
             "polar_inertia": inertia.polar,
             "transverse_inertia": inertia.transverse,
         }
-        if body.elastic is not None:  # only its file knows
+        if body.elastic is not None:  # defined by its file
             bodies[name] |= dict.fromkeys(("polar_inertia", "transverse_inertia"))
             bodies[name]["mass"] = facts[name][0]
     return {
@@ -126,13 +126,13 @@ def summary(model: Model) -> dict[str, Any]:
 
 
 def _freedoms(model: Model, body: str) -> list[str]:
-    """Coordinates of a body, in the words of its motion or its joint."""
+    """Coordinates of a body, in the terms of its motion or joint."""
     seat = model.mechanism.seats[body]
     return list(FREEDOMS[model.bodies[body].moves] if seat.joint is None else seat.coordinates)
 
 
 def _stations(model: Model) -> dict[str, dict[str, Any]]:
-    """Stations of the shafts with their places [m] and what sits there."""
+    """Stations of the shafts with their positions [m] and attached components."""
     from pitchpoint.model.shafts import nearest_station, seats_on_shafts, station_names
 
     found = {}
@@ -149,7 +149,7 @@ def _stations(model: Model) -> dict[str, dict[str, Any]]:
 
 
 def _joints(model: Model) -> dict[str, Any]:
-    """What every joint does: which body it carries on which, or that it closes a loop."""
+    """Function of every joint: carried and carrying body, or closure of a loop."""
     from pitchpoint.model.mechanism import rows_of
 
     found = {}
@@ -180,12 +180,12 @@ def _mobility(model: Model) -> dict[str, int]:
 
 
 def _modes(found: dict[str, Any]) -> str:
-    """Elastic bodies, whose modes only compiling counts."""
+    """Elastic bodies, whose number of modes is known only after compilation."""
     return f" without the modes of {', '.join(found['elastic_bodies'])}" if found["elastic_bodies"] else ""
 
 
 def _show_joints(found: dict[str, Any]) -> None:
-    """Tree, loops and count of the degrees of freedom."""
+    """Print tree, loops and number of degrees of freedom."""
     rows = [
         [
             name,
@@ -207,13 +207,13 @@ def _show_joints(found: dict[str, Any]) -> None:
     if count["constraints"]:
         show(
             f"{count['coordinates']} coordinates{_modes(found)} - {count['constraints']} constraints = "
-            f"{count['by_count']} degrees of freedom by count; redundant constraints leave more, which "
-            "assembling finds out"
+            f"{count['by_count']} degrees of freedom by count; redundant constraints, which assembly "
+            "detects, leave more"
         )
 
 
 def _direction(axis: list[float]) -> str:
-    """Name a direction: an axis of the world, or its parts along them.
+    """Direction in words: an axis of the world, or its components.
 
     Examples
     --------
@@ -227,24 +227,24 @@ def _direction(axis: list[float]) -> str:
 
 
 def _print(model: Model, file: str) -> None:
-    """Show the same to people."""
+    """Print the data as tables."""
     found = summary(model)
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
     _show_bodies(found)
     if found["masses"]:
         from pitchpoint.cli.mass import show_masses
 
-        show_masses("Masses known in several ways", found["masses"])
+        show_masses("Masses from several sources", found["masses"])
     for name, frequencies in found["elastic_frequencies"].items():
         listed = ", ".join(f"{f:.4g}" for f in frequencies)
-        show(f"{name}, unsupported, swings in {len(frequencies)} modes of {listed} Hz")
+        show(f"{name}, unsupported: {len(frequencies)} natural frequencies, {listed} Hz")
     rows = [
         [name, f"{round(1e3 * station['place'], 9):.6g}", ", ".join(station["there"])]
         for stations in found["shafts"].values()
         for name, station in stations.items()
     ]
     if rows:
-        table("Stations of shafts", ["station", "from the start [mm]", "what sits there"], rows)
+        table("Stations of shafts", ["station", "position [mm]", "attached"], rows)
     _show_joints(found)
     _show_meshes(found)
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
@@ -257,7 +257,7 @@ def _print(model: Model, file: str) -> None:
     assumed = found["defaults"]
     if assumed:
         rows = [[entry["key"], entry["value"]] for entry in assumed]
-        table("Defaults that apply", ["key", "value"], rows)
+        table("Defaults in effect", ["key", "value"], rows)
 
 
 def _show_bodies(found: dict[str, Any]) -> None:

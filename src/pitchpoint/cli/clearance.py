@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint clearance`: the room between the teeth of a stage, in numbers and pictures."""
+"""`pitchpoint clearance`: clearances between assembled gears, in numbers and pictures."""
 
 from __future__ import annotations
 
@@ -53,18 +53,18 @@ def clearance(
     if others:
         _print("Parts that do not mesh", others)
     if not stages and not others:
-        show(f"{file}: has no meshes of cylindrical gears, and no cylindrical gears next to each other")
+        show(f"{file}: no meshes of cylindrical gears and no adjacent cylindrical gears")
     tight = [room for stage in stages.values() for room in stage.rooms.values() if not room.fine]
     tight += [room for room in others if not room.fine]
     hit = sum(room.distance < -room.slack for room in tight)
     if tight:
-        show(f"{len(tight)} of the distances below their limits, {hit} of them overlaps")
+        show(f"{len(tight)} distances below their limits, of which {hit} overlap")
     if target is not None and not quiet:
         show(f"picture written to {target}")
 
 
 def _draw(stages: dict[str, Stage], target: Path) -> None:
-    """Write the pictures of all meshes below each other."""
+    """Write the drawings of all meshes into one picture."""
     from pitchpoint.io.target import SVG_MARK, write_file
     from pitchpoint.viz.clearance_drawing import Place, clearances_svg
 
@@ -87,7 +87,7 @@ def _print(title: str, rooms: list[Room], notes: tuple[str, ...] = ()) -> None:
     rows = []
     for room in rooms:
         small = abs(room.distance) <= room.slack
-        judged = "fine" if room.fine else "overlap" if room.distance < 0.0 else "below the limit"
+        judged = "OK" if room.fine else "overlap" if room.distance < 0.0 else "below the limit"
         distance = "0 µm" if small else shown(room.distance, "length", 5)
         limit = "0 µm" if room.limit == 0.0 else shown(room.limit, "length", 5)
         rows.append([room.words, distance, limit, judged])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Columns of tables for people: where their cells may be broken, and how they fit into a given width.
+"""Column layout of printed tables: line breaks in cells, and fit to a given width.
 
-Cells are broken between words, long keys at their dots and brackets if need be; a number stays with its unit.
-Columns that do not fit side by side go below each other.
+Cells are broken between words, long keys at dots and brackets if necessary; a number stays with its unit.
+Columns that do not fit next to each other are continued below.
 """
 
 from __future__ import annotations
@@ -12,26 +12,26 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 BESIDE, EDGES = 3, 2
-"""Characters between two columns and at both ends of a table."""
+"""Characters between columns and at both ends of a table."""
 KEY = 20
-"""Width that a first column keeps, if its cells are that long: what is narrower is hard to read."""
+"""Minimum width of the first column for long cells."""
 _FIRST = tuple("0123456789-+–")
 _NUMBER = re.compile(r"[-+]?\d[\d.e+-]*")
 _GO_ON = ("N", "kN", "kg", "m", "s")
-"""Units that may have another one behind them, as in 12 N m."""
+"""Units that another unit may follow, as in 12 N m."""
 _INSIDE = re.compile(r"(?<=[.,/])|(?=\[)")
 
 
 @dataclass
 class Column:
-    """One column of words or of numbers.
+    """Column of text or numbers.
 
     Parameters
     ----------
     heading, cells
-        Its texts.
+        Heading and cells.
     first
-        Whether it names the row.
+        Whether it is the row heading.
     """
 
     heading: str
@@ -46,20 +46,20 @@ class Column:
         self.words = self.first or 2 * numbers < len(self.cells)
 
     def least(self, *, inside: bool) -> int:
-        """Width that it needs if cells are broken between words, or also inside long keys."""
+        """Required width if cells are broken between words, or also inside long keys."""
         parts = [p for cell in self.cells for p in self._pieces(cell)] + pieces(self.heading)
         if inside and self.words:
             parts = [p for part in parts for p in _INSIDE.split(part)]
         return max(max(map(len, parts), default=0), min(self.width, KEY) if self.first else 0)
 
     def lines(self, text: str) -> str:
-        """A cell or the heading, with line breaks where it is wider than the column."""
+        """Cell or heading with line breaks for the width of the column."""
         if len(text) <= self.width:
             return text
         return wrap(pieces(text) if text == self.heading else self._pieces(text), self.width)
 
     def _pieces(self, cell: str) -> list[str]:
-        """What of a cell stays in one piece; of numbers whole entries of a list."""
+        """Unbreakable pieces of a cell; for numbers the entries of a list."""
         return pieces(cell) if self.words else re.split(r"(?<=,) ", cell)
 
 
@@ -75,7 +75,7 @@ def total(widths: Sequence[int]) -> int:
 
 
 def groups(columns: Sequence[Column], room: int, keys: int = 1) -> list[list[int]]:
-    """Columns that are side by side, by their indices; each group begins with the first `keys`."""
+    """Groups of columns next to each other, by index; each group begins with the first `keys`."""
     least = [column.least(inside=True) for column in columns]
     front = list(range(keys))
     found = [list(front)]
@@ -87,7 +87,7 @@ def groups(columns: Sequence[Column], room: int, keys: int = 1) -> list[list[int
 
 
 def fit(columns: Sequence[Column], room: int) -> None:
-    """Make columns narrower, the widest first, until they have room or none can become narrower."""
+    """Narrow the columns, widest first, until they fit or are at their minimum."""
     for inside in (False, True):
         least = [column.least(inside=inside) for column in columns]
         while total([column.width for column in columns]) > room:
@@ -98,7 +98,7 @@ def fit(columns: Sequence[Column], room: int) -> None:
 
 
 def pieces(text: str) -> list[str]:
-    """Split a text into what stays in one piece: words, and numbers with their unit.
+    """Split a text into unbreakable pieces: words, and numbers with their units.
 
     Examples
     --------
@@ -122,7 +122,7 @@ def pieces(text: str) -> list[str]:
 
 
 def wrap(parts: Sequence[str], width: int) -> str:
-    """Put pieces into lines of a width, those that are too long in parts of their own.
+    """Wrap pieces into lines of a width; pieces that are too long are split.
 
     Examples
     --------

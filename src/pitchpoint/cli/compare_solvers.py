@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint compare-solvers`: accuracy against processor time of all integrators and forms on one model."""
+"""`pitchpoint compare-solvers`: accuracy over processor time of all integrators and formulations."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def compare_solvers(
 def compute(
     model: Model, name: str, target: Path | None, limit_s: float, *, quiet: bool
 ) -> tuple[dict[str, Any], None]:
-    """Compare on one scenario; gives what `compare-solvers --json` prints."""
+    """Compare the integrators on one scenario; return the output of `compare-solvers --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK, sentence
@@ -90,7 +90,7 @@ def compute(
 
 
 def rows_of(found: Comparison) -> list[dict[str, Any]]:
-    """Collect what `--json` prints of each run."""
+    """Output of `--json` for each run."""
     from pitchpoint.cli.results import how_a_status_ends
 
     return [
@@ -99,14 +99,14 @@ def rows_of(found: Comparison) -> list[dict[str, Any]]:
 
 
 def _draw(target: Path, runs: list[dict[str, Any]], title: str) -> None:
-    """Write the page with the curves."""
+    """Write the page with the work-precision curves."""
     from pitchpoint.viz.work_precision import plot_work_precision
 
     write_figure(target, plot_work_precision(runs, title))
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
-    """Show the runs as a table, those that failed with their sentence below it."""
+    """Print the runs as a table, with the reasons of failed runs below it."""
     cells, notes = [], []
     last = ""
     for run in summary["runs"]:

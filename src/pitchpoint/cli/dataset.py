@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint dataset`: labelled data of many cases of a model, one file per case and a table of all."""
+"""`pitchpoint dataset`: labelled data set of many cases of a model, one file per case and a common table."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ if TYPE_CHECKING:
     from pitchpoint.sweep.dataset import CaseRecord
 
 REFRESH = 10.0
-"""How often the table is renewed while cases are computed [s]."""
+"""Interval at which the table is rewritten during the computation [s]."""
 MOST_FAILURES = 5
 PROBE = 0.05
-"""Simulated time of the shorter of two pieces from which `--dry-run` extrapolates [s]."""
+"""Simulated time of the shorter of the two runs from which `--dry-run` extrapolates [s]."""
 
 
 def _shard(_: click.Context, __: click.Parameter, text: str | None) -> tuple[int, int]:
@@ -100,14 +100,14 @@ def dataset(
     elif not quiet:
         show(f"{summary['finished']} of {len(cases)} cases are in {folder.path}, the table is {table.path}")
         if others := folder.others(key for _, key in cases):
-            show(f"note: {others} files there belong to other shards, plans or versions")
+            show(f"note: {others} files in the folder are from other shards, plans or versions")
         for words in table.failures()[:MOST_FAILURES]:
             show(words)
     return OK if error is None else exit_code_of(error)
 
 
 def checked(plan: DatasetPlan, allow_code: bool, quiet: bool) -> tuple[DatasetPlan, Model]:
-    """Plan, checked against the model that it names, and the model."""
+    """Plan, checked against its model, and the model."""
     from pitchpoint.cli.reading import read_model
     from pitchpoint.core.errors import Message, ModelError
     from pitchpoint.model.reading.dataset_plan import check_plan
@@ -117,7 +117,7 @@ def checked(plan: DatasetPlan, allow_code: bool, quiet: bool) -> tuple[DatasetPl
     if not path.is_file():
         line = plan.lines.get(("model",))
         problem = Message(
-            "model", "there is no such file", str(path), None, "name it from the plan's folder", line
+            "model", "file not found", str(path), None, "give the path relative to the plan", line
         )
         raise ModelError([problem], plan.file)
     model = read_model(str(path), allow_code, quiet)
@@ -138,7 +138,7 @@ def compute(
     jobs: int | None,
     quiet: bool,
 ) -> BaseException | None:
-    """Compute the cases that are left; gives what keeps the data set from being whole."""
+    """Compute the remaining cases; return the reason why the data set is incomplete, or None."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.core.errors import SolverError
     from pitchpoint.core.provenance import content_hash
@@ -149,7 +149,7 @@ def compute(
     digest = content_hash(model)
 
     def keep(record: CaseRecord) -> None:
-        """Write a case, unless it was cut short."""
+        """Write a case, unless it was interrupted."""
         if record.status not in (INTERRUPTED, DIED):  # those are computed again
             folder.write(record, header_of(plan, model, digest, record), plan.sample_rate, plan.samples)
 
@@ -158,7 +158,7 @@ def compute(
         progress(0, len(todo))
 
         def take(record: CaseRecord) -> None:
-            """Count a case and show how far the set is."""
+            """Count a case and show the progress."""
             table.put(record)
             failed = f"{table.failed} failed" if table.failed else ""
             progress(table.done, len(todo), failed)
@@ -168,7 +168,7 @@ def compute(
         except OutputError as error:
             with contextlib.suppress(OutputError):
                 table.write()
-            raise OutputError(f"{error}; the cases before it are kept; fix this and rerun") from error
+            raise OutputError(f"{error}; previous cases are retained; fix this and rerun") from error
     table.write()
     if not whole:
         return SolverError(f"{sentence(INTERRUPTED)}; rerun to continue", INTERRUPTED, str(folder.path))
@@ -180,7 +180,7 @@ def compute(
 
 
 def header_of(plan: DatasetPlan, model: Model, digest: str, record: CaseRecord) -> Header:
-    """Provenance and labels of a case; nothing in it depends on when or where it was computed."""
+    """Provenance and labels of a case, independent of time and place of the computation."""
     from pitchpoint.io.container import Header
     from pitchpoint.sweep.dataset import lead, treatment
 
@@ -207,7 +207,7 @@ def header_of(plan: DatasetPlan, model: Model, digest: str, record: CaseRecord) 
 
 
 class Table:
-    """Table of the cases: a row each, renewed every few seconds."""
+    """Table of the cases, one row each, rewritten every few seconds."""
 
     def __init__(
         self,
@@ -236,7 +236,7 @@ class Table:
         self._written = time.monotonic()
 
     def put(self, record: CaseRecord) -> None:
-        """Take in a case that was computed."""
+        """Add a computed case."""
         from pitchpoint.core.status import OK
 
         self.done += 1
@@ -271,7 +271,7 @@ class Table:
         self._written = time.monotonic()
 
     def summary(self) -> dict[str, Any]:
-        """How many cases ended in which way."""
+        """Number of cases by status."""
         ways = [row["status"] for row in self.rows.values()]
         return {"table": str(self.path), **{w: ways.count(w) for w in ("finished", "failed", "waiting")}}
 
@@ -283,7 +283,7 @@ class Table:
 def forecast(
     plan: DatasetPlan, model: Model, todo: Sequence[tuple[PlannedCase, str]], jobs: int | None
 ) -> dict[str, Any]:
-    """Size and time of what is left, from a short piece of the first case."""
+    """Size and computing time of the remaining cases, extrapolated from a short run of the first case."""
     import os
     from dataclasses import replace
 
@@ -302,7 +302,7 @@ def forecast(
         spent.append(time.perf_counter() - begun)
         sizes.append(lead(piece) + piece.samples + reach(piece))
     whole = lead(plan) + plan.samples + reach(plan)
-    # making a system takes as long for a long case as for a short one
+    # the time to compile a system does not depend on the duration
     slope = (spent[2] - spent[1]) / (sizes[2] - sizes[1]) if sizes[2] > sizes[1] else 0.0
     each = spent[2] + max(slope, 0.0) * (whole - sizes[2])
     threads = min(jobs or os.cpu_count() or 1, len(todo))
@@ -311,14 +311,14 @@ def forecast(
 
 
 def forecast_words(summary: Mapping[str, Any]) -> str:
-    """Give the time and size of a data set in words."""
+    """Time and size of a data set in words."""
     from pitchpoint.cli.progress import duration_text
 
     size = summary["bytes"] / 1e6
-    text = f"{summary['cases']} cases, {summary['known']} of them computed already, {summary['left']} left"
+    text = f"{summary['cases']} cases, {summary['known']} completed, {summary['left']} remaining"
     if not summary["left"]:
         return text
     return (
         f"{text}: at most {size:.3g} MB in {summary['output']}, about {duration_text(summary['seconds'])} "
-        f"on {summary['jobs']} cores (from a short piece of the first: {summary['first_case']})"
+        f"on {summary['jobs']} cores (extrapolated from a short run of the first: {summary['first_case']})"
     )

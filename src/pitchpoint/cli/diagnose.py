@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint diagnose`: which shaft, gear or bearing shows damage in a record, with the evidence."""
+"""`pitchpoint diagnose`: damaged shafts, gears and bearings in a record, with evidence."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
     if options["pulses"] is not None and options["tacho"] is None:
         raise click.UsageError("--pulses requires --tacho CHANNEL")
     if options["tacho"] is not None and options["pulses"] is None:
-        raise click.UsageError("--tacho needs --pulses N, the pulses in one turn")
+        raise click.UsageError("--tacho requires --pulses N, the pulses per revolution")
     given = [flag for flag in ("tacho", "angle") if options[flag] is not None]
     if len(given) > 1:
         raise click.UsageError("--tacho and --angle give the same quantity; omit one of them")
@@ -99,7 +99,7 @@ def diagnose(file: str, as_json: bool, quiet: bool, **options: Any) -> None:
 
 
 def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
-    """The page to write, looked at before anything is computed."""
+    """Check the name of the page before anything is computed."""
     from pitchpoint.core.errors import Message
     from pitchpoint.io.target import OutputError, check_target
 
@@ -115,7 +115,7 @@ def _page_target(path: str | None, inputs: list[str | None]) -> Path | None:
 
 
 def _print(found: Study, quiet: bool) -> None:
-    """Show findings and tests to people."""
+    """Print findings and tests."""
     from pitchpoint.report.diagnosis.words import NEVER, outcome, percent, unit_of, what_is_tested
 
     for number, text in enumerate(found.sentences):

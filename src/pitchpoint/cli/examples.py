@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint examples`: list the examples that come with the package, copy one to work on."""
+"""`pitchpoint examples`: list the examples of the package or copy one."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import click
 from pitchpoint.cli.options import as_json, debug
 from pitchpoint.cli.output import emit_json, show, table
 
-# What an example leaves behind when it is run in place.
+# Files that runs of an example create.
 _LEFTOVERS = ("build", "__pycache__", "*.h5", "*.html", "*.pyc", ".*")
 
 
 def examples_folder() -> Path:
-    """Find the examples: inside the installed package, or in the source tree it was installed from."""
+    """Locate the examples: in the installed package, or in its source tree."""
     package = Path(__file__).resolve().parents[1]
     for folder in (package / "examples", package.parents[1] / "examples"):
         if folder.is_dir():
@@ -25,7 +25,7 @@ def examples_folder() -> Path:
 
 
 def example_names() -> list[str]:
-    """Names of the examples: folders with a page and at least one model file."""
+    """Names of the examples: folders with a README and at least one model file."""
     return sorted(
         folder.name
         for folder in examples_folder().iterdir()
@@ -34,7 +34,7 @@ def example_names() -> list[str]:
 
 
 def title_of(folder: Path) -> str:
-    """Read the first heading of an example's page."""
+    """First heading of the README of an example."""
     for line in (folder / "README.md").read_text(encoding="utf-8").splitlines():
         if line.startswith("# "):
             return line[2:].strip()
@@ -63,7 +63,7 @@ def list_examples(as_json: bool) -> None:
         emit_json({"examples": rows})
         return
     cells = [[str(row["name"]), str(row["title"]), ", ".join(row["files"])] for row in rows]
-    table("Examples", ["name", "what it shows", "model files"], cells)
+    table("Examples", ["name", "topic", "model files"], cells)
     show("Copy one with: pitchpoint examples copy NAME [DIR]")
 
 

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From an exception to a sentence on stderr and an exit code.
+"""Translation of exceptions to a message on stderr and an exit code.
 
 | code | meaning |
 |---|---|
-| 0 | fine |
-| 1 | a fault of pitchpoint itself (or stdout was closed early) |
-| 2 | bad input: command line, model file, units, impossible gears, unreadable files |
-| 3 | the computation failed, or the disk is full or broken; what was computed is kept |
-| 129 | the terminal was closed (SIGHUP); what was computed is kept |
-| 130 | interrupted with Ctrl-C; what was computed is kept |
-| 143 | terminated with SIGTERM; what was computed is kept |
+| 0 | success |
+| 1 | internal error of pitchpoint (or stdout was closed early) |
+| 2 | invalid input: command line, model file, units, impossible gears, unreadable files |
+| 3 | the computation failed, or the disk is full or defective; partial results are kept |
+| 129 | the terminal was closed (SIGHUP); partial results are kept |
+| 130 | interrupted with Ctrl-C; partial results are kept |
+| 143 | terminated with SIGTERM; partial results are kept |
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         error.show(file=sys.stderr)
         return BAD_INPUT
     if isinstance(error, KeyboardInterrupt | click.Abort):
-        say("interrupted; what was computed so far is kept")
+        say("interrupted; partial results are kept")
         return code_of_interruption()
     if isinstance(error, SolverError):
         return _failed(error)
@@ -53,21 +53,21 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         return FAILED
     if isinstance(error, OSError) and is_disk_fault(error):
         name = f"{error.filename}: " if error.filename is not None else ""
-        say(f"error: {name}cannot be written ({error.strerror}); make room there and run again")
+        say(f"error: {name}cannot be written ({error.strerror}); free disk space and rerun")
         return FAILED
     if isinstance(error, OSError) and error.filename is not None:
         say(f"error: {error.filename}: {(error.strerror or 'cannot be used').lower()}")
         return BAD_INPUT
     say(
         f"internal error: {type(error).__name__}: {error}\n"
-        "This is a fault of pitchpoint, not of your input. Please report it as described in the README,\n"
-        "with the command, the model file and what the same command prints with --debug."
+        "This is a bug in pitchpoint, not in your input. Please report it as described in the README,\n"
+        "with the command, the model file and the output of the same command with --debug."
     )
     return FAULT
 
 
 def _failed(error: BaseException) -> int:
-    """Report a failed or interrupted computation, with its status and where its result lies."""
+    """Report a failed or interrupted computation, with its status and the file of partial results."""
     from pitchpoint.core import status as st
 
     code = getattr(error, "status", st.DIED)
@@ -75,17 +75,17 @@ def _failed(error: BaseException) -> int:
     say(f"{'interrupted' if interrupted else 'computation failed'} (status {code}): {error}")
     partial = getattr(error, "partial", None)
     if isinstance(partial, str | os.PathLike):
-        say(f"  what was computed before is in {os.fspath(partial)}")
+        say(f"  partial results are in {os.fspath(partial)}")
     return code_of_interruption() if interrupted else FAILED
 
 
 def say(text: str) -> None:
-    """Write a line to stderr, whatever characters the terminal knows."""
+    """Write a line to stderr; characters that the terminal does not support are replaced."""
     click.echo(text, err=True)
 
 
 def show_warnings_plainly() -> None:
-    """Show warnings as one line each on stderr: without file names, and each of them once."""
+    """Show each warning once as a line on stderr, without file names."""
 
     def show(
         message: Warning | str,
@@ -95,7 +95,7 @@ def show_warnings_plainly() -> None:
         file: object = None,
         line: str | None = None,
     ) -> None:
-        """Write a warning on validity; others stay silent."""
+        """Write a validity warning; others are ignored."""
         from pitchpoint.core.errors import ValidityWarning
 
         if issubclass(category, ValidityWarning):

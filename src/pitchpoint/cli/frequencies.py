@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint frequencies`: where shafts, teeth, planets and rolling bearings show themselves in a
-spectrum."""
+"""`pitchpoint frequencies`: kinematic frequencies of shafts, teeth, planets and rolling bearings."""
 
 from __future__ import annotations
 
@@ -70,7 +69,7 @@ def frequencies(
         driven = model.scenarios[scenario].drive
     spins = turning_speeds(model, speeds, driven=driven)
     if not any(spins.values()):
-        where = f"scenario {scenario}: nothing turns" if scenario else "nothing turns"
+        where = f"scenario {scenario}: nothing rotates" if scenario else "nothing rotates"
         raise click.UsageError(f"{where}; give a speed, such as --speed {next(iter(model.bodies))}=1500rpm")
     found = {"scenario": scenario, **frequencies_of(model, spins), "remarks": remarks}
     if as_json:
@@ -80,11 +79,11 @@ def frequencies(
 
 
 def _scenario(model: Model, name: str | None) -> str:
-    """Find the scenario that gives the speeds."""
+    """Scenario that defines the speeds."""
     from pitchpoint.cli.results import known_scenario
 
     if not model.bodies:
-        raise click.UsageError("the file has no bodies, so nothing turns; add bodies that carry the gears")
+        raise click.UsageError("the file has no bodies, so nothing rotates; add bodies for the gears")
     if name is None and len(model.scenarios) == 1:
         return next(iter(model.scenarios))
     if name is None:
@@ -94,12 +93,12 @@ def _scenario(model: Model, name: str | None) -> str:
 
 
 def _print(model: Model, found: Mapping[str, Any], *, quiet: bool) -> None:
-    """Show the same to people."""
+    """Print the data as tables."""
     rows = [
         [name, ", ".join(row["gears"]), _speed(row["speed"]), _hertz(row["frequency"])]
         for name, row in found["shafts"].items()
     ]
-    table(f"{model.title or 'Model'}: shafts", ["body", "gears", "speed in space", "frequency"], rows)
+    table(f"{model.title or 'Model'}: shafts", ["body", "gears", "absolute speed", "frequency"], rows)
     rows = [
         [
             name,
@@ -113,7 +112,7 @@ def _print(model: Model, found: Mapping[str, Any], *, quiet: bool) -> None:
         carried = ["carried by"] if found["planet_sets"] else []
         heads = ["mesh", "gears (teeth)", *carried, "mesh frequency", "assembly phase", "hunting tooth"]
         table("Meshes", heads, rows)
-        table("One tooth of a gear meets", ["gear", "each mate", "mates", "all mates"], _teeth(found))
+        table("Contacts of one tooth", ["gear", "with each mate", "mates", "with all mates"], _teeth(found))
     _print_planets(found["planet_sets"])
     rows = [
         [
@@ -131,7 +130,7 @@ def _print(model: Model, found: Mapping[str, Any], *, quiet: bool) -> None:
 
 
 def _teeth(found: Mapping[str, Any]) -> list[list[str]]:
-    """Rows of how often a tooth meets its mates."""
+    """Rows of contact frequencies of a tooth with its mates."""
     rows = []
     for name, row in found["gears"].items():
         rates = list(row["tooth_meets"].values())
@@ -142,14 +141,14 @@ def _teeth(found: Mapping[str, Any]) -> list[list[str]]:
 
 
 def _print_planets(sets: Mapping[str, Any]) -> None:
-    """Show carriers and the phases of their planets."""
+    """Print carriers and the phases of their planets."""
     rows = [
         [name, ", ".join(row["planets"]), _hertz(row["frequency"]), _hertz(row["planet_pass"])]
         for name, row in sets.items()
     ]
     if not rows:
         return
-    table("Planet sets", ["carrier", "planets", "turns", "planets pass"], rows)
+    table("Planet sets", ["carrier", "planets", "rotation", "planet passing"], rows)
     rows = [
         [
             f"{gear} on {name}",
@@ -159,7 +158,7 @@ def _print_planets(sets: Mapping[str, Any]) -> None:
         for name, entry in sets.items()
         for gear, row in entry["central"].items()
     ]
-    table("Phases of the meshes", ["central gear", "parts of a mesh cycle", "harmonics 1, 2, 3 excite"], rows)
+    table("Mesh phases", ["central gear", "phases [mesh cycles]", "excited by harmonics 1, 2, 3"], rows)
 
 
 def _hertz(frequency: float) -> str:

@@ -66,7 +66,7 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
     from pitchpoint.io.target import check_target
 
     if options["to"] is None:
-        raise click.UsageError("--to is needed: the highest frequency, such as --to '2 kHz'")
+        raise click.UsageError("--to is required: the highest frequency, such as --to '2 kHz'")
     model = read_model(file, allow_code, quiet)
     scenario = options["scenario"]
     name = known_scenario(model, scenario) if scenario is not None else None
@@ -84,7 +84,7 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
 
 
 def frequencies(low: float | None, high: float, points: int, linear: bool) -> list[float]:
-    """Frequencies from low to high [Hz].
+    """Frequencies in ascending order [Hz].
 
     Examples
     --------
@@ -100,7 +100,7 @@ def frequencies(low: float | None, high: float, points: int, linear: bool) -> li
 def compute(
     model: Model, file: str, name: str | None, target: Path | None, options: dict[str, Any], *, quiet: bool
 ) -> tuple[dict[str, Any], None]:
-    """Find the response, write it if there is a file to write; gives what `frf --json` prints."""
+    """Compute the response and write it if requested; return the output of `frf --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.status import OK, sentence
@@ -141,7 +141,7 @@ def compute(
 
 
 def _draw(path: Path, found: FrequencyResponse) -> None:
-    """Write amplitude and phase as a page."""
+    """Write a page with amplitude and phase."""
     from pitchpoint.viz.frequency_response_plot import plot_frequency_response
 
     units = [f"{o}/({i})" if " " in i else f"{o}/{i}" for o in found.output_units for i in found.input_units]
@@ -150,7 +150,7 @@ def _draw(path: Path, found: FrequencyResponse) -> None:
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
-    """Show where every response is largest."""
+    """Print the maximum of every response."""
     import numpy as np
 
     size = np.hypot(np.array(summary["real"]), np.array(summary["imag"]))
@@ -168,7 +168,7 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
                     f"{size[0, o, i]:.5g} {unit}",
                 ]
             )
-    table(title, ["response", "largest", "at", f"at {shown(hertz[0], 'frequency', 4)}"], cells)
+    table(title, ["response", "maximum", "at", f"at {shown(hertz[0], 'frequency', 4)}"], cells)
     if not quiet:
         show_notes(summary["notes"])
         if summary["output"] is not None:
@@ -180,7 +180,7 @@ def store(path: Path, header: Header, found: FrequencyResponse) -> None:
     from pitchpoint.io.tables import Axis, Quantity, write_tables
 
     axes = [
-        Axis("frequency", found.frequency.tolist(), unit="Hz", long_name="frequency of the excitation"),
+        Axis("frequency", found.frequency.tolist(), unit="Hz", long_name="excitation frequency"),
         Axis("output", list(found.outputs)),
         Axis("input", list(found.inputs)),
     ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint gears`: geometry of every gear and pair of a file, measures for the workshop, drawings."""
+"""`pitchpoint gears`: geometry of all gears and pairs of a file, inspection dimensions, drawings."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ MEASURES = (
     ("tip_thickness", "normal tip thickness", "length"),
     ("span_teeth", "teeth (internal: spaces) spanned", "dimensionless"),
     ("span", "span", "length"),
-    ("span_measurable", "face wide enough for the span", "dimensionless"),
+    ("span_measurable", "face wide enough for the span measurement", "dimensionless"),
     ("ball_diameter", "ball diameter (touches at d + 2 x m_n)", "length"),
     ("dimension_over_balls", "dimension over balls", "length"),
 )
 FORMATS = (".dxf", ".svg", ".stl", ".csv", ".step", ".stp")
 SHAFT_FORMATS = (".stl", ".step", ".stp")
 POINTS_A_FLANK = 20
-"""Points of a flank in drawings and solids where the gear gives no information."""
+"""Points per flank in drawings and solids if the gear does not define them."""
 
 
 @click.command()
@@ -60,12 +60,12 @@ def gears(
     model = read_model(file, allow_code, quiet)
     if shaft is not None and (target is None or only is not None):
         raise click.BadParameter(
-            "is for --export" if target is None else "cannot be combined with --gear", param_hint="--shaft"
+            "requires --export" if target is None else "cannot be combined with --gear", param_hint="--shaft"
         )
     if preview is not None:
         if target is not None:
             raise click.BadParameter(
-                "cannot be combined with --export; one of them at a time", param_hint="--preview"
+                "cannot be combined with --export; omit one of them", param_hint="--preview"
             )
         drawn = _chosen(model, only)
         _preview(model, drawn, Path(preview), [file, *_profiles(model, file)])
@@ -104,7 +104,7 @@ def gears(
 
 
 def _chosen(model: Model, name: str | None) -> str:
-    """Find the gear that is meant."""
+    """Name of the selected gear."""
     names = [*model.gears, *model.bevel_gears]
     if name is None and len(names) == 1:
         return names[0]
@@ -112,7 +112,7 @@ def _chosen(model: Model, name: str | None) -> str:
 
 
 def _profiles(model: Model, file: str) -> list[Path]:
-    """Files with measured teeth and solids that the model file names."""
+    """Files of measured teeth and solids named in the model file."""
     profiles = [gear.tooth_profile for gear in model.gears.values() if gear.tooth_profile is not None]
     names = [getattr(profile, part).file for profile in profiles for part in profile.given]
     solids = [part.solid for part in model.gears.values()]
@@ -125,10 +125,10 @@ def _profiles(model: Model, file: str) -> list[Path]:
 
 
 def _export(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> None:
-    """Write the drawing of one gear in the format of the file's ending."""
+    """Write the drawing of one gear in the format of the file extension."""
     if target.suffix.lower() not in FORMATS:
         raise click.BadParameter(
-            f"{target.name} has no known ending; use {', '.join(FORMATS)}", param_hint="--export"
+            f"{target.name} has no supported extension; use {', '.join(FORMATS)}", param_hint="--export"
         )
     from pitchpoint.io.gear_export import export_gear
     from pitchpoint.io.target import check_target
@@ -149,7 +149,7 @@ def _preview(model: Model, name: str, target: Path, inputs: Sequence[str | Path]
     """Draw the teeth of one gear."""
     if name in model.bevel_gears:
         raise click.BadParameter(
-            f"{name} is a bevel gear, whose teeth lie in no plane; pitchpoint view shows them",
+            f"{name} is a bevel gear without a plane tooth profile; pitchpoint view shows its teeth",
             param_hint="--preview",
         )
     if target.suffix.lower() != ".svg":
@@ -168,16 +168,16 @@ def _preview(model: Model, name: str, target: Path, inputs: Sequence[str | Path]
 
 
 def _kind(target: Path) -> str:
-    """Name of the kind of file that an ending means."""
+    """Kind of file for an extension."""
     return target.suffix.lower()[1:].replace("stp", "step")
 
 
 def _export_shaft(model: Model, name: str, target: Path, inputs: Sequence[str | Path]) -> str:
-    """Write the solid of one elastic shaft; gives its name."""
+    """Write the solid of one elastic shaft; return its name."""
     known = one_of(name, list(model.shafts), "shaft")
     if target.suffix.lower() not in SHAFT_FORMATS:
         raise click.BadParameter(
-            f"{target.name} has no ending of a solid; use {', '.join(SHAFT_FORMATS)}", param_hint="--export"
+            f"{target.name} has no solid extension; use {', '.join(SHAFT_FORMATS)}", param_hint="--export"
         )
     from pitchpoint.io.gear_export import export_shaft
     from pitchpoint.io.target import check_target
@@ -226,7 +226,7 @@ def _print_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
                 f"for this centre distance without backlash it would be {needed:.4f}"
             )
         if numbers[n]["j_bt"] < 0.0:
-            notes.append(f"{n}: negative backlash, both flanks carry")
+            notes.append(f"{n}: negative backlash, both flanks carry load")
         pair = model.pairs[n]
         notes += [f"{n}: {w}" for w in pair.warnings(names=model.meshes[n].gears)]
     table("Pairs", ["", *heads], rows, () if quiet else notes)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The few numbers of an analysis that people look for first."""
+"""Main numbers of the result of an analysis."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _PEAKS = 8
 
 
 def highlights(result: xr.Dataset) -> list[list[str]]:
-    """Rows of name, value and place: peaks of a spectrum, else single numbers and the tops of curves.
+    """Rows of name, value and position: peaks of a spectrum, else single numbers and maxima of curves.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def highlights(result: xr.Dataset) -> list[list[str]]:
 
 
 def _levels(result: xr.Dataset) -> list[list[str]]:
-    """Share of the energy in each level, with its band."""
+    """Energy share of each level, with its band."""
     return [
         [str(name), _percent(share), f"{span(*band)}, {int(count)} coefficients"]
         for name, share, band, count in zip(
@@ -61,31 +61,31 @@ def _levels(result: xr.Dataset) -> list[list[str]]:
 
 
 def _packets(result: xr.Dataset) -> list[list[str]]:
-    """The bands with most of the energy."""
+    """Bands with the largest energy shares."""
     share, band = result["energy_share"].values, result["band"].values
     largest = np.argsort(-share, kind="stable")[:_PEAKS]
     return [[f"share {k}", _percent(share[i]), span(*band[i])] for k, i in enumerate(largest, start=1)]
 
 
 def _scalogram(result: xr.Dataset) -> list[list[str]]:
-    """The largest amplitude, and how far the ends of the record reach."""
-    return [_top(result, "amplitude"), ["ends reach up to", *_top(result, "edge")[1:]]]
+    """Maximum amplitude, and extent of the edge effects."""
+    return [_top(result, "amplitude"), ["edge effects up to", *_top(result, "edge")[1:]]]
 
 
 def _kurtogram(result: xr.Dataset) -> list[list[str]]:
-    """The band where impacts stand out most."""
+    """Band in which impacts stand out most."""
     kurtosis, spread = float(result["best_kurtosis"]), float(result["best_spread"])
     band = span(float(result["best_low"]), float(result["best_high"]))
     return [
-        ["largest kurtosis", shown(kurtosis, ""), band],
-        ["its spread in Gaussian noise", shown(spread, ""), f"{number(kurtosis / spread, 3)} times as much"],
+        ["maximum kurtosis", shown(kurtosis, ""), band],
+        ["its standard deviation in noise", shown(spread, ""), f"ratio {number(kurtosis / spread, 3)}"],
     ]
 
 
 def _period(result: xr.Dataset) -> list[list[str]]:
-    """The period, or that there is none, and how sure that is."""
+    """Detected period, if any, with its significance."""
     limit = f"limit {number(float(result['false_alarm']))}"
-    chance = ["chance in noise alone", number(float(result["p_value"]), 3), limit]
+    chance = ["probability in noise", number(float(result["p_value"]), 3), limit]
     if not bool(result["found"]):
         return [["period", "nothing found", ""], chance]
     deviation = f"standard deviation {shown(float(result['deviation']), 's')}"
@@ -98,7 +98,7 @@ def _period(result: xr.Dataset) -> list[list[str]]:
 
 
 def _evidence(result: xr.Dataset) -> list[list[str]]:
-    """Chance of each period in noise alone."""
+    """Probability of each period in noise."""
     columns = (result[n].values for n in ("period", "p_value", "turns", "lines"))
     rows = []
     for period, chance, turns, lines in zip(*columns, strict=True):
@@ -106,9 +106,9 @@ def _evidence(result: xr.Dataset) -> list[list[str]]:
         known = bool(np.isfinite(chance))
         rows.append(
             [
-                f"chance in noise of {shown(float(period), 's')}",
+                f"probability in noise of {shown(float(period), 's')}",
                 number(float(chance), 3) if known else "not known",
-                seen if known else f"{seen}: too few to decide; a longer record has more",
+                seen if known else f"{seen}: too few for a test; use a longer record",
             ]
         )
     return rows
@@ -144,12 +144,12 @@ def _percent(share: float) -> str:
 
 
 def _rounded(place: float, resolution: float) -> float:
-    """Frequency or order of a peak to a tenth of the distance between lines, or finer."""
+    """Frequency or order of a peak, rounded to a tenth of the line spacing or finer."""
     return round(place, -int(np.floor(np.log10(0.1 * resolution))))
 
 
 def shown(value: float, unit: str) -> str:
-    """A value in the unit that people use.
+    """Value in a customary unit.
 
     Examples
     --------
@@ -166,10 +166,10 @@ def _words(name: object) -> str:
 
 
 def _top(result: xr.Dataset, name: str) -> list[str]:
-    """Largest value of a curve or map, and where it is."""
+    """Maximum of a curve or map, and its position."""
     variable = result[name]
     if np.isnan(variable.values).all():
-        return [f"largest {_words(name)}", "not known", ""]
+        return [f"maximum {_words(name)}", "not known", ""]
     values = np.where(np.isnan(variable.values), -np.inf, variable.values)
     place = np.unravel_index(int(np.argmax(values)), variable.shape)
     at = [
@@ -178,4 +178,4 @@ def _top(result: xr.Dataset, name: str) -> list[str]:
         if dim in result.coords
     ]
     unit = str(variable.attrs.get("units", ""))
-    return [f"largest {_words(name)}", shown(float(variable.values[place]), unit), ", ".join(at)]
+    return [f"maximum {_words(name)}", shown(float(variable.values[place]), unit), ", ".join(at)]

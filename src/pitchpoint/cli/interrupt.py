@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""SIGTERM and SIGHUP (a closed terminal) end a command in order, as Ctrl-C does; a second one ends at once.
+"""SIGTERM and SIGHUP (closed terminal) end a command like Ctrl-C; a second signal ends it immediately.
 
-Python acts upon Ctrl-C between two of its own instructions: a compiled function that does not return, such as
-a law with an endless loop, never gets there. Every signal is written into a socket at once, though, and a
-thread that listens there can end the process. It also sends a Ctrl-C again that was lost on the way.
+Python handles Ctrl-C between two bytecode instructions: a compiled function that does not return, such as a
+law with an infinite loop, never reaches this point. Every signal is also written to a socket immediately; a
+thread that listens there can end the process. It also resends an interrupt that was lost.
 """
 
 from __future__ import annotations
@@ -18,31 +18,31 @@ import time
 from typing import Any
 
 APART = 0.3
-"""Signals closer than this count as one: some callers pass on what the terminal sends as well [s]."""
+"""Signals closer than this count as one: some callers forward signals that the terminal sends, too [s]."""
 PATIENCE = 1.5
-"""Time after which a waiting user is shown what else can be done [s]."""
+"""Time after which a hint is shown to a waiting user [s]."""
 _ENDS = [getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name)]
 _CODES = {number: 128 + number for number in (signal.SIGINT, *_ENDS)}
 _received: list[int] = []
 AGAIN = b"\xff"
-"""Request for a signal that was lost; no signal has this number."""
+"""Code that requests a lost signal again; no signal has this number."""
 PAUSE = 0.01
-"""Time after which it is sent again: what lost it has ended by then [s]."""
+"""Delay before it is sent again, so that the code that lost it has finished [s]."""
 
 
 def code_of_interruption() -> int:
-    """Exit code of a command that a signal ended: 143 after SIGTERM, 129 after SIGHUP, else 130."""
+    """Exit code of a command ended by a signal: 143 after SIGTERM, 129 after SIGHUP, else 130."""
     return _CODES[_received[0] if _received else signal.SIGINT]
 
 
 def _terminate(number: int, _: Any) -> None:
-    """End what is computed as Ctrl-C would, so that results are closed."""
+    """Stop the computation like Ctrl-C, so that result files are closed."""
     _received.append(number)
     raise KeyboardInterrupt
 
 
 def end_at_the_second_interrupt() -> None:
-    """Begin to listen; does nothing outside the main thread, where signals cannot be caught."""
+    """Start the listener; no effect outside the main thread, where signals cannot be caught."""
     here, there = socket.socketpair()
     there.setblocking(False)
     try:
@@ -59,11 +59,11 @@ def end_at_the_second_interrupt() -> None:
 
 
 def _hear_what_is_lost(there: socket.socket) -> None:
-    """Have a Ctrl-C sent again that Python acted upon where no exception can pass: `__del__`, callbacks."""
+    """Request an interrupt again that occurred where exceptions are discarded: `__del__`, callbacks."""
     before = sys.unraisablehook
 
     def hook(found: Any) -> None:
-        """Notify the listening thread; pass on everything else."""
+        """Notify the listener thread; forward all other events."""
         if issubclass(found.exc_type, KeyboardInterrupt):
             there.send(AGAIN)
         else:
@@ -73,14 +73,14 @@ def _hear_what_is_lost(there: socket.socket) -> None:
 
 
 def _listen(here: socket.socket, there: socket.socket) -> None:
-    """Wait for interrupts; `there` is only kept open."""
+    """Wait for interrupts; the reference `there` only keeps the socket open."""
     first: float | None = None
-    own = 0  # signals that were sent again and are still to come
+    own = 0  # resent signals that have not arrived yet
     while True:
         try:
             received = here.recv(64)
         except TimeoutError:
-            _say("still computing; what is on the disk is kept if you press Ctrl-C again, which ends at once")
+            _say("still computing; press Ctrl-C again to end immediately, data on the disk is kept")
             here.settimeout(None)
             continue
         for byte in received:
@@ -96,12 +96,12 @@ def _listen(here: socket.socket, there: socket.socket) -> None:
                     first = now
                     here.settimeout(PATIENCE)
                 elif now - first > APART:
-                    _say("ended at once; what was written before is kept")
+                    _say("ended immediately; data on the disk is kept")
                     os._exit(_CODES[signal.Signals(byte)])
 
 
 def _interrupt_main() -> None:
-    """Send the main thread what Ctrl-C sends; a system call that it waits in ends by that where it can."""
+    """Send SIGINT to the main thread, which also interrupts blocking system calls where possible."""
     if hasattr(signal, "pthread_kill"):
         signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
     else:
@@ -109,5 +109,5 @@ def _interrupt_main() -> None:
 
 
 def _say(text: str) -> None:
-    """Write a line to stderr without the locks that the main thread may hold."""
+    """Write a line to stderr without locks, which the main thread may hold."""
     os.write(2, f"{text}\n".encode())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The `pitchpoint` command: names of the commands, and what happens when one of them fails.
+"""The `pitchpoint` command: list of subcommands and handling of errors.
 
-A command is a file of this folder with a function of its own name. It is imported when it is called, so that
-`pitchpoint --help` does not pay for numerical libraries.
+A command is a module of this folder with a function of the same name. It is imported when called, so that
+`pitchpoint --help` does not load numerical libraries.
 """
 
 from __future__ import annotations
@@ -50,14 +50,14 @@ EPILOG = (
 
 
 class LazyGroup(click.Group):
-    """A group that knows the names of its commands and imports the one that is called."""
+    """Command group that imports only the command that is called."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """Names in the order in which a newcomer needs them."""
+        """Names of the commands in the order of a typical workflow."""
         return list(COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
-        """Import a command; None if there is none of this name."""
+        """Import a command; None for unknown names."""
         if cmd_name not in COMMANDS:
             return None
         name = cmd_name.replace("-", "_")
@@ -67,7 +67,7 @@ class LazyGroup(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """Find the command, or name the nearest spelling."""
+        """Resolve the command, or suggest the closest name."""
         if args and not args[0].startswith("-") and args[0] not in COMMANDS:
             from pitchpoint.core.nearest import did_you_mean
 
@@ -76,7 +76,7 @@ class LazyGroup(click.Group):
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List the commands from the table above, without importing them."""
+        """List the commands without importing them."""
         with formatter.section("Commands"):
             formatter.write_dl(list(COMMANDS.items()))
 
@@ -93,19 +93,19 @@ def pitchpoint() -> None:
 
 
 def main(arguments: Sequence[str] | None = None) -> None:
-    """Run one command and leave with its exit code; the entry point of the installed script."""
-    # the start makes a million objects that all live: looking for garbage among them takes a twentieth of it
+    """Run one command and exit with its code; entry point of the installed script."""
+    # start-up creates a million permanent objects: garbage collection would take 5 % of the time
     gc.set_threshold(50_000, 20, 20)
-    # dense matrices are small here: threads of the linear algebra only wait for each other on a busy machine
+    # dense matrices are small here: threads of linear algebra libraries slow a busy machine down
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     end_at_the_second_interrupt()
     if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
-        sys.stdout.reconfigure(errors="replace")  # a terminal without Greek letters shows question marks
+        sys.stdout.reconfigure(errors="replace")  # terminals without Greek letters show question marks
     sys.exit(run_command(list(sys.argv[1:] if arguments is None else arguments)))
 
 
 def run_command(arguments: list[str]) -> int:
-    """Run one command and return its exit code; errors become sentences on stderr."""
+    """Run one command and return its exit code; errors are reported as messages on stderr."""
     from pitchpoint.cli.failure import exit_code_of, show_warnings_plainly
     from pitchpoint.core import notices
 
@@ -119,6 +119,6 @@ def run_command(arguments: list[str]) -> int:
             return int(leave.exit_code)
         except SystemExit as leave:  # stdout was closed by its reader, as in `| head`
             return leave.code if isinstance(leave.code, int) else 1
-        except BaseException as error:  # noqa: BLE001 - the one place where everything ends as a sentence
+        except BaseException as error:  # noqa: BLE001 - all exceptions are reported here
             return exit_code_of(error, debug="--debug" in arguments)
     return result if isinstance(result, int) else 0

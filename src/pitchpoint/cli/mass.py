@@ -42,7 +42,7 @@ def mass(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
         emit_json({"masses": found})
         return
     if not found:
-        show("no gears, shafts or bodies with a mass of their own")
+        show("no gears, shafts or bodies with mass")
         return
     show_masses(model.title or "Masses", found, quiet=quiet)
 
@@ -53,7 +53,7 @@ def show_masses(title: str, found: Sequence[dict[str, Any]], *, quiet: bool = Fa
     Parameters
     ----------
     title
-        Its title.
+        Title of the table.
     found
         Entries of `pitchpoint.report.masses.masses`.
     quiet
@@ -86,7 +86,7 @@ def show_masses(title: str, found: Sequence[dict[str, Any]], *, quiet: bool = Fa
 
 
 def _percent(part: float | None) -> str:
-    """Write a difference in percent.
+    """Difference in percent.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint mesh`: stiffness over the mesh cycle, of the meshes of a file or of bare contact ratios."""
+"""`pitchpoint mesh`: stiffness over the mesh cycle, for the meshes of a file or for given contact ratios."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
 
 BARE = "mesh"
-"""Name of the mesh when there is no file."""
+"""Name of the mesh if no file is given."""
 
 _BARS = "▁▂▃▄▅▆▇█"
 
@@ -75,7 +75,7 @@ def mesh(
     else:
         if any(option is not None for option in bare):
             raise click.UsageError(
-                "contact ratios come from the FILE; leave --eps-alpha and its second processes out"
+                "the contact ratios are defined by FILE; omit --eps-alpha and its second processes"
             )
         from pitchpoint.cli.reading import read_model
 
@@ -84,13 +84,13 @@ def mesh(
         emit_json({"meshes": {name: cycle_numbers(*found) for name, found in cycles.items()}})
         return
     if not cycles:
-        show(f"{file}: has no meshes; add meshes: to the file, or give --eps-alpha instead of a file")
+        show(f"{file}: no meshes; add meshes: to the file, or give --eps-alpha instead of a file")
     for name, found in cycles.items():
         _print(name, *found)
 
 
 def _print(name: str, cycle: MeshCycle, relative_to: str, unit: float | None) -> None:
-    """Show one mesh as a table and a line of bars."""
+    """Print one mesh as a table and a line of bars."""
     rows = []
     for label, value in (
         ("mean", cycle.mean),
@@ -102,7 +102,7 @@ def _print(name: str, cycle: MeshCycle, relative_to: str, unit: float | None) ->
         rows.append([label, f"{value:.6f}", *absolute])
     absolute = [] if unit is None else ["along the base tangent"]
     table(f"Mesh {name}: stiffness over one mesh cycle", ["", f"over {relative_to}", *absolute], rows)
-    show(f"  {bars(cycle)}  one cycle, from least to greatest")
+    show(f"  {bars(cycle)}  one cycle, from minimum to maximum")
     if cycle.jumps:
         show(f"  jumps at the phases {', '.join(f'{phase:.4f}' for phase in cycle.jumps)}")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint modes`: natural frequencies, damping and names of the modes about an operating point."""
+"""`pitchpoint modes`: natural frequencies, damping ratios and mode shapes about an operating point."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.modal import Modes
 
 SHOWN = 20
-"""Modes in the table if no number is given."""
+"""Default number of modes in the table."""
 
 ROUNDING = 1e-7
-"""Frequency over the highest up to which the table shows zero: squared it is rounding of eigenvalues."""
+"""Frequency relative to the highest below which the table shows zero: round-off of eigenvalues."""
 
 
 @click.command()
@@ -96,7 +96,7 @@ def compute(
     animation: str | None = None,
     quiet: bool,
 ) -> tuple[dict[str, Any], None]:
-    """Find the modes, and write them if there is a file to write; gives what `modes --json` prints."""
+    """Compute the modes and write them if requested; return the output of `modes --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.status import OK, sentence
@@ -125,11 +125,11 @@ def compute(
 
 
 def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> None:
-    """Show frequencies and damping of the lowest modes, and note what was omitted."""
+    """Print frequencies and damping of the lowest modes, and the number of omitted modes."""
     least = ROUNDING * max((abs(row["frequency"]) for row in summary["modes"]), default=0.0)
 
     def above_rounding(frequency: float) -> float:
-        """Frequency as it is printed: what is only rounding of a rigid mode is zero [Hz]."""
+        """Printed frequency [Hz]; round-off of a rigid-body mode becomes zero."""
         return 0.0 if abs(frequency) <= least else frequency
 
     cells = [
@@ -159,7 +159,7 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
 
 
 def damping_text(ratio: float, frequency: float) -> str:
-    """Write a damping ratio in per cent; none for rigid modes.
+    """Damping ratio in per cent; a dash for rigid-body modes.
 
     Examples
     --------
@@ -176,7 +176,7 @@ def damping_text(ratio: float, frequency: float) -> str:
 
 
 def rows_of(found: Modes) -> list[dict[str, Any]]:
-    """Collect what `modes --json` prints of each mode; shapes have modal mass 1."""
+    """Output of `modes --json` for each mode; shapes have modal mass 1."""
     return [
         {
             "mode": k + 1,
@@ -229,7 +229,7 @@ def store(path: Path, header: Header, found: Modes) -> None:
             Quantity("damped_frequency", ("mode",), "Hz", "frequency with damping at speed"),
             found.damped_frequency,
         ),
-        (Quantity("damping_ratio", ("mode",), "1", "share of critical damping", "zeta"), found.damping_ratio),
+        (Quantity("damping_ratio", ("mode",), "1", "damping ratio", "zeta"), found.damping_ratio),
         (Quantity("eigenvalue_real", ("mode",), "1/s", "real part of the eigenvalue"), found.eigenvalue.real),
         (
             Quantity("eigenvalue_imag", ("mode",), "1/s", "imaginary part of the eigenvalue"),
@@ -244,7 +244,7 @@ def store(path: Path, header: Header, found: Modes) -> None:
             Quantity("damped_shape_imag", by_coordinate, "1", "damped shape, imaginary part"),
             found.damped_shape.imag,
         ),
-        (Quantity("kinetic_share", by_coordinate, "1", "share in the kinetic energy"), found.kinetic),
+        (Quantity("kinetic_share", by_coordinate, "1", "share of the kinetic energy"), found.kinetic),
         (
             Quantity("participation", ("mode", "direction"), "1", "participation factor, SI units"),
             found.participation,
@@ -257,10 +257,10 @@ def store(path: Path, header: Header, found: Modes) -> None:
             Quantity("body_shape", ("mode", "body", "direction"), "1", "motion of the bodies [m, rad]"),
             found.body_shape,
         ),
-        (Quantity("name", ("mode",), dtype="text", long_name="what moves"), list(found.names)),
+        (Quantity("name", ("mode",), dtype="text", long_name="dominant motion"), list(found.names)),
     ]
     if found.elements:
         axes.append(Axis("element", list(found.elements)))
-        share = Quantity("potential_share", ("mode", "element"), "1", "share in the strain energy")
+        share = Quantity("potential_share", ("mode", "element"), "1", "share of the strain energy")
         filled.append((share, found.potential))
     write_tables(path, header, axes, filled, notes=found.notes)

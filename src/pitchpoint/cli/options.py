@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Options that several commands share, so that they are spelled and explained the same everywhere."""
+"""Options common to several commands, with identical names and help texts."""
 
 from __future__ import annotations
 
@@ -46,30 +46,30 @@ jobs = click.option(
 
 
 def common(function: F) -> F:
-    """Add the options of every command that computes something of a file: JSON, code, quiet, debug."""
+    """Add the common options of commands that evaluate a file: JSON, code, quiet, debug."""
     return as_json(allow_code(quiet(debug(function))))
 
 
 def writes(*names: str, metavar: str = "OUT", help: str, folder: bool = False) -> Callable[[F], F]:
-    """Make an option that names a file to write, or a folder.
+    """Option for an output file or folder.
 
-    Folders on the way to it that do not exist are made, by every command, and reported at the end.
+    Missing parent folders are created and reported at the end of the command.
     """
     kind = click.Path(file_okay=not folder, dir_okay=folder)
     return click.option(*names, type=kind, callback=report_folders, metavar=metavar, help=help)
 
 
 def output(what: str) -> Callable[[F], F]:
-    """Make the option that names the file to write."""
+    """Option for the output file."""
     return writes("-o", "--output", help=what)
 
 
 def report_folders(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
-    """Find which folder of a file is missing, and report at the end of the command that it was made."""
+    """Find the missing folder of a file, and report its creation at the end of the command."""
     missing = None if value is None else first_missing(Path(value))
 
     def report() -> None:
-        """Report a new folder; quiet runs report nothing."""
+        """Report a new folder, except in quiet runs."""
         if missing is not None and missing.is_dir() and not context.params.get("quiet"):
             click.echo(f"note: the folder {missing} is new", err=True)
 
@@ -78,7 +78,7 @@ def report_folders(context: click.Context, _: click.Parameter, value: str | None
 
 
 def first_missing(target: Path) -> Path | None:
-    """The outermost folder on the way to a file that does not exist yet, if any.
+    """Outermost missing folder of a path, if any.
 
     Examples
     --------
@@ -90,10 +90,10 @@ def first_missing(target: Path) -> Path | None:
 
 
 def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
-    """Make an option that takes a quantity with a unit and returns SI."""
+    """Option that takes a quantity with a unit and returns its SI value."""
 
     def convert(_: click.Context, __: click.Parameter, text: str | None) -> float | None:
-        """Read the text of the option as a quantity in SI; a bare number counts as SI."""
+        """Convert the text of the option to SI; a number without unit is in SI."""
         from pitchpoint.core.errors import UnitError
         from pitchpoint.core.units import parse_quantity
 
@@ -112,7 +112,7 @@ def quantity(flag: str, dimension: str, description: str) -> Callable[[F], F]:
 
 
 def one_of(name: str | None, names: Sequence[str], what: str) -> str:
-    """Find the name that an option gives, or list the names there are."""
+    """Check the name given by an option, or list the available names."""
     if name is None or name not in names:
         from pitchpoint.core.nearest import hint
 

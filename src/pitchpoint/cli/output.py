@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What commands print: JSON for programs, tables for people."""
+"""Output of commands: JSON and tables."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ if TYPE_CHECKING:
 
 NOTHING = "–"
 PIPE = 160
-"""Width of what is not printed on a terminal."""
+"""Width of output that is not written to a terminal."""
 
 
 def emit_json(data: Mapping[str, Any]) -> None:
-    """Print JSON on stdout; numbers that are not finite become null, arrays lists."""
+    """Print JSON on stdout; non-finite numbers become null, arrays lists."""
     click.echo(json.dumps(plain(data), indent=2, allow_nan=False))
 
 
 def plain(data: Any) -> Any:
-    """Turn mappings, sequences and numpy values into what JSON knows.
+    """Convert mappings, sequences and NumPy values to JSON types.
 
     Examples
     --------
@@ -51,18 +51,18 @@ def plain(data: Any) -> Any:
 
 
 def show(text: str = "") -> None:
-    """Print a line for people on stdout."""
+    """Print a line on stdout."""
     click.echo(text)
 
 
 def show_unless(quiet: bool, text: str) -> None:
-    """Print a line for people on stdout, not in quiet runs."""
+    """Print a line on stdout, except in quiet runs."""
     if not quiet:
         show(text)
 
 
 def show_notes(notes: Iterable[str]) -> None:
-    """Print notes for people, each on its line."""
+    """Print notes, one per line."""
     for note in notes:
         show(f"note: {note}")
 
@@ -74,7 +74,7 @@ def number_rows(
     *,
     symbols: bool = True,
 ) -> list[list[str]]:
-    """Make the rows of a table with a thing in every column; rows are identifier, meaning and dimension."""
+    """Rows of a table with one component per column; rows are identifier, meaning and dimension."""
     return [
         [f"{meaning}  {key}" if symbols else meaning]
         + [shown(thing[key], dimension, digits) for thing in numbers.values()]
@@ -83,7 +83,7 @@ def number_rows(
 
 
 def write_figure(target: Path, figure: go.Figure) -> None:
-    """Write a plot as a page of its own."""
+    """Write a plot as an HTML page."""
     from pitchpoint.io.target import PAGE_MARK, write_file
 
     body = figure.to_html(full_html=False, include_plotlyjs=True)
@@ -99,9 +99,9 @@ def table(
     *,
     keys: int = 1,
 ) -> None:
-    """Print a table: words left, numbers right; rows of one empty text are rules.
+    """Print a table, text left-aligned, numbers right-aligned; rows of one empty text are rules.
 
-    Columns that do not fit side by side follow in tables of their own, after the first `keys` columns.
+    Columns that do not fit next to each other follow in separate tables, after the first `keys` columns.
     """
     from rich.console import Console
     from rich.markup import escape
@@ -111,16 +111,16 @@ def table(
     filled = [row for row in rows if any(row)]
     laid = [Column(name, [row[k] for row in filled], k == 0) for k, name in enumerate(columns)]
     console = Console(highlight=False)
-    # A pipe has no width of its own; a table cut at 80 columns would lose numbers.
+    # A pipe has no width; a table truncated at 80 columns would lose numbers.
     room = console.width if console.is_terminal else PIPE
     for number, group in enumerate(groups(laid, room, keys)):
         chosen = [replace(laid[k]) for k in group]
         fit(chosen, room)
-        # what still does not fit is left to the terminal, which loses nothing
+        # the terminal wraps what still does not fit
         wide = total([column.width for column in chosen])
         console = Console(highlight=False, width=max(room, wide))
         if number == 0:
-            # A title inside the table would be broken at the width of the columns.
+            # A title inside the table would be wrapped at the width of the columns.
             console.print(f"[bold]{escape(title)}[/bold]", soft_wrap=True)
         console.print(_made(chosen, rows))
     for note in notes:
@@ -128,7 +128,7 @@ def table(
 
 
 def _made(columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> Table:
-    """Make the table of columns that have their width; rows only give the places of the rules."""
+    """Table of columns with given widths; `rows` only give the positions of the rules."""
     from rich import box
     from rich.markup import escape
     from rich.table import Table
@@ -148,7 +148,7 @@ def _made(columns: Sequence[Column], rows: Sequence[Sequence[str]]) -> Table:
 
 
 def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:
-    """Write a value in the unit people use; an en dash where there is none.
+    """Value in a customary unit; an en dash if there is none.
 
     Examples
     --------
@@ -169,7 +169,7 @@ def shown(value: Any, dimension: str = "dimensionless", digits: int = 7) -> str:
 
 
 def greatest(row: Mapping[str, Any]) -> float:
-    """Value of the greatest size among the extremes of a channel: on the back flank forces are negative.
+    """Extreme value of a channel with the largest magnitude: forces on the back flank are negative.
 
     Examples
     --------

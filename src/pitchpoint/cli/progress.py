@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Progress of long computations on stderr: a bar on terminals, a plain line every few seconds elsewhere.
+"""Progress of long computations on stderr: a bar on terminals, else a line every few seconds.
 
-Nothing is shown for work that takes less than two seconds.
+Computations of less than two seconds show no progress.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ PATIENCE = 2.0
 LINE_EVERY = 3.0
 BAR_EVERY = 0.1
 COMPLETE = 0.9995
-"""Share from which work counts as complete: a last short step is not reported."""
+"""Share above which the computation counts as complete: a last short step is not shown."""
 
 
 def duration_text(seconds: float) -> str:
-    """Write a duration for people.
+    """Duration in words.
 
     Examples
     --------
@@ -39,16 +39,16 @@ def duration_text(seconds: float) -> str:
 
 
 class ProgressDisplay:
-    """Show how far a computation is; called as `display(done, total, note)`.
+    """Progress display, called as `display(done, total, note)`.
 
     Parameters
     ----------
     title
-        What is computed.
+        Name of the computation.
     unit
         Unit of `done` and `total` in words, for the rate ("s", "points").
     quiet
-        Show nothing at all.
+        Disable the display.
     """
 
     def __init__(self, title: str, unit: str = "", *, quiet: bool = False) -> None:
@@ -67,10 +67,10 @@ class ProgressDisplay:
         self._heard: Any = None
 
     def __call__(self, done: float, total: float, note: str = "") -> None:
-        """Take notice; draws at most ten times a second."""
+        """Update the progress; drawn at most ten times per second."""
         now = time.monotonic()
         if self._first is None:
-            # Compiling comes before the first report; counting it would spoil the forecast.
+            # Compilation precedes the first report; it would distort the estimate.
             self._first = (now, done)
         if self.quiet or now - self._start < PATIENCE:
             return
@@ -80,7 +80,7 @@ class ProgressDisplay:
         self._show(now, done, total, note)
 
     def aside(self, words: str) -> None:
-        """Show what is done before the work itself, or between its parts; of its share nothing is known."""
+        """Show a step before or between the parts of the computation, without a known share."""
         now = time.monotonic()
         waited = now - self._last >= (BAR_EVERY if self._terminal else LINE_EVERY) or not self.lines
         if self.quiet or now - self._start < PATIENCE or not waited:
@@ -144,7 +144,7 @@ class ProgressDisplay:
         self._heard.__exit__(kind, error, trace)
         if self._left_out is not None and self.lines:
             done, total, note = self._left_out
-            if done >= total * COMPLETE:  # the last thing to be seen is the end
+            if done >= total * COMPLETE:  # always show the end
                 self._show(time.monotonic(), total, total, note)
         if self._bar is not None:
             self._bar.stop()

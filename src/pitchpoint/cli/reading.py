@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reading the model file of a command, with progress where a large file takes seconds."""
+"""Reading of the model file of a command, with progress for large files."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 LARGE = 200_000
-"""Size of a file from which reading may take longer than people wait without a sign [bytes]."""
+"""File size above which a progress display is shown [bytes]."""
 
 
 def read_model(file: str, allow_code: bool, quiet: bool = False) -> Model:
-    """Read a model file; a large one shows how far it is."""
+    """Read a model file, with a progress display for large files."""
     from pitchpoint.io.yaml_model import load_model
 
     path = Path(file)

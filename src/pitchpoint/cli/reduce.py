@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint reduce`: what condensing the linear parts of a model leaves, and how far it is off."""
+"""`pitchpoint reduce`: condensation of the linear parts of a model, with its error."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 SHOWN = 20
-"""Natural frequencies in the table."""
+"""Number of natural frequencies in the table."""
 ELASTIC = "elastic body "
-"""How the reason begins why an elastic body stays."""
+"""Start of the reason why an elastic body is retained."""
 LISTED = 40
-"""Names that are listed where one is not known."""
+"""Number of names listed for an unknown name."""
 
 
 @click.command()
@@ -53,7 +53,7 @@ def reduce(
 
     if limit is None:
         raise click.UsageError(
-            "--limit is needed: the highest frequency of interest, such as --limit '3 kHz'"
+            "--limit is required: the highest frequency of interest, such as --limit '3 kHz'"
         )
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, scenario) if scenario is not None else None
@@ -73,7 +73,7 @@ def reduce(
 def compute(
     model: Model, name: str | None, limit: float, keep: tuple[str, ...]
 ) -> tuple[dict[str, Any], None]:
-    """Reduce the system; gives what `reduce --json` prints."""
+    """Reduce the system; return the output of `reduce --json`."""
     from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK, sentence
     from pitchpoint.solvers.reduction.reduce import reduce_system
@@ -104,7 +104,7 @@ def compute(
 
 
 def _check_names(system: System, keep: tuple[str, ...]) -> None:
-    """Refuse names of what is to stay that nothing has."""
+    """Reject unknown names of components to retain."""
     from pitchpoint.core.nearest import did_you_mean
     from pitchpoint.solvers.reduction.condensable import names_to_keep
 
@@ -113,30 +113,30 @@ def _check_names(system: System, keep: tuple[str, ...]) -> None:
         if name not in known:
             more = f" and {len(known) - LISTED} more" if len(known) > LISTED else ""
             raise click.BadParameter(
-                f"nothing to keep is called {name}; {did_you_mean(name, known)}"
+                f"no body or element {name}; {did_you_mean(name, known)}"
                 f"there are: {', '.join(known[:LISTED])}{more}",
                 param_hint="--keep",
             )
 
 
 def _print(title: str, summary: dict[str, Any]) -> None:
-    """Show natural frequencies of both systems, what stays, and the error."""
+    """Print natural frequencies of both systems, retained bodies, and the error."""
     cells = []
     for k, (full, less) in enumerate(zip(summary["full"], summary["reduced"], strict=False), start=1):
         off = f"{100.0 * abs(less / full - 1.0):.2g} %" if full > 0.0 else shown(None)
         cells.append([str(k), shown(full, "frequency", 6), shown(less, "frequency", 6), off])
-    table(title, ["mode", "full", "reduced", "differ by"], cells[:SHOWN])
+    table(title, ["mode", "full", "reduced", "difference"], cells[:SHOWN])
     if len(cells) > SHOWN:
         show(f"{SHOWN} of {len(cells)} modes up to the limit; --json prints all of them")
     show(summary["report"])
-    show(f"bodies that stay: {', '.join(_alone(summary))}")
+    show(f"retained bodies: {', '.join(_alone(summary))}")
     for why in dict.fromkeys(summary["reasons"]):
         which = [name for name, own in _alone(summary).items() if own == why]
         show(f"  {', '.join(which)}: {why}")
 
 
 def _alone(summary: dict[str, Any]) -> dict[str, str]:
-    """Reasons by the bodies that stay; what an elastic body consists of goes by its name."""
+    """Reasons by retained body; parts of an elastic body are listed under its name."""
     found: dict[str, str] = {}
     for name, why in zip(summary["kept"], summary["reasons"], strict=True):
         found[why.removeprefix(ELASTIC) if why.startswith(ELASTIC) else name] = why

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint report`: one HTML file about a model and the results computed with it."""
+"""`pitchpoint report`: report on a model and its results in one HTML file."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What commands that compute share: choice of the scenario, provenance, name of the result file, tables."""
+"""Common functions of computing commands: scenario, provenance, name of the result file, tables."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ SHOWN = (
     "coupling_force",
     "signal",
 )
-"""Channels that people see after a run; all of them are in the file."""
+"""Channels printed after a run; the file contains all."""
 
 STATISTICS = ("mean", "rms", "min", "max")
 
 Computed = tuple[dict[str, Any], BaseException | None]
-"""What `--json` prints of a computation, and what stopped it early."""
+"""Output of `--json` for a computation, and the error that stopped it, if any."""
 
 _DIMENSIONS = {
     "m": "length",
@@ -52,7 +52,7 @@ _DIMENSIONS = {
 
 
 def choose_scenario(model: Model, name: str | None, *kinds: str) -> str:
-    """Find the scenario that is meant: the named one, or the only one of the right kinds."""
+    """Selected scenario: the named one, or the only one of a suitable type."""
     fitting = [n for n, s in model.scenarios.items() if s.kind in kinds]
     kind = " or ".join(kinds)
     if name is None and len(fitting) == 1:
@@ -72,7 +72,7 @@ def choose_scenario(model: Model, name: str | None, *kinds: str) -> str:
 
 
 def known_scenario(model: Model, name: str) -> str:
-    """Check that there is a scenario of this name."""
+    """Check that a scenario of this name exists."""
     if name not in model.scenarios:
         from pitchpoint.core.nearest import hint
 
@@ -83,14 +83,14 @@ def known_scenario(model: Model, name: str) -> str:
 
 
 def refuse_without_effect(what: str, options: Mapping[str, Any]) -> None:
-    """Refuse options that were given although they change nothing about what is computed."""
+    """Reject options without effect on the computation."""
     for name, value in options.items():
         if value is not None:
-            raise click.UsageError(f"{name} has no effect {what}; leave it out")
+            raise click.UsageError(f"{name} has no effect {what}; omit it")
 
 
 def result_path(output: str | None, file: str, scenario: str) -> Path:
-    """Name the result file: as given, or after model file and scenario in the current folder.
+    """Name of the result file: as given, or from model file and scenario in the current folder.
 
     It may replace an older result, but neither the model file nor any other file.
     """
@@ -100,7 +100,7 @@ def result_path(output: str | None, file: str, scenario: str) -> Path:
 
 
 def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) -> Header:
-    """Collect the provenance of a result; that of a changed model keeps the model and no text of a file."""
+    """Provenance of a result; for a modified model it contains the model instead of the text of its file."""
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.io.container import Header
     from pitchpoint.model.write import model_text
@@ -118,7 +118,7 @@ def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) ->
 
 
 def options_of(scenario: Scenario) -> dict[str, Any]:
-    """Write a scenario as plain numbers and texts."""
+    """Scenario as plain numbers and texts."""
     options: dict[str, Any] = {
         field.name: getattr(scenario, field.name) for field in dataclasses.fields(scenario)
     }
@@ -131,7 +131,7 @@ def options_of(scenario: Scenario) -> dict[str, Any]:
 
 
 def how_a_status_ends(status: int) -> str:
-    """Translate a status of the solvers into the status of a result file."""
+    """Status of a result file for a solver status."""
     from pitchpoint.core import status as st
     from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED
 
@@ -139,9 +139,9 @@ def how_a_status_ends(status: int) -> str:
 
 
 def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, Any]) -> Computed:
-    """Compute; what fails or is stopped before its first step gets a summary too, with empty tables.
+    """Compute; a failure or stop before the first step gives a summary with empty tables.
 
-    `output` then names a file only where one keeps samples, as on a full disk.
+    `output` then names a file only if it contains samples, as on a full disk.
     """
     from pitchpoint.core.errors import SolverError
     from pitchpoint.io.writing import how_it_ended
@@ -164,7 +164,7 @@ def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, 
 
 
 def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> None:
-    """Show the statistics of the channels of general interest first; those that are zero only as a count."""
+    """Print the statistics of channels, the main ones first; channels that are zero are only counted."""
     rows, zeros = [], []
     for name, row in channels.items():
         inner = ".eta" in name or (name.startswith("signal[") and "." in name)
@@ -174,12 +174,12 @@ def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> N
             else:
                 zeros.append(name.partition("[")[0])
     counts = ", ".join(f"{zeros.count(kind)} of {kind}" for kind in dict.fromkeys(zeros))
-    notes = [f"zero all the time, not shown: {counts}"] if zeros else []
+    notes = [f"zero throughout, not shown: {counts}"] if zeros else []
     table(title, ["channel", "mean", "alternating rms", "min", "max"], rows, notes)
 
 
 def statistics_cells(row: Mapping[str, Any]) -> list[str]:
-    """Write the statistics of a channel; what is zero has the unit of the rest."""
+    """Statistics of a channel as texts; zeros have the unit of the other values."""
     from pitchpoint.core.units import display_unit
 
     dimension = _DIMENSIONS.get(row["unit"], "dimensionless")

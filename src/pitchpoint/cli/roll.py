@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Slow roll for `run` and `report`: into a result file, into JSON, into a table for people."""
+"""Slow roll for `run` and `report`: result file, JSON, printed table."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ WORDS = (
     "without load, peak to peak",
     "mesh stiffness, mean",
 )
-"""What people see of a mesh after a slow roll."""
+"""Printed quantities of a mesh after a slow roll."""
 SIZES = [
     f"{load}transmission_error_{size}" for load in ("", "unloaded_") for size in ("mean", "peak_to_peak")
 ]
 ROUND_OFF = 1e-12
-"""Lengths that are shown as zero [m]."""
+"""Lengths below this are shown as zero [m]."""
 
 NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "periods_rolled": [], "meshes": {}, "channels": {}}
-"""What is empty of a roll that failed before its first point."""
+"""Parts of the summary that are empty if a roll fails before its first point."""
 
 
 def compute(
     model: Model, file: str, name: str, target: Path, *, quiet: bool = False
 ) -> tuple[dict[str, Any], BaseException | None]:
-    """Roll through a scenario into a file; gives what `run --json` prints, and what stopped it early."""
+    """Compute a slow roll into a file; return the output of `run --json`, and the error that stopped it."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
@@ -70,7 +70,7 @@ def compute(
 
 
 def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str, notes: Sequence[str]) -> None:
-    """Write a roll to a result file, over the periods rolled."""
+    """Write a roll to a result file, over its periods."""
     from pitchpoint.io.tables import Axis, Quantity, write_tables
     from pitchpoint.solvers.quasistatic.roll import DIMENSION
 
@@ -91,7 +91,7 @@ def store(path: Path, header: Any, roll: Roll, found: list[Table], status: str, 
 
 
 def numbers(mesh: str, roll: Roll, found: list[Table]) -> dict[str, Any]:
-    """Collect what is read first of one mesh: both transmission errors and the stiffness [SI]."""
+    """Main results of one mesh: both transmission errors and the stiffness [SI]."""
     by_name = {t.name: t.values for t in found}
     stiffness = roll.meshes[mesh].tangent_stiffness
     return {
@@ -107,7 +107,7 @@ def numbers(mesh: str, roll: Roll, found: list[Table]) -> dict[str, Any]:
 
 
 def show_roll(title: str, summary: dict[str, Any]) -> None:
-    """Show transmission errors and stiffness of every mesh, and of which meshes they are partial."""
+    """Print transmission errors and stiffness of every mesh, and mark incomplete periods."""
     rows = []
     periods = round(float(summary["periods_rolled"][-1]))
     for name, mesh in summary["meshes"].items():
@@ -119,7 +119,7 @@ def show_roll(title: str, summary: dict[str, Any]) -> None:
 
 
 def mesh_cells(channels: Mapping[str, Mapping[str, Any]], mesh: str) -> list[str]:
-    """Write what `WORDS` name, from the statistics of the channels of a roll."""
+    """Values for `WORDS` from the statistics of the channels of a roll."""
     force, stiffness = channels[f"mesh_force[{mesh}]"], channels[f"tangent_stiffness[{mesh}]"]
     errors = []
     for name in ("transmission_error", "unloaded_transmission_error"):
@@ -129,7 +129,7 @@ def mesh_cells(channels: Mapping[str, Mapping[str, Any]], mesh: str) -> list[str
 
 
 def length(value: float, digits: int) -> str:
-    """Write a length of the size of a transmission error; what is only round-off becomes zero.
+    """Length of the size of a transmission error as text; round-off becomes zero.
 
     Examples
     --------

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 ALIKE = 0.999
-"""Share of the requested step from which a shorter one is not reported."""
+"""Share of the requested step above which a shorter step is not reported."""
 NOT_BEGUN: dict[str, Any] = {
     "steps": 0,
     "step": None,
@@ -31,7 +31,7 @@ NOT_BEGUN: dict[str, Any] = {
     "events": 0,
     "channels": {},
 }
-"""What is empty of a run that failed before its first step."""
+"""Parts of the summary that are empty if a run fails before its first step."""
 
 
 @click.command()
@@ -128,7 +128,7 @@ def run(
 
 
 def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
-    """Do the slow roll of a scenario."""
+    """Compute the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.results import result_path, unless_it_cannot_begin
     from pitchpoint.cli.roll import NOT_BEGUN, compute, show_roll
@@ -156,9 +156,9 @@ def compute(
     reduce: float | None = None,
     quiet: bool = False,
 ) -> tuple[dict[str, Any], BaseException | None]:
-    """Run a scenario into a file; gives the summary that `run --json` prints, and what stopped it early.
+    """Run a scenario into a file; return the summary for `run --json`, and the error that stopped it.
 
-    Of a reduced system the summary has `inner` besides: channels of condensed parts and their modes.
+    For a reduced system the summary also contains `inner`: channels of condensed parts and their modes.
     """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
@@ -219,7 +219,7 @@ def compute(
 
 
 def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
-    """Where a scenario starts with the linear parts condensed for frequencies up to a limit [Hz]."""
+    """Start of a scenario with the linear parts condensed for frequencies up to a limit [Hz]."""
     from pitchpoint.solvers.initial_state.start import Start
     from pitchpoint.solvers.reduction.reduce import lost_channels, reduce_system
 
@@ -229,7 +229,7 @@ def reduced_start(system: System, scenario: Scenario, limit: float) -> Start:
 
 
 def no_statistics(scenario: Scenario, t_end: float) -> str:
-    """Give the reason why a run that ended at `t_end` [s] has no statistics.
+    """Reason why a run that ended at `t_end` [s] has no statistics.
 
     Examples
     --------
@@ -244,7 +244,7 @@ def no_statistics(scenario: Scenario, t_end: float) -> str:
 
 
 def step_notes(scenario: Scenario, used: float) -> tuple[str, ...]:
-    """Report that the requested step had to be shortened; `used` [s] is 0 for adaptive methods."""
+    """Note that the requested step was shortened; `used` [s] is 0 for adaptive methods."""
     if scenario.step is None or not 0.0 < used < ALIKE * scenario.step:
         return ()
     asked, taken = shown(scenario.step, "time", 4), shown(used, "time", 4)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint sweep`: speed sweep up and down that carries the state, with jumps."""
+"""`pitchpoint sweep`: continuous speed sweep up and down, with jumps."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "points": [], "jumps": []}
-"""What is empty of a sweep that failed before its first step."""
+"""Parts of the summary that are empty if a sweep fails before its first step."""
 
 
 @click.command()
@@ -75,7 +75,7 @@ def sweep(
 def compute(
     model: Model, file: str, name: str, target: Path, *, quiet: bool = False
 ) -> tuple[dict[str, Any], BaseException | None]:
-    """Run a sweep into a file; gives the summary that `sweep --json` prints, and what stopped it early."""
+    """Run a sweep into a file; return the summary for `sweep --json`, and the error that stopped it."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.results import header_of, how_a_status_ends
     from pitchpoint.core.errors import SolverError
@@ -96,7 +96,7 @@ def compute(
     with SweepWriter(target, header, swept.mesh, directions, speeds, frequencies, channels) as writer:
 
         def keep(point: dict[str, Any]) -> None:
-            """Write a point where its speed belongs."""
+            """Write a point at the index of its speed."""
             nearest = min(range(len(speeds)), key=lambda k: abs(speeds[k] - point["speed"]))
             writer.put(point["direction"], nearest, point)
 
@@ -121,16 +121,16 @@ def compute(
 
 
 def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
-    """Show jumps, and the points at which the deflection of the swept mesh vibrates most.
+    """Print jumps, and the points with the maximum response of the swept mesh.
 
-    A sweep that is given by speeds names its points by the speed of the swept body.
+    The points of a sweep defined by speeds are labelled with the speed of the swept body.
     """
     per_speed = None
     if sweep is not None and sweep.speed is not None:
         per_speed = max(p["mesh_frequency"] / abs(p["speed"]) for p in summary["points"] if p["speed"])
 
     def place(frequency: float) -> str:
-        """Name a point of the sweep by its mesh frequency, or by its speed."""
+        """Label of a point of the sweep: mesh frequency or speed."""
         if per_speed is None:
             return shown(frequency, "frequency", 5)
         return shown(frequency / per_speed, "angular_speed", 5)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint view`: the 3-D scene of a model or a result as one HTML file."""
+"""`pitchpoint view`: 3-D scene of a model or a result as one HTML file."""
 
 from __future__ import annotations
 
@@ -48,11 +48,11 @@ def view(
     from pitchpoint.report.film import film_maker
     from pitchpoint.report.view import write_view
 
-    # what a film lacks is reported before anything is computed
+    # missing programs are reported before anything is computed
     maker = None if film is None else film_maker(film)
     target = output or str(Path(file).with_suffix(".view.html"))
     if modes and other is not None:
-        raise click.BadParameter("modes are shown of one result or model, not of two", param_hint="--modes")
+        raise click.BadParameter("modes can only be shown for one result or model", param_hint="--modes")
     sources = [file] if other is None else [file, other]
     written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0)
     if not quiet:
@@ -63,11 +63,11 @@ def view(
 
 
 def _film(page: Path, maker: FilmMaker, quiet: bool) -> None:
-    """Write a film of a page, with its progress."""
+    """Write a video of a page with a progress display."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.report.film import film
 
-    with ProgressDisplay("film", "pictures", quiet=quiet) as progress:
+    with ProgressDisplay("video", "frames", quiet=quiet) as progress:
         path = film(page, maker, progress)
     if not quiet:
-        show(f"film written to {path}, {path.stat().st_size / 1e6:.1f} MB")
+        show(f"video written to {path}, {path.stat().st_size / 1e6:.1f} MB")

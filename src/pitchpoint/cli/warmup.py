@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint warmup`: compile every kernel once; the machine code is kept in the user's cache."""
+"""`pitchpoint warmup`: compile all kernels once; the machine code is stored in the cache of the user."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import click
 from pitchpoint.cli.options import debug, quiet
 from pitchpoint.cli.output import show
 
-# Two shafts with everything that has a kernel of its own: bearings, damping, friction, laws, drives, events.
+# Two shafts with all components that have kernels: bearings, damping, friction, laws, drives, events.
 MODEL = """
 title: warm-up
 gears:
@@ -58,7 +58,7 @@ def warmup(quiet: bool) -> None:
         found = jobs(Path(folder))
         for k, (name, job) in enumerate(found):
             progress(k, len(found), name)
-            with contextlib.suppress(SolverError):  # compiled is compiled, whatever the numbers are
+            with contextlib.suppress(SolverError):  # only the compilation matters, not the result
                 job()
         progress(len(found), len(found))
     if not quiet:
@@ -67,7 +67,7 @@ def warmup(quiet: bool) -> None:
 
 
 def jobs(folder: Path) -> list[Job]:
-    """List what is to be compiled: core and kinds in two processes, then every solver on a small model."""
+    """List of compilation jobs: core and kinds in two processes, then every solver on a small model."""
     from pitchpoint.cli import run as run_command
     from pitchpoint.cli import sweep as sweep_command
     from pitchpoint.core.kernel import address
@@ -82,13 +82,13 @@ def jobs(folder: Path) -> list[Job]:
     model = load_model(file)
 
     def kind(name: str) -> Job:
-        """Job that compiles one kind of element, with what only some of its records need."""
+        """Job that compiles one kind of element, with the kernels of all its variants."""
         found = registry.find(name)
         entries = [found.entry, *(entry for entry, _ in found.some.values())]
         return f"element {name}", lambda: [address(entry) for entry in entries]
 
     def time_response(name: str) -> Job:
-        """Job that runs one scenario and compiles what it meets on the way."""
+        """Job that runs one scenario and compiles the required kernels."""
         target = folder / f"{name}.h5"
         return name, lambda: run_command.compute(model, str(file), name, target, quiet=True)
 

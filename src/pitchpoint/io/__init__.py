@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files in and out: model files, results, drawings. Nothing here solves."""
+"""Reading and writing of files: models, results, measurements, drawings."""

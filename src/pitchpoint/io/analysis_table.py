@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of an analysis as CSV: remarks with provenance and single numbers, then one table per grid."""
+"""Results of an analysis as CSV: comment lines with provenance and single numbers, then a table."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ _FEW = 200
 
 
 def table_text(result: xr.Dataset) -> str:
-    """Text of the file: columns `name [unit]`; maps have a row for each of their points.
+    """Text of the CSV file: columns `name [unit]`; maps have a row for each point.
 
     Parameters
     ----------
     result
-        What `analysis.dataset.analyse` gives.
+        Result of `analysis.dataset.analyse`.
     """
     lines = [ANALYSIS_MARK.rstrip("\n")]
     lines += [
@@ -33,7 +33,7 @@ def table_text(result: xr.Dataset) -> str:
     single = [name for name, v in result.data_vars.items() if not v.dims]
     lines += [f"# {_head(result, name)}: {result[name].item()!r}" for name in single]
     grids = dict.fromkeys(v.dims for v in result.data_vars.values() if v.dims)
-    # one grid per file, or readers would not know where the next begins: the finest one, with all on it
+    # one grid per file, so that readers can parse it: the finest one with all its variables
     for dims in sorted(grids, key=lambda dims: math.prod(result.sizes[dim] for dim in dims))[-1:]:
         names = [name for name, v in result.data_vars.items() if v.dims and set(v.dims) <= set(dims)]
         for name, v in result.data_vars.items():

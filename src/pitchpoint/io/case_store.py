@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Independent cases on disk: one table over the cases, filled case by case in any order."""
+"""Storage of independent cases: one table over the cases, filled case by case in any order."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
 
 LETTERS = 500
-"""Bytes kept of the sentence of a case."""
+"""Maximum size of the sentence of a case [bytes]."""
 
 
 class CaseWriter(TableWriter):
-    """Write the results of independent cases; the file may be read while it fills.
+    """Writer for the results of independent cases; the file can be read while it is written.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ class CaseWriter(TableWriter):
     values
         Values of every varied path as texts, one per case.
     channels
-        Name, SI unit and words of the channels whose statistics are kept.
+        Name, SI unit and description of the channels with stored statistics.
     directions, n_points
         Of speed sweeps: their directions and the number of speeds; no points for other scenarios.
     """
@@ -50,8 +50,8 @@ class CaseWriter(TableWriter):
             *(Quantity(f"given[{p}]", ("case",), "", f"{p} as given", dtype="text") for p in values),
             *(Quantity(f"value[{p}]", ("case",), "", f"{p} in SI units") for p in values),
             *(Quantity(name, ("case", "statistic"), unit, words) for name, unit, words in channels),
-            Quantity("case_status", ("case",), "1", "status of the case; 1 is fine", dtype="i4"),
-            Quantity("case_sentence", ("case", "letter"), "", "how the case ended", dtype="S1"),
+            Quantity("case_status", ("case",), "1", "status of the case; 1 is success", dtype="i4"),
+            Quantity("case_sentence", ("case", "letter"), "", "status of the case in words", dtype="S1"),
             Quantity("wall_s", ("case",), "s", "wall time of the case"),
         ]
         if n_points:
@@ -89,7 +89,7 @@ class CaseWriter(TableWriter):
 
 
 def read_cases(path: str | os.PathLike[str]) -> list[dict[str, Any]]:
-    """Read cases as plain data, those that were computed: `case`, `values`, `numbers`, `status`, `sentence`
+    """Read the computed cases as plain data: `case`, `values`, `numbers`, `status`, `sentence`
     and `channels`.
 
     Cases of a speed sweep also have `points`.
@@ -135,7 +135,7 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
 
 
 def _points(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> list[dict[str, Any]]:
-    """Points of the sweep of one case in the order in which they were run."""
+    """Points of the sweep of one case in the order of computation."""
     found = []
     for d, direction in enumerate(directions):
         frequencies = tables["mesh_frequency"][case, d]
@@ -154,7 +154,7 @@ def _points(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> 
 
 
 def _letters(text: str) -> list[bytes]:
-    """A text as single bytes (UTF-8) that fill a row."""
+    """Text as a padded row of single bytes (UTF-8)."""
     data = text.encode("utf-8")[:LETTERS].decode("utf-8", "ignore").encode("utf-8").ljust(LETTERS, b"\0")
     return [data[k : k + 1] for k in range(LETTERS)]
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The result container: one HDF5 file that is also a netCDF-4 file, safe to read at any moment.
+"""Result container: one HDF5 file that is also a netCDF-4 file and can be read at any time.
 
-Dimension scales, one variable per quantity and text attributes make the file netCDF-4; HDF5's single-writer
-multiple-reader mode (SWMR) orders what reaches the disk, so that another process may read while it grows and
-a killed process leaves everything that was flushed. In that mode no object and no attribute may be added,
-therefore all of them are made first and `begin` freezes the structure; `status`, `sentence` and `notes` are
-text attributes of fixed length and may still change. `status` is `running` from the start: a file in which
-it still is, without a process that writes, was cut off.
+Dimension scales, one variable per quantity and text attributes make the file netCDF-4. The single-writer
+multiple-reader mode (SWMR) of HDF5 orders the writes, so that another process can read the growing file and
+all flushed data survive if the process is killed. In this mode no object and no attribute can be added;
+therefore all of them are created first and `begin` freezes the structure. `status`, `sentence` and `notes`
+are text attributes of fixed length and can still change. `status` is `running` from the start: a file with
+this status but without a writing process is incomplete.
 """
 
 from __future__ import annotations
@@ -33,25 +33,25 @@ if TYPE_CHECKING:
 FORMAT = "pitchpoint-1"
 RUNNING, FINISHED, FAILED, INTERRUPTED = "running", "finished", "failed", "interrupted"
 _LENGTHS = {"status": 16, "sentence": 512, "notes": 4096}
-# Every netCDF reader has these two filters; faster ones (lzf, blosc) are refused by the C library.
+# Every netCDF reader has these two filters; the C library does not support faster ones (lzf, blosc).
 _PACKING: dict[str, Any] = {"compression": "gzip", "compression_opts": 1, "shuffle": True}
-# NetCDF-4 knows dimensions without a variable by this name of their scale.
+# NetCDF-4 marks dimensions without a variable by this name of their scale.
 _NO_COORDINATE = "This is a netCDF dimension but not a netCDF variable."
 _ROOM, _ROOM_OF_VARIABLE = 24_000, 1_000
-"""Bytes: measured 16 kB for the file and 550 to 750 B for a variable."""
+"""Estimated bytes of the structure; measured: 16 kB per file and 550 to 750 B per variable."""
 _CHUNK_CACHE = 65536  # bytes per variable: whole chunks are written, so a cache only costs memory
 
 
 class ResultError(PitchpointError, OSError):
-    """A result file cannot be made, opened or understood."""
+    """A result file cannot be created, opened or interpreted."""
 
 
 @dataclass(frozen=True)
 class Header:
-    """Provenance of a result file, so that it can be traced years later.
+    """Provenance of a result file.
 
-    `options` holds the solver's options as plain numbers and texts; `model_text` the model file as read.
-    Without `stamped` the time of making is omitted, so that equal results are equal files.
+    `options` contains the solver options as plain numbers and texts, `model_text` the model file.
+    Without `stamped` the creation time is omitted, so that equal results give equal files.
     """
 
     kind: str
@@ -65,18 +65,18 @@ class Header:
 
 
 class Container:
-    """A result file under construction; the writers for time series and tables are made from it.
+    """Result file being written; base of the writers for time series and tables.
 
     Parameters
     ----------
     path
-        File to write; an existing result file is replaced, any other is refused, and so is one that another
-        process writes; its folder is made.
+        File to write; an existing result file is replaced unless another process writes it, any other file is
+        rejected; the folder is created.
     header
         Provenance, stored as attributes of the file.
     variables, values
-        Number of variables and bytes of their values up to `begin`. A disk without room for them is refused
-        here, as HDF5 can crash when it fills up before the structure of the file is complete.
+        Number of variables and bytes of their values up to `begin`. A disk without space for them is rejected
+        here, because HDF5 can crash if the disk fills up before the file structure is complete.
     """
 
     def __init__(
@@ -93,12 +93,12 @@ class Container:
             self._describe_file(header)
 
     def _check_room(self, size: int) -> None:
-        """Claim bytes beyond the end of the file and give them back: HDF5 needs them next.
+        """Reserve bytes beyond the end of the file and release them for HDF5.
 
         Raises
         ------
         OSError
-            If the disk has no room for them.
+            If the disk has no space for them.
         """
         if hasattr(os, "posix_fallocate"):
             descriptor = self.file.id.get_vfd_handle()
@@ -107,7 +107,7 @@ class Container:
             os.ftruncate(descriptor, end)
 
     def _describe_file(self, header: Header) -> None:
-        """Write provenance and status, so that a file that is cut off from here on identifies its source."""
+        """Write provenance and status first, so that an incomplete file identifies its source."""
         import h5py
 
         from pitchpoint.core.provenance import package_version
@@ -138,12 +138,12 @@ class Container:
 
     @contextlib.contextmanager
     def writing(self) -> Iterator[None]:
-        """Everything that writes to the file is done in such a block; where the disk refuses, it is given up.
+        """Context manager for all writes to the file; a failed write abandons the file.
 
         Raises
         ------
         WriteError
-            With the reason; the file is closed, keeps what was flushed, and has the status of a failed run.
+            With the reason; the file is closed, retains flushed data, and has the status of a failed run.
         """
         try:
             yield
@@ -157,7 +157,7 @@ class Container:
             raise
 
     def _give_up(self, error: OSError | RuntimeError) -> PitchpointError:
-        """Cut the file off from the disk with the reason in it; gives the error to raise."""
+        """Abandon the file after storing the reason in it; return the error to raise."""
         kept = self._abandon()
         fault: PitchpointError = WriteError(self.path, error, kept=kept)
         if disk_errno(error) == errno.EAGAIN:
@@ -168,8 +168,8 @@ class Container:
         return fault
 
     def _abandon(self) -> bool:
-        """Close the file without writing to it; False if nothing of it is kept, and it is removed."""
-        there = False  # another writer's file of this name is left alone
+        """Close the file without writing; False if no data are retained and the file is removed."""
+        there = False  # a file of this name by another writer is not touched
         with contextlib.suppress(OSError, RuntimeError):
             there = is_at(self.file.id.get_vfd_handle(), self._place)
         kept = there and self._flushed is not None
@@ -182,7 +182,7 @@ class Container:
         return kept
 
     def _make_file(self) -> h5py.File:
-        """Replace what is there by a new file; a link still points to it."""
+        """Replace an existing file by a new one; links remain valid."""
         import h5py
 
         self._place = place = self.path.resolve()
@@ -213,9 +213,9 @@ class Container:
         dtype: str = "f8",
         attributes: Mapping[str, str] | None = None,
     ) -> h5py.Dataset:
-        """Make a dimension with its coordinate; texts are stored as variable-length UTF-8.
+        """Create a dimension with its coordinate; texts are stored as variable-length UTF-8.
 
-        A number as `values` makes a dimension of that length without a coordinate.
+        A number as `values` creates a dimension of that length without a coordinate.
         """
         import h5py
 
@@ -247,10 +247,10 @@ class Container:
         packed: bool = False,
         attributes: Mapping[str, str] | None = None,
     ) -> h5py.Dataset:
-        """Make a variable over existing dimensions; what is not written yet reads as NaN (integers: -1).
+        """Create a variable over existing dimensions; unwritten values read as NaN (integers: -1).
 
-        The type `text` is for tables that are filled before others may read: HDF5 cannot do it afterwards.
-        Texts that come later are rows of letters, type `S1`, over a dimension of their own.
+        The type `text` is for tables that are filled before `begin`: HDF5 does not support it afterwards.
+        Later texts are rows of characters, type `S1`, over a separate dimension.
         """
         import h5py
         import numpy as np
@@ -272,8 +272,8 @@ class Container:
             **(_PACKING if packed else {}),
         )
         if not growing:
-            # Space is given before others may read: a table that grows the file later would lie beyond the
-            # end that a reader has just read.
+            # Space is allocated before readers are admitted: a table that grows the file later would be
+            # beyond the end of file that a reader has just read.
             made[...] = np.full(shape, made.fillvalue, made.dtype)  # a bare number is written row by row
         return self._attach(made, scales, attributes)
 
@@ -287,11 +287,11 @@ class Container:
 
     @property
     def is_open(self) -> bool:
-        """Whether more can be written."""
+        """Whether the file is open for writing."""
         return self._open
 
     def begin(self) -> None:
-        """Freeze the structure and let others read, but not replace the file."""
+        """Freeze the structure; other processes can then read, but not replace, the file."""
         with self.writing():
             self.file.flush()  # changing the mode on a full disk crashes HDF5
             self.file.swmr_mode = True
@@ -302,7 +302,7 @@ class Container:
             self.flush()
 
     def flush(self) -> None:
-        """Bring everything written so far to the disk, in an order that is consistent at any moment."""
+        """Flush all written data to the disk, consistent at any time."""
         with self.writing():
             self._flush()
             self._flushed = {d.name: d.shape[0] for d in self._growing}
@@ -321,12 +321,12 @@ class Container:
         wall_s: float = 0.0,
         notes: Sequence[str] = (),
     ) -> None:
-        """Write how the computation ended and what is to be known, and close; a second call does nothing.
+        """Write status and notes, and close; a second call has no effect.
 
         Raises
         ------
         ResultError
-            If the file was taken away or replaced while it was written.
+            If the file was removed or replaced while it was written.
         """
         if not self._open:
             return
@@ -342,17 +342,17 @@ class Container:
             self._close()
 
     def _close(self) -> None:
-        """Close the file and report whether it is still where it was made."""
+        """Close the file and check that it still exists under its name."""
         there = is_at(self.file.id.get_vfd_handle(), self._place)
         self.file.close()
         if not there:
-            raise ResultError(f"{self.path}: was taken away or replaced while it was written; run again")
+            raise ResultError(f"{self.path}: was removed or replaced while it was written; rerun")
 
     def _set_text(self, name: str, text: str) -> None:
         self.file.attrs.modify(name, self._fixed(name, text))
 
     def _fixed(self, name: str, text: str) -> Any:
-        """A text as an attribute of its fixed length."""
+        """Write a text as an attribute of fixed length."""
         import numpy as np
 
         dtype, length = self._text[name]
@@ -360,9 +360,9 @@ class Container:
 
 
 class MemoryContainer(Container):
-    """A result that is small and written at once: made in memory, its bytes are `image` when it is finished.
+    """Small result file created in memory; its bytes are `image` when finished.
 
-    HDF5 gives back a file it could not finish, on a full disk, by a crash of the process.
+    On a full disk HDF5 could crash the process if it cannot complete a file.
     """
 
     image: bytes = b""
@@ -375,7 +375,7 @@ class MemoryContainer(Container):
         )
 
     def _check_room(self, size: int) -> None:
-        """Files in memory have room."""
+        """Files in memory need no disk space."""
 
     def _flush(self) -> None:
         self.file.flush()

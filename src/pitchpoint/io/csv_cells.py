@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Cells of CSV files: texts that a spreadsheet would compute are marked as texts.
+"""Cells of CSV files: texts that a spreadsheet would evaluate are marked as text.
 
-Names and sentences come from files of other people. A text such as ``=HYPERLINK(...)`` in a table would be
+Names and sentences may come from untrusted files. A text such as ``=HYPERLINK(...)`` in a table would be
 executed by Excel or LibreOffice; an apostrophe in front of it prevents that (OWASP, CSV Injection).
 """
 
@@ -13,7 +13,7 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n")
 
 
 def plain_cell(value: object) -> object:
-    """Give a value in the form of a table: numbers as they are, texts never as formulas.
+    """Value for a CSV cell: numbers unchanged, texts never as formulas.
 
     Examples
     --------

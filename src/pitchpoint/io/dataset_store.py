@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A data set on disk: a file per case, named by the hash of its inputs, and a table of all cases.
+"""Storage of a data set: one file per case, named by the hash of its inputs, and a table of all cases.
 
-A case is written under the name of a draft and gets its own name when it is complete and on the disk: a file
-with the name of a case is a whole one, at whatever instant a process was killed. The checksum follows
-the HDF5 contents: a file that has changed since, if only by one bit, is computed again. The table is made of
-these files, and is replaced as a whole. Files hold no time of their making: equal inputs make equal files.
+A case is written to a temporary file, which is renamed when it is complete and on the disk: a file with the
+name of a case is always complete, even if a process was killed. The checksum follows the HDF5 contents: a
+file that has changed since is recomputed. The table is created from these files and replaced as a whole.
+Files contain no creation time: equal inputs give equal files.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ CASES = "cases"
 DRAFT = ".draft-"
 _ROWS = 8192
 _SEAL = b"\npitchpoint sha256 %b\n"
-"""What follows the contents of a case; readers of HDF5 and netCDF do not look behind their end."""
+"""Checksum after the contents of a case; HDF5 and netCDF readers ignore it."""
 ATTEMPTS = 3
-"""How often a draft that was taken away is written again."""
+"""Maximum number of attempts to write a temporary file that another process removed."""
 
 
 class DatasetFolder:
@@ -49,7 +49,7 @@ class DatasetFolder:
     Parameters
     ----------
     path
-        The folder; it is made. One that holds other things than a data set is refused.
+        Folder, created if necessary. A folder with files other than a data set is rejected.
     """
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
@@ -58,7 +58,7 @@ class DatasetFolder:
         self._check()
 
     def _check(self) -> None:
-        """Refuse a folder that is none, or is in use for something else."""
+        """Reject a path that is not a folder, or a folder with other files."""
         known = {CASES, "plan.yaml", "model.yaml"}
         try:
             others = [p.name for p in self.path.iterdir()] if self.path.exists() else []
@@ -67,12 +67,12 @@ class DatasetFolder:
         strange = [n for n in others if n not in known and not n.startswith(("index", DRAFT))]
         if strange and not self.cases.is_dir():
             raise OutputError(
-                f"output: {self.path} holds other things than a data set ({', '.join(sorted(strange)[:3])}); "
-                "name a folder of its own"
+                f"output: {self.path} contains files of other kinds ({', '.join(sorted(strange)[:3])}); "
+                "use a separate folder"
             )
 
     def begin(self, plan: str, model: str) -> None:
-        """Make the folder, keep the texts of plan and model, take away abandoned drafts."""
+        """Create the folder, store plan and model, remove abandoned temporary files."""
         try:
             self.cases.mkdir(parents=True, exist_ok=True)
             for name, text in (("plan.yaml", plan), ("model.yaml", model)):
@@ -89,7 +89,7 @@ class DatasetFolder:
         return self.cases / f"{key}.h5"
 
     def known(self, keys: Iterable[str]) -> dict[str, dict[str, Any]]:
-        """Metadata of the files of some cases: status, sentence, options; only of whole files."""
+        """Metadata of the complete files of some cases: status, sentence, options."""
         import h5py
 
         there = {p.stem for p in self.cases.glob("*.h5")} if self.cases.is_dir() else set()
@@ -101,7 +101,7 @@ class DatasetFolder:
         return found
 
     def others(self, keys: Iterable[str]) -> int:
-        """Number of files of cases that are none of these."""
+        """Number of case files that are not among these."""
         there = {p.stem for p in self.cases.glob("*.h5")} if self.cases.is_dir() else set()
         return len(there - set(keys))
 
@@ -136,7 +136,7 @@ class DatasetFolder:
             raise OutputError(cannot_be_written(self.file_of(record.key), error)) from error
 
     def write_index(self, name: str, columns: Sequence[str], rows: Iterable[Mapping[str, Any]]) -> Path:
-        """Write the table of the cases (CSV); what is missing in a row stays empty."""
+        """Write the table of the cases (CSV); missing values are empty."""
         target = check_target(self.path / name, "index")
         text = io.StringIO()
         head = INDEX_HEAD.split(",")
@@ -156,7 +156,7 @@ def _seal(image: bytes | memoryview) -> bytes:
 
 
 def _is_whole(path: Path) -> bool:
-    """Whether a case is as it was written."""
+    """Whether the checksum of a case file is valid."""
     try:
         data = memoryview(path.read_bytes())
     except OSError:
@@ -166,13 +166,13 @@ def _is_whole(path: Path) -> bool:
 
 
 def _put(target: Path, data: bytes) -> None:
-    """Replace a file as a whole, or leave it; what was written is on the disk then."""
+    """Replace a file atomically by data that are on the disk."""
     draft = target.parent / f"{DRAFT}{target.name}-{os.getpid()}-{threading.get_ident()}"
     for attempt in range(ATTEMPTS):
         try:
             with replacing(target, draft):
                 write_draft(draft, data)
             return
-        except FileNotFoundError:  # another run that begins took the draft for an abandoned one
+        except FileNotFoundError:  # another run removed the temporary file as abandoned
             if attempt + 1 == ATTEMPTS:
                 raise

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""When the disk refuses a result file: full, over a quota or a size limit, or broken.
+"""Handling of write errors of result files: disk full, quota or size limit exceeded, defective disk.
 
-After a write that failed HDF5 still holds blocks that it writes again whenever the file is flushed or closed,
-at the latest when the process ends: that damages what is on the disk, and can end the process. Such a file is
-therefore cut off from the disk first and closed then. In SWMR mode everything up to the last flush is
-consistent on the disk; how the computation ended is written there afterwards, in bytes that exist already.
+After a failed write HDF5 retains blocks that it writes again at every flush or close, at the latest when the
+process ends: this damages the file, and can end the process. The file is therefore detached from the disk
+before it is closed. In SWMR mode all data up to the last flush are consistent on the disk; the status is
+written there afterwards, into existing bytes.
 """
 
 from __future__ import annotations
@@ -25,28 +25,28 @@ if TYPE_CHECKING:
     import h5py
 
 HDF5_FAULTS = (OSError, RuntimeError, KeyError, ValueError)
-"""What HDF5 and its Python layer raise where a file cannot be written or closed."""
+"""Exceptions of HDF5 and h5py for files that cannot be written or closed."""
 
 
 class WriteError(SolverError):
-    """A result cannot be written any more; what was flushed before is kept."""
+    """A result cannot be written any more; flushed data are retained."""
 
     def __init__(self, path: Path, error: Exception, *, kept: bool) -> None:
         reason = (
             reason_of(error) if isinstance(error, OSError | ValueError) else reason_of(OSError(str(error)))
         )
-        what = "what was flushed before is kept" if kept else "nothing is kept"
-        words = f"{path}: cannot be written any more ({reason}); {what}; make room there and run again"
+        what = "previous data are retained" if kept else "no data are retained"
+        words = f"{path}: cannot be written any more ({reason}); {what}; free disk space and rerun"
         super().__init__(words, NOT_WRITTEN, str(path) if kept else None)
 
 
 def abandon(file: h5py.File) -> None:
-    """Close a file whose writing has failed, without touching the disk again.
+    """Close a file after a failed write, without further access to the disk.
 
     Parameters
     ----------
     file
-        The file; all writing that HDF5 still has in mind goes to the null device.
+        The file; all pending writes of HDF5 go to the null device.
     """
     with contextlib.suppress(*HDF5_FAULTS):
         descriptor = file.id.get_vfd_handle()
@@ -60,7 +60,7 @@ def abandon(file: h5py.File) -> None:
 
 
 def conclude(place: Path, texts: Mapping[str, Any], code: int, lengths: Mapping[str, int]) -> None:
-    """Write into an abandoned file how its computation ended, and cut off rows that are not whole.
+    """Write the status into an abandoned file, and remove incomplete rows.
 
     Parameters
     ----------
@@ -88,13 +88,13 @@ def conclude(place: Path, texts: Mapping[str, Any], code: int, lengths: Mapping[
 
 
 class _Lenient(io.FileIO):
-    """A file that is changed in place as far as the disk permits; HDF5 must not see an error."""
+    """File that is changed in place as far as the disk permits, without reporting errors to HDF5."""
 
     def __init__(self, place: Path) -> None:
         super().__init__(place, "r+")
 
     def write(self, data: Any) -> int:
-        """Write all of it, or what the disk takes."""
+        """Write as much as the disk accepts."""
         view = memoryview(data).cast("B")
         done = 0
         with contextlib.suppress(OSError):
@@ -103,7 +103,7 @@ class _Lenient(io.FileIO):
         return len(view)
 
     def truncate(self, size: int | None = None) -> int:
-        """Shorten only: what is longer would need room."""
+        """Truncate only; growth would need disk space."""
         end = os.fstat(self.fileno()).st_size
         with contextlib.suppress(OSError):
             return super().truncate(end if size is None else min(size, end))

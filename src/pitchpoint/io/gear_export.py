@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears and shafts as files for other programs: points (CSV), drawings (DXF R12, SVG), solids (STL, STEP).
+"""Export of gears and shafts: points (CSV), drawings (DXF R12, SVG), solids (STL, STEP).
 
-All lengths in these files are millimetres, the habit of the programs that read them.
+All lengths in these files are in millimetres.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def points_csv(gear: CylindricalGear, n_flank: int = 40) -> str:
 
 
 def _bore_radius(gear: CylindricalGear, bore_diameter: float) -> float:
-    """Radius of the bore, or of the outside of an internal gear: with the usual rim if none is given [m]."""
+    """Radius of the bore, or outer radius of an internal gear, with the default rim if none is given [m]."""
     if gear.is_internal and bore_diameter == 0.0:
         return root_radius(gear) + RIM_OF_RING * gear.m_n
     return 0.5 * bore_diameter
@@ -301,15 +301,15 @@ def export_bevel_gear(
 
 
 def _kind(path: Path, format: str | None, known: Sequence[str]) -> str:
-    """Name of the format that is meant."""
+    """Name of the selected format."""
     kind = (format or path.suffix.lstrip(".")).lower()
     kind = _OTHER_ENDINGS.get(kind, kind)
     if kind not in known:
         raise GeometryError(
-            "is not a format of such a file",
+            "is not a supported format",
             where="format",
             value=f"{kind!r}",
             limit=", ".join(known),
-            remedy="name the file accordingly or give the format",
+            remedy="change the file extension or give the format",
         )
     return kind

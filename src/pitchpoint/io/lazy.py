@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A result file as a lazy `xarray.Dataset`: structure now, samples when they are used.
+"""Result file as a lazy `xarray.Dataset`: samples are read on access.
 
-The general readers of netCDF ask every variable of a growing dimension for its length, for each variable
-anew: a minute for 168 channels. Here one table of lengths serves all.
+General netCDF readers query the length of a growing dimension from all variables, for each variable again: a
+minute for 168 channels. Here one table of lengths is used for all variables.
 """
 
 from __future__ import annotations
@@ -26,16 +26,16 @@ _BARE = b"This is a netCDF dimension but not a netCDF variable"
 
 
 def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | None = None) -> xr.Dataset:
-    """Variables of an open result file over their dimensions, their samples not yet read.
+    """Variables of an open result file over their dimensions, without reading samples.
 
     Parameters
     ----------
     path
         Name of the file, for errors.
     file
-        The file; who closes it closes the dataset as well.
+        Open file; closing it closes the dataset, too.
     group
-        Group to show; None for the signals or tables themselves.
+        Group to read; None for the signals or tables.
     """
     import h5py
     import xarray as xr
@@ -47,7 +47,7 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
     over = {key: _dimensions(item) for key, item in arrays.items()}
     lengths = _lengths(arrays, over)
     variables = {}
-    # a status before its values: one who loads all of a file that grows must not see it before them
+    # read the status before the values: a growing file must not give a status without values
     for key, item in sorted(arrays.items(), key=lambda pair: not pair[0].endswith("_status")):
         if item.attrs.get("NAME", b"").startswith(_BARE):
             continue
@@ -67,21 +67,21 @@ def lazy_dataset(path: str | os.PathLike[str], file: h5py.File, group: str | Non
 
 @functools.cache
 def _stored_array() -> Any:
-    """Give the class of samples on the disk; made here because its base is in xarray."""
+    """Class of lazily read samples; created here because its base class is in xarray."""
     from xarray.backends import BackendArray
     from xarray.core import indexing
 
     class StoredArray(BackendArray):
-        """Samples of one array of a file, up to a length on which all channels agree."""
+        """Samples of one array of a file, up to the common length of all channels."""
 
         def __init__(self, path: str, stored: h5py.Dataset, shape: tuple[int, ...]) -> None:
             self.path, self.stored, self.shape = path, stored, shape
             text = stored.dtype.kind == "O"
-            # xarray knows texts of any length by this mark
+            # xarray marks variable-length texts by this dtype
             self.dtype = np.dtype("O", metadata={"element_type": str}) if text else stored.dtype
 
         def __getitem__(self, key: Any) -> Any:
-            """Read a part: whole numbers, slices, and one list of places."""
+            """Read a selection: integers, slices, and one index array."""
             support = indexing.IndexingSupport.OUTER_1VECTOR
             return indexing.explicit_indexing_adapter(key, self.shape, support, self._read)
 
@@ -100,7 +100,7 @@ def _stored_array() -> Any:
 
 
 def _lengths(arrays: Mapping[str, h5py.Dataset], over: Mapping[str, tuple[str, ...]]) -> dict[str, int]:
-    """Length of every dimension: of one that grows, that of the channel which is furthest behind."""
+    """Length of every dimension; for a growing one the minimum over all channels."""
     found = {key: arrays[key].shape[0] for key, dims in over.items() if dims == (key,)}
     for key, item in arrays.items():
         for dim, length, limit in zip(over[key], item.shape, item.maxshape, strict=True):
@@ -110,12 +110,12 @@ def _lengths(arrays: Mapping[str, h5py.Dataset], over: Mapping[str, tuple[str, .
 
 
 def _dimensions(item: h5py.Dataset) -> tuple[str, ...]:
-    """Names of the dimensions of an array; that of a dimension itself is its own."""
+    """Names of the dimensions of an array; a dimension scale has its own name."""
     return tuple(str(place.name.rpartition("/")[2]) for place in dimensions_of(item))
 
 
 def _attributes(stored: Mapping[str, Any]) -> dict[str, Any]:
-    """Attributes but those by which netCDF finds its dimensions; texts as texts, one number as a number."""
+    """Attributes without those for netCDF dimensions; texts as str, single numbers as scalars."""
     found: dict[str, Any] = {}
     for key, value in stored.items():
         if key in _OF_NETCDF:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mode shapes for animation: where bodies and nodes of elastic bodies are over one cycle, as JSON or NPZ.
+"""Mode shapes for animation: motion of bodies and nodes of elastic bodies over one cycle, as JSON or NPZ.
 
-A picture turns the frame of a body by the small turn and moves its origin by the displacement; the shapes are
-scaled so that the largest displacement of an origin, or the turn at a given radius, has a given length.
+A frame of the animation rotates a body by the small rotation vector and moves its origin by the displacement.
+The shapes are scaled so that the largest displacement of an origin, or rotation times a radius, has a given
+length.
 """
 
 from __future__ import annotations
@@ -20,15 +21,15 @@ from pitchpoint.io.container import ResultError
 from pitchpoint.io.target import write_file
 
 RADIUS = 0.1
-"""Where a turn counts as a displacement [m]."""
+"""Radius that converts a rotation to a displacement [m]."""
 MOST_NUMBERS = 6_000_000
-"""Numbers that the motion of the nodes of one body may take in a file; larger ones are decimated."""
+"""Maximum count of numbers for the nodes of one body in a file; more nodes are decimated."""
 Array = NDArray[np.float64]
 FORMATS = (".json", ".npz")
 
 
 def cycle(shape: ArrayLike, frames: int = 24) -> NDArray[np.float64]:
-    """One cycle of vibration: Re(shape e^(i 2 pi k/frames)), a new first axis of `frames` places.
+    """One cycle of vibration: Re(shape e^(i 2 pi k/frames)), with a new first axis of length `frames`.
 
     Examples
     --------
@@ -65,23 +66,24 @@ def write_mode_animation(
     bodies
         Names of the bodies, ground first.
     names, frequency
-        Of the modes; [Hz], shape (n,).
+        Names and natural frequencies [Hz] of the modes, shape (n,).
     place, axes
         Frames at rest, world axes, shape (nb, 3) [m] and (nb, 3, 3), columns are the axes.
     body_shape
-        Displacement of the origin and small turn of every body, real or complex, world axes, (n, nb, 6).
+        Displacement of the origin and small rotation vector of every body, real or complex, world axes,
+        (n, nb, 6).
     nodes
-        Of every elastic body the places of its nodes at rest, (k, 3) [m], and their displacements in the
+        For every elastic body the rest positions of its nodes, (k, 3) [m], and their displacements in the
         modes, real or complex, world axes, (n, k, 3).
     frames
-        Places over one cycle.
+        Number of frames per cycle.
     amplitude
-        Largest displacement [m] after scaling; a turn counts with what it moves at 0.1 m.
+        Largest displacement [m] after scaling; rotations count with a radius of 0.1 m.
 
     Raises
     ------
     ResultError
-        If the name of the file ends otherwise.
+        If the file has another extension.
     """
     target = Path(path)
     if target.suffix not in FORMATS:
@@ -124,7 +126,7 @@ def write_mode_animation(
 
 
 def _node_motion(place: Array, shape: NDArray[np.complex128], frames: int) -> dict[str, NDArray[Any]]:
-    """Numbers of the nodes that are kept, their places, and their motion (mode, frame, node, 3)."""
+    """Indices of the stored nodes, their rest positions, and their motion (mode, frame, node, 3)."""
     stride = -(-shape.size * frames // MOST_NUMBERS) or 1
     kept = np.arange(0, len(place), stride)
     motion = np.moveaxis(cycle(shape[:, kept], frames), 0, 1)

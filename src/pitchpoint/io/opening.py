@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Opening result files: whole ones, those that grow, those whose writer was killed, and damaged ones.
+"""Opening of result files: complete, growing, incomplete after a kill, and damaged ones.
 
-In the mode for files that grow (SWMR) HDF5 reads a block whose check sum is wrong again and again, with
-pauses that double each time: of a damaged file it does not let go within a lifetime. Every file is therefore
-opened without that mode first, in which HDF5 reports at once what is wrong. Only one whose status is
-running is opened again with SWMR, after all its names, shapes, attributes and places of blocks have been
-looked through.
+In the mode for growing files (SWMR) HDF5 rereads a block with an invalid checksum repeatedly, with a pause
+that doubles each time: a damaged file practically hangs. Every file is therefore first opened without this
+mode, in which HDF5 reports errors immediately. Only a file with the status running is reopened with SWMR,
+after all its names, shapes, attributes and block addresses have been checked.
 """
 
 from __future__ import annotations
@@ -26,19 +25,19 @@ if TYPE_CHECKING:
     import h5py
 
 PATIENCE = 5.0
-"""How long to wait for a writer that is just making its file, or within a block [s]."""
+"""Timeout for a writer that is creating its file or writing a block [s]."""
 _PAUSE = 0.02
 _LOOKS = 3
-"""A file that cannot be read and has not changed for so many looks is damaged, and not being written."""
+"""Number of attempts after which an unreadable, unchanged file counts as damaged."""
 
 _HEAP = b"GCOL\1\0\0\0"
 _TEXTS_END = 1 << 24
-"""Texts are made before the first sample is written; samples follow behind these bytes."""
+"""Texts are created before the first sample; samples follow after these bytes."""
 
 
 @contextlib.contextmanager
 def opened(path: str | os.PathLike[str]) -> Iterator[h5py.File]:
-    """Open a result file for a `with` block; damage found in the block is reported in a sentence."""
+    """Open a result file for a `with` block; damage found in the block is reported as `ResultError`."""
     file = open_file(path)
     try:
         with understood(path):
@@ -49,12 +48,12 @@ def opened(path: str | os.PathLike[str]) -> Iterator[h5py.File]:
 
 @contextlib.contextmanager
 def understood(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Report in a sentence that a file does not hold what the block expects: variables, dimensions, types.
+    """Report variables, dimensions or types that differ from those expected in the block as `ResultError`.
 
     Raises
     ------
     ResultError
-        In place of what HDF5, NumPy and xarray raise.
+        Instead of the exceptions of HDF5, NumPy and xarray.
     """
     try:
         yield
@@ -65,12 +64,12 @@ def understood(path: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def member(group: h5py.Group, name: str) -> h5py.Group | h5py.Dataset:
-    """One object of a result file, if it lies in the file itself.
+    """Object of a result file, if it is stored in the file itself.
 
     Raises
     ------
     ValueError
-        For links, external storage and virtual datasets: HDF5 would read other files of this machine.
+        For links, external storage and virtual datasets: HDF5 would read other files.
     """
     import h5py
 
@@ -83,7 +82,7 @@ def member(group: h5py.Group, name: str) -> h5py.Group | h5py.Dataset:
 
 
 def is_elsewhere(item: h5py.Dataset) -> bool:
-    """Whether the numbers of an array lie in another file: external storage, or a virtual dataset."""
+    """Whether the numbers of an array are stored in another file: external storage, or a virtual dataset."""
     import h5py
 
     made = item.id.get_create_plist()
@@ -91,20 +90,20 @@ def is_elsewhere(item: h5py.Dataset) -> bool:
 
 
 def members(group: h5py.Group) -> dict[str, h5py.Group | h5py.Dataset]:
-    """All objects of a group of a result file by name, as `member` gives them."""
+    """All objects of a group of a result file by name, checked by `member`."""
     return {name: member(group, name) for name in group}
 
 
 def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
-    """Dimensions of a variable, each by its scale; a scale has itself.
+    """Dimension scales of a variable; a scale is its own dimension.
 
-    The references are followed here one by one: the function of HDF5 for that (H5DSiterate_scales) ends the
-    process where one of them leads nowhere.
+    The references are followed individually: the HDF5 function H5DSiterate_scales crashes the process if a
+    reference is invalid.
 
     Raises
     ------
     ValueError
-        If there is none for an axis, or it is not a scale.
+        If an axis has no scale.
     """
     import h5py
 
@@ -119,12 +118,12 @@ def dimensions_of(item: h5py.Dataset) -> tuple[h5py.Dataset, ...]:
 
 
 def open_file(path: str | os.PathLike[str]) -> h5py.File:
-    """Open a result file for reading, also while it is written, or report what is wrong with it.
+    """Open a result file for reading, also while it is written, or report the reason why it cannot be read.
 
     Raises
     ------
     ResultError
-        If there is no such file, another process is just making it, it is not ours, or it is damaged.
+        If the file does not exist, is just being created, is not a result of pitchpoint, or is damaged.
     """
     name, before, same = os.fspath(path), None, 0
     until = time.monotonic() + PATIENCE
@@ -150,19 +149,19 @@ def open_file(path: str | os.PathLike[str]) -> h5py.File:
 
 
 def damaged(path: str | os.PathLike[str], error: Exception) -> ResultError:
-    """Make the error of a file that contradicts itself; the message of the library is repeated."""
+    """Error for an inconsistent file, with the message of the library."""
     if isinstance(error, PermissionError):
         return ResultError(f"{os.fspath(path)}: may not be read by this user")
     reason = " ".join(str(error).split())[:200] or type(error).__name__
     name = os.fspath(path)
-    return ResultError(f"{name}: is not a readable HDF5 file, damaged or cut off ({reason}); run again")
+    return ResultError(f"{name}: is not a readable HDF5 file, damaged or incomplete ({reason}); rerun")
 
 
 def heaps_end(data: Any, until: int | None = None) -> bool:
-    """Whether the texts of a file lie in sequence up to the end of their heaps.
+    """Whether the texts of a file are in sequence up to the end of their heaps.
 
-    A heap is a chain of (index, length); HDF5 follows it without looking whether it leads on (HDF5 File
-    Format Specification 3.0, III.E). `data` are bytes; heaps are looked for up to the byte `until`.
+    A heap is a chain of (index, length), which HDF5 follows without checks (HDF5 File Format Specification
+    3.0, III.E). `data` are bytes; heaps are searched up to the byte `until`.
     """
     stop = len(data) if until is None else until
     heap = data.find(_HEAP, 0, stop)
@@ -213,9 +212,9 @@ def _open_unmarked(name: str) -> h5py.File:
 
 
 def _texts_end(file: UnmarkedFile) -> bool:
-    """Whether the texts end; not mapped to memory, as gaps of a file on a full tmpfs then end the process."""
+    """Whether the texts end. Not memory-mapped: gaps of a file on a full tmpfs would crash the process."""
     size = os.fstat(file.fileno()).st_size
-    for room in (_TEXTS_END, 4 * _TEXTS_END):  # the text of a large model may extend beyond the first
+    for room in (_TEXTS_END, 4 * _TEXTS_END):  # the text of a large model may exceed the first
         data = bytearray(min(size, room))
         file.seek(0)
         file.readinto(data)
@@ -227,7 +226,7 @@ def _texts_end(file: UnmarkedFile) -> bool:
 
 
 def _look_through(file: h5py.File) -> None:
-    """Touch every object, its attributes and the places of its blocks: what is damaged there raises."""
+    """Access all objects, attributes and block addresses; damage raises an error."""
     import h5py
 
     size = file.id.get_filesize()

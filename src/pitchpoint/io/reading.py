@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reading result files: as an `xarray.Dataset`, or channel by channel without loading xarray.
+"""Reading of result files: as an `xarray.Dataset`, or single channels without importing xarray.
 
-Works on finished files, on files that are still being written, and on files whose writer was killed.
+Supports complete files, files being written, and files of killed processes.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def header_in(file: h5py.File) -> dict[str, Any]:
 
 @contextlib.contextmanager
 def open_table(path: str | os.PathLike[str], kind: str) -> Iterator[Mapping[str, h5py.Dataset]]:
-    """Open a result file of one kind (`sweep`, `cases`) for a `with` block; gives its variables by name."""
+    """Open a result file of one kind (`sweep`, `cases`) for a `with` block; yields its variables by name."""
     with opened(path) as file:
         found = file.attrs.get("kind")
         if found != kind:
@@ -51,7 +51,7 @@ def open_table(path: str | os.PathLike[str], kind: str) -> Iterator[Mapping[str,
 
 
 def list_channels(path: str | os.PathLike[str]) -> list[str]:
-    """Name the variables of a result file, without its dimensions."""
+    """Names of the variables of a result file, without dimensions."""
     with opened(path) as file:
         return _channels(file)
 
@@ -105,7 +105,7 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
     Parameters
     ----------
     path
-        Result file; one that is still being written is shown as far as it goes at this moment.
+        Result file; a file being written is read up to its present end.
     group
         None for the signals or tables, `blocks` for the statistics of each block of a run.
 
@@ -113,7 +113,7 @@ def open_result(path: str | os.PathLike[str], group: str | None = None) -> xr.Da
     -------
     xarray.Dataset
         One variable per channel over `time`, or the tables of a sweep or of modes over their own dimensions.
-        A run that watched events has `event_time` [s], `event_name` and `event_direction` over `event`.
+        A run with recorded events has `event_time` [s], `event_name` and `event_direction` over `event`.
         `attrs["status"]` is finished, failed, interrupted or running; `attrs["notes"]` are its notes.
         Close it, or use it in a `with` block.
     """

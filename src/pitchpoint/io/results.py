@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results on disk: everything that writes or reads a result file, under one roof.
+"""Common interface for writing and reading result files.
 
-`writing` streams time series, `tables` and `sweep_store` keep tables, `reading` opens any of them;
-`container` is the netCDF-4/HDF5 file that they share.
+`writing` streams time series, `tables` and `sweep_store` write tables, `reading` opens all of them;
+`container` is the common netCDF-4/HDF5 file.
 """
 
 from __future__ import annotations

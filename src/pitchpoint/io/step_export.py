@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears and shafts as STEP files (ISO 10303-214) with smooth faces, made by OCC (the extra `cad`).
+"""STEP files (ISO 10303-214) of gears and shafts with smooth faces, created by OCC (extra `cad`).
 
-The flanks are Bezier surfaces: the curves of the exact tooth, swept along the helix by a polynomial that
-follows the circle as closely.
+The flanks are Bezier surfaces: curves of the exact tooth, swept along the helix by a polynomial that
+approximates the circle with the same tolerance.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ TOLERANCE = 1e-6
 """Distance of the faces from the exact teeth, in modules; volume and inertia then agree to about 1e-8."""
 _MM = 1e3
 _SEW = 1e-5
-"""Distance of edges that are sewn to one [mm]."""
+"""Tolerance for sewing edges [mm]."""
 _STAMP = re.compile(r"FILE_NAME\(.*?\);", re.DOTALL)
 
 
@@ -63,12 +63,12 @@ def gear_step(
     Raises
     ------
     GeometryError
-        If there is no such tooth or blank, or the teeth are measured points.
+        If teeth or blank are impossible, or the teeth are measured points.
     MissingDependencyError
         If OCC is not installed.
     """
     blank = {"rim_thickness": rim_thickness, "web_thickness": web_thickness, "bore_diameter": bore_diameter}
-    gear_mass_properties(gear, 1.0, **blank)  # type: ignore[arg-type]  # refuses impossible blanks
+    gear_mass_properties(gear, 1.0, **blank)  # type: ignore[arg-type]  # rejects impossible blanks
     corners = _blank(gear, 0.5 * bore_diameter, rim_thickness, web_thickness)
     curves = pitch_curves(gear, tolerance)
     need_occ()
@@ -104,7 +104,7 @@ def shaft_step(sections: Sequence[Section], name: str = "shaft") -> str:
 def _blank(
     gear: CylindricalGear, bore: float, rim: float | None, web: float | None
 ) -> list[tuple[float, float]]:
-    """Line (radius, z) that turns to the faces of the blank, from the upper to the lower side of the rim."""
+    """Profile (radius, z) of the revolved faces of the blank, from the upper to the lower side of the rim."""
     half, r_f = 0.5 * gear.b, root_radius(gear)
     if gear.is_internal:
         outer = bore if bore > 0.0 else r_f + (RIM_OF_RING * gear.m_n if rim is None else rim)
@@ -121,7 +121,7 @@ def _blank(
 def _gear(
     gear: CylindricalGear, curves: list[ComplexArray], blank: list[tuple[float, float]], tolerance: float
 ) -> Any:
-    """Solid of OCC: flanks, both sides, blank, sewn together."""
+    """OCC solid, sewn from flanks, both sides and blank."""
     from OCP.BRepBuilderAPI import (
         BRepBuilderAPI_MakeEdge,
         BRepBuilderAPI_MakeFace,
@@ -187,7 +187,7 @@ def _once(degree: int) -> tuple[Any, Any]:
 
 
 def _surface(poles: ComplexArray, turn: ComplexArray, levels: tuple[float, float]) -> Any:
-    """Surface that the curve of `poles` sweeps between two levels: its points times those of `turn`."""
+    """Surface swept by the curve of `poles` between two levels: its points times those of `turn`."""
     from OCP.collections import Array2_gp_Pnt
     from OCP.Geom import Geom_BSplineSurface
     from OCP.gp import gp_Pnt
@@ -247,7 +247,7 @@ def _text(shape: Any, name: str) -> str:
     label = XCAFDoc_DocumentTool.ShapeTool_s(document.Main()).AddShape(shape, False)
     TDataStd_Name.Set_s(label, TCollection_ExtendedString(name))
     writer = STEPCAFControl_Writer()
-    Interface_Static.SetIVal_s("write.surfacecurve.mode", 0)  # readers find curves on surfaces by themselves
+    Interface_Static.SetIVal_s("write.surfacecurve.mode", 0)  # readers compute curves on surfaces
     Interface_Static.SetCVal_s("write.step.unit", "MM")
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "solid.step"
@@ -256,6 +256,6 @@ def _text(shape: Any, name: str) -> str:
             raise GeometryError("cannot be written as STEP", where=name)
         text = file.read_text(encoding="utf-8")
     plain = re.sub(r"[^A-Za-z0-9 _.-]", "_", name)
-    # no time of writing: the same gear gives the same file
+    # no time stamp: the same gear gives the same file
     stamp = f"FILE_NAME('{plain}','1970-01-01T00:00:00',(''),(''),'OCC','{STEP_MARK}','');"
     return _STAMP.sub(lambda _: stamp, text, count=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The superblock of an HDF5 file, its first 48 bytes: the mark 'open for writing', end of the file, checksum.
+"""Superblock of an HDF5 file, its first 48 bytes: flag 'open for writing', end of file, checksum.
 
 Layout: HDF5 File Format Specification 3.0, II.A (versions 2 and 3). The checksum is Jenkins' lookup3 over the
 first 44 bytes.
@@ -16,12 +16,12 @@ _END = slice(28, 36)
 
 
 def clear_writer_flag(path: str | os.PathLike[str]) -> None:
-    """Take the mark 'open for writing' off an HDF5 file.
+    """Clear the flag 'open for writing' of an HDF5 file.
 
-    The library sets it in byte 11 of the superblock and takes it off when the file is closed. A killed
-    process cannot, and ordinary readers then refuse a file in which nothing is wrong: SWMR keeps it
-    consistent at any moment. The mark is therefore removed after each flush, and the checksum renewed.
-    Ordinary readers may fail in the instant of a flush; those that open with swmr never do.
+    The library sets it in byte 11 of the superblock and clears it when the file is closed. A killed process
+    does not, and ordinary readers then reject an intact file: SWMR keeps it consistent at any time. The flag
+    is therefore cleared after each flush, and the checksum updated. Ordinary readers may fail during a flush;
+    those that open with swmr do not.
     """
     with Path(path).open("r+b", buffering=0) as raw:
         block = raw.read(SIZE)
@@ -32,9 +32,9 @@ def clear_writer_flag(path: str | os.PathLike[str]) -> None:
 
 
 def shorten(path: str | os.PathLike[str]) -> None:
-    """Make the superblock state the true size of a file that ends before the address it gives.
+    """Correct the superblock of a file that ends before the given end of file.
 
-    That is what remains where the disk refused the last blocks; nothing that was flushed refers to them.
+    Such a file remains if the last blocks could not be written; flushed data do not refer to them.
     """
     with Path(path).open("r+b", buffering=0) as raw:
         size = os.fstat(raw.fileno()).st_size
@@ -45,9 +45,9 @@ def shorten(path: str | os.PathLike[str]) -> None:
 
 
 def unmarked(block: bytes) -> bytes:
-    """Superblock of an HDF5 file (48 bytes) without the mark 'open for writing'.
+    """Superblock of an HDF5 file (48 bytes) without the flag 'open for writing'.
 
-    Given back as it is where there is no such mark, or where the checksum shows that it is damaged.
+    Returned unchanged if the flag is not set, or if the checksum is invalid.
     """
     if not _is_sound(block) or block[11] == 0:
         return block
@@ -55,10 +55,10 @@ def unmarked(block: bytes) -> bytes:
 
 
 def extended(block: bytes, size: int) -> bytes:
-    """Unmarked superblock (48 bytes) that ends at the size of its file, if it gives a smaller one [bytes].
+    """Superblock (48 bytes) without the flag, with the end of file raised to the size of the file [bytes].
 
-    A writer that is killed within a flush may have stored blocks, and references to them, behind the end that
-    the superblock still gives: without this HDF5 refuses the whole file.
+    A writer that is killed during a flush may have stored blocks, and references to them, beyond the end in
+    the superblock: without this correction HDF5 rejects the whole file.
     """
     plain = unmarked(block)
     if not _is_sound(plain) or int.from_bytes(plain[_END], "little") >= size:

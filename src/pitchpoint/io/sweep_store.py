@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A speed sweep on disk: a table of direction, point and statistic per channel, filled point by point."""
+"""Storage of a speed sweep: a table of direction, point and statistic per channel, filled point by point."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ SHARES = (
 
 
 class SweepWriter(TableWriter):
-    """Write a speed sweep that may be read while it runs.
+    """Writer of a speed sweep; the file can be read during the sweep.
 
     Parameters
     ----------
     path, header
         File and provenance; the kind of the header is `sweep`.
     mesh
-        Mesh that is swept: its shares are kept, and its statistics in any case.
+        Swept mesh: its contact shares are stored, and its statistics in any case.
     directions
-        `up`, `down` or both, in the order in which they are run.
+        `up`, `down` or both, in the order of computation.
     speeds, mesh_frequencies
         Speed of the swept body [rad/s] and mesh frequency [Hz] of every point, ascending, shape (n,).
     channels
-        Name, SI unit and words of all channels whose statistics are kept.
+        Name, SI unit and description of all channels with stored statistics.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class SweepWriter(TableWriter):
         self.flush()
 
     def put(self, direction: str, point: int, values: Mapping[str, Any], status: int = 1) -> None:
-        """Write one point: `values` as in the points of `SweepSummary`; what is missing stays NaN."""
+        """Write one point: `values` as in the points of `SweepSummary`; missing values remain NaN."""
         at = (self._directions.index(direction), point)
         for name, _, _ in QUANTITIES:
             if name in values:
@@ -115,7 +115,7 @@ def _plain(file: Mapping[str, Any]) -> dict[str, Any]:
     mesh = next(name for name in file if name.startswith(first))[len(first) : -1]
     directions = [d.decode() if isinstance(d, bytes) else d for d in file["direction"][...]]
     frequencies, speeds = file["mesh_frequency"][...], file["speed"][...]
-    status = file["point_status"][...]  # before the values: a sweep that runs stores them in the other order
+    status = file["point_status"][...]  # before the values: a running sweep writes them in the opposite order
     tables = {name: file[f"{name}[{mesh}]"][...] for name, _, _ in QUANTITIES}
     shares = {name: file[f"{name}[{mesh}]"][...] for name, _ in SHARES}
     n = file["jump"].shape[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables in the result container: speed sweeps that grow point by point, and modes.
+"""Tables in the result container: speed sweeps, filled point by point, and modes.
 
 A table has named dimensions with coordinates and variables over them, all of fixed size and filled with NaN
 (integers: -1) at first. Each point is on the disk as soon as it is computed.
@@ -22,9 +22,9 @@ from pitchpoint.io.writing import Closing
 
 @dataclass(frozen=True)
 class Axis:
-    """One dimension: its name, its coordinate values (numbers or texts), unit and words.
+    """Dimension: name, coordinate values (numbers or texts), unit and description.
 
-    A single number as `values` is a length: such a dimension has no coordinate.
+    A single number as `values` is the length of a dimension without coordinate.
     """
 
     name: str
@@ -36,9 +36,9 @@ class Axis:
 
 @dataclass(frozen=True)
 class Quantity:
-    """One variable: its name, the names of its dimensions, unit, words and storage type.
+    """Variable: name, names of its dimensions, unit, description and storage type.
 
-    Without a symbol of its own it takes that of the nomenclature.
+    The default symbol is that of the nomenclature.
     """
 
     name: str
@@ -50,7 +50,7 @@ class Quantity:
 
 
 class TableWriter(Closing):
-    """Write tables that may be read while they fill.
+    """Writer of tables that can be read while they are filled.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ class TableWriter(Closing):
         growing: Sequence[tuple[str, str, str]],
         growing_name: str,
     ) -> None:
-        """Make dimensions and variables."""
+        """Create dimensions and variables."""
         container = self._container
         scales = {
             axis.name: container.dimension(
@@ -169,11 +169,11 @@ class TableWriter(Closing):
             self._index[self._length - 1] = self._length - 1
 
     def flush(self) -> None:
-        """Bring everything to the disk."""
+        """Flush to the disk."""
         self._container.flush()
 
     def complete(self, name: str, index: Any, status: int) -> None:
-        """Set the status of a point or case after its values: one flush writes in any order."""
+        """Set the status of a point or case after a flush of its values: a flush has no defined order."""
         self.flush()
         self.fill(name, index, status)
         self.flush()
@@ -187,7 +187,7 @@ class TableWriter(Closing):
         steps: int = 0,
         notes: Sequence[str] = (),
     ) -> None:
-        """Write how the computation ended and close; a second call does nothing."""
+        """Write the final status and close; a second call has no effect."""
         elapsed = time.perf_counter() - self._begun
         self._container.finish(
             status, sentence or st.sentence(code), code=code, steps=steps, wall_s=elapsed, notes=notes
@@ -210,7 +210,7 @@ def write_tables(
     steps: int = 0,
     notes: Sequence[str] = (),
 ) -> None:
-    """Write tables that are complete already, such as modes: quantities with arrays, and how it ended."""
+    """Write complete tables, such as modes: quantities with arrays, and the final status."""
     texts = {q.name: values for q, values in filled if q.dtype == "text"}
     with TableWriter(path, header, axes, [q for q, _ in filled], texts=texts) as table:
         for quantity, values in filled:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Before a file is written: only what pitchpoint wrote of the same kind may be replaced, and never an input.
+"""Checks before a file is written: only a file of the same kind written by pitchpoint may be replaced.
 
-Kind and writer are read from the contents, not from the ending. Files that are not ordinary (a pipe, a
-terminal) are not checked.
+Input files are never replaced. Kind and writer are identified by the contents, not by the extension. Special
+files (pipes, terminals) are not checked.
 """
 
 from __future__ import annotations
@@ -22,28 +22,28 @@ from pitchpoint.io.write_lock import is_held, share
 
 HDF5 = b"\x89HDF\r\n\x1a\n"
 HEAD = 1024
-"""Bytes from which a kind of file is known."""
+"""Number of bytes that identify a kind of file."""
 
 _SUPERBLOCK = 48
-"""Bytes of what HDF5 writes first: a file that ends there has no contents."""
+"""Size of the first write of HDF5: a file of this size has no contents."""
 
 
 _DISK_FAULTS = {getattr(errno, name, 0) for name in ("ENOSPC", "EDQUOT", "EFBIG", "EIO")} - {0}
 
 
 class OutputError(PitchpointError, OSError):
-    """A file cannot be written, or must not be."""
+    """A file cannot be written, or must not be replaced."""
 
 
 def _is_result(path: Path, head: bytes) -> bool:
-    """Recognise a result by its attribute `format`, which is on the disk before any other contents.
+    """Identify a result by its attribute `format`, which is written before all other contents.
 
-    What cannot be opened may be a damaged file of another program: it does not count as a result.
+    A file that cannot be opened may be a damaged file of another program: it does not count as a result.
     """
     if not head.startswith(HDF5):
         return False
     if len(head) <= _SUPERBLOCK:
-        return True  # a run that was killed as it began
+        return True  # a run that was killed at its start
     import h5py
 
     try:
@@ -53,7 +53,7 @@ def _is_result(path: Path, head: bytes) -> bool:
             with h5py.File(unmarked, "r") as file:
                 return str(file.attrs.get("format", "")).startswith("pitchpoint")
     except (BlockingIOError, FileNotFoundError):
-        raise  # another process has just begun to write it, or has taken it away
+        raise  # another process has just started to write it, or has removed it
     except DAMAGE:
         return False
 
@@ -67,7 +67,7 @@ def _marked(word: bytes, mark: str) -> Callable[[Path, bytes], bool]:
 
 
 def _is_animation(_: Path, head: bytes) -> bool:
-    """Recognise an animation of modes by its first words, or by the first array in its archive."""
+    """Identify an animation of modes by its first words, or by the first array in its archive."""
     return head.startswith(b'{"about": "motion: mode, frame') or head[30:40] == b"bodies.npy"
 
 
@@ -95,13 +95,13 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }
-"""Words for a kind of file and how it is recognised, by name."""
+"""Description and identification function of each kind of file, by name."""
 
 
 def check_target(
     path: str | os.PathLike[str], kind: str, inputs: Iterable[str | os.PathLike[str]] = ()
 ) -> Path:
-    """Give the path of a file that may be written: a new or empty one, or an older one of the same kind.
+    """Path of a file that may be written: a new or empty file, or an older one of the same kind.
 
     Parameters
     ----------
@@ -110,13 +110,13 @@ def check_target(
     kind
         Name in `KINDS`.
     inputs
-        Files that the same command reads; links and relative names of them count as well.
+        Input files of the same command; links and relative names are resolved.
 
     Raises
     ------
     OutputError
-        If writing is not possible there, or would destroy an input, a file of another kind or origin, or a
-        result that another process writes.
+        If writing is not possible, or would overwrite an input, a file of another kind or origin, or a result
+        that another process writes.
     """
     target = Path(path)
     words, recognised = KINDS[kind]
@@ -138,19 +138,19 @@ def check_target(
     except OutputError:
         raise
     except FileNotFoundError:
-        return target  # another process has just taken it away
+        return target  # another process has just removed it
     except (OSError, ValueError) as error:
         raise OutputError(cannot_be_written(target, error)) from error
     return target
 
 
 def check_place(path: str | os.PathLike[str]) -> None:
-    """Report before a long computation that its file has no place; folders that are missing are made later.
+    """Check before a long computation that its file can be written; missing folders are created later.
 
     Raises
     ------
     OutputError
-        If the place is a folder, lies below a file, or must not be written to.
+        If the path is a folder, is below a file, or is not writable.
     """
     target = Path(path)
     try:
@@ -160,9 +160,9 @@ def check_place(path: str | os.PathLike[str]) -> None:
 
 
 def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
-    """Write a whole file, texts as UTF-8, bytes of damaged texts as question marks; its folder is made.
+    """Write a complete file, texts as UTF-8, invalid characters as question marks; its folder is created.
 
-    An older file stays as it is until the new one is on the disk. Pipes need a process that reads them.
+    An older file remains until the new one is on the disk. Pipes require a process that reads them.
 
     Raises
     ------
@@ -185,14 +185,14 @@ def write_file(path: str | os.PathLike[str], data: str | bytes) -> Path:
 
 @contextlib.contextmanager
 def replacing(target: Path, draft: Path | None = None) -> Iterator[Path]:
-    """Give the path of a side file that takes the place of the target when the block ends without an error.
+    """Context manager for a temporary file that replaces the target if the block ends without an error.
 
     Parameters
     ----------
     target
-        The file; links are followed, and an older file passes on its permissions.
+        Target file; links are followed, and the permissions of an older file are retained.
     draft
-        The side file; one in the same folder with the ending of the target if omitted.
+        Temporary file; default: one in the same folder with the extension of the target.
     """
     place = target.resolve()
     if draft is None:
@@ -209,7 +209,7 @@ def replacing(target: Path, draft: Path | None = None) -> Iterator[Path]:
 
 
 def write_draft(draft: Path, data: bytes) -> None:
-    """Write a side file to the disk: a full disk is reported here, not after the older file is gone."""
+    """Sync a temporary file: a full disk is reported before the older file is replaced."""
     with draft.open("wb") as file:
         file.write(data)
         file.flush()
@@ -217,7 +217,7 @@ def write_draft(draft: Path, data: bytes) -> None:
 
 
 def _write_stream(target: Path, data: bytes) -> None:
-    """Write to a pipe or device; opening a pipe without a reader would wait for ever."""
+    """Write to a pipe or device; opening a pipe without a reader would block."""
     descriptor = os.open(target, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
     os.set_blocking(descriptor, True)
     with open(descriptor, "wb") as file:
@@ -225,7 +225,7 @@ def _write_stream(target: Path, data: bytes) -> None:
 
 
 def make_folder(target: Path) -> None:
-    """Make the folder of a file, and those on the way to it, where they do not exist: every writer does.
+    """Create the missing folders of a file; used by all writers.
 
     Raises
     ------
@@ -236,7 +236,7 @@ def make_folder(target: Path) -> None:
 
 
 def cannot_be_written(target: Path, error: OSError | ValueError) -> str:
-    """Message on a file that cannot be written: the reason, and the remedy if another process uses it."""
+    """Message for a file that cannot be written: reason, and remedy if another process uses it."""
     remedy = ""
     if isinstance(error, BlockingIOError | FileExistsError):
         remedy = "; wait until it is closed, or name another file"
@@ -246,17 +246,17 @@ def cannot_be_written(target: Path, error: OSError | ValueError) -> str:
 
 
 def reason_of(error: OSError | ValueError) -> str:
-    """The reason in a few words why the system, or HDF5, refused a file."""
+    """Reason why the operating system, or HDF5, rejected a file."""
     if isinstance(error, BlockingIOError | FileExistsError):
         return "another process holds it"
     number = disk_errno(error)
     if number:
-        return os.strerror(number)  # HDF5 wraps the same words in many of its own
+        return os.strerror(number)  # HDF5 embeds the same text in its messages
     return str(error).split("(")[-1].rstrip(")") or type(error).__name__
 
 
 def disk_errno(error: BaseException) -> int:
-    """Number of the error of the system, which HDF5 may give in its text only; 0 without one."""
+    """Error number of the operating system, which HDF5 may give in its text only; 0 without one."""
     if isinstance(error, OSError) and error.errno:
         return error.errno
     found = re.search(r"errno = (\d+)", str(error))
@@ -264,7 +264,7 @@ def disk_errno(error: BaseException) -> int:
 
 
 def is_disk_fault(error: BaseException | None) -> bool:
-    """Whether an error, or what caused it, is a disk that is full or broken, a quota or a limit of size."""
+    """Whether an error, or its cause, is a full or defective disk, a quota or a size limit."""
     while error is not None:
         if disk_errno(error) in _DISK_FAULTS:
             return True
@@ -273,7 +273,7 @@ def is_disk_fault(error: BaseException | None) -> bool:
 
 
 def _accessible(target: Path) -> None:
-    """Ask whether a file may be written there."""
+    """Check that a file may be written at a path."""
     asked = target if target.exists() else next(p for p in target.absolute().parents if p.exists())
     if target.is_dir():
         error = errno.EISDIR

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Result files without the mark of a writer, with which HDF5 refuses them; what it raises on damaged ones."""
+"""Read access to result files without the flag of an open writer, with which HDF5 rejects them."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ DAMAGE = (
     StopIteration,
     EOFError,
 )
-"""What HDF5 and its Python layer raise where a file contradicts itself."""
+"""Exceptions of HDF5 and h5py for inconsistent files."""
 
 
 class UnmarkedFile(io.RawIOBase):
-    """A file as it is, without the mark of a writer, with which HDF5 refuses it, and with its true end.
+    """Read-only file object with the flag of an open writer cleared and the true end of file.
 
-    The library shares what two readers of one process open by name, and requires the same options of both;
-    files opened here are not shared.
+    The library shares files that a process opens twice by name, and requires identical options; files opened
+    here are not shared.
     """
 
     def __init__(self, name: str) -> None:
@@ -37,7 +37,7 @@ class UnmarkedFile(io.RawIOBase):
         self._head = extended(self._file.read(SIZE), os.fstat(self._file.fileno()).st_size)
 
     def readinto(self, buffer: Any) -> int:
-        """Fill a buffer; what lies behind the end of the file reads as zero."""
+        """Fill a buffer; bytes beyond the end of the file read as zero."""
         at, view = self._file.tell(), memoryview(buffer).cast("B")
         count = 0
         while count < len(view):
@@ -52,26 +52,26 @@ class UnmarkedFile(io.RawIOBase):
         return len(view)
 
     def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
-        """Go to a place."""
+        """Set the position."""
         return self._file.seek(offset, whence)
 
     def tell(self) -> int:
-        """Place in the file."""
+        """Position in the file."""
         return self._file.tell()
 
     def readable(self) -> bool:
-        """Whether this can be read."""
+        """Whether the file is readable."""
         return True
 
     def seekable(self) -> bool:
-        """Whether this has places."""
+        """Whether the file is seekable."""
         return True
 
     def fileno(self) -> int:
-        """Descriptor of the file."""
+        """File descriptor."""
         return self._file.fileno()
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Close the file."""
         self._file.close()
         super().close()

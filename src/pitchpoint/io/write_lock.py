@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Who writes a result file: its writer keeps it from being replaced, and nothing that is in use is emptied.
+"""Locking of result files: a file that is being written or read is never replaced or truncated.
 
-A writer holds an exclusive lock while it makes the structure of its file, and a shared one from where SWMR
-begins: readers, which lock a file shared, are admitted then, and a process that replaces the file requests an
-exclusive one first. The system drops a lock when its process ends. HDF5 does not lock for the writer: it
-releases its lock and requests it again where SWMR begins, and a reader in between would end the run.
+A writer holds an exclusive lock while it creates the structure of its file, and a shared lock from the start
+of SWMR: readers, which use shared locks, are then admitted, and a process that replaces the file must obtain
+an exclusive lock first. The system releases a lock when its process ends. The locks of HDF5 are not used for
+the writer: HDF5 releases and reacquires its lock at the start of SWMR, and a reader in between would end the
+run.
 
-An older file is not emptied but taken out of its folder, and the new one is made where no file is: a reader
-of the old one without a lock reads it to its end. Of several writers that begin at once one continues; the
-others find the name taken, or another file under it.
+An older file is not truncated but unlinked, and the new one is created under the free name: a reader of the
+old file without a lock can read it to its end. Of several writers that start simultaneously one continues;
+the others find the name in use, or another file under it.
 
-Windows has no such locks; there an open file cannot be taken away. On a file system without locks the last
-writer wins, and the one whose file is gone reports it at its end.
+Windows has no such locks; there an open file cannot be removed. On a file system without locks the last
+writer wins, and a writer whose file was removed reports this at its end.
 """
 
 from __future__ import annotations
@@ -28,28 +29,28 @@ except ImportError:  # Windows
     fcntl = None  # type: ignore[assignment]
 
 PATIENCE = 5.0
-"""How long a writer waits for readers that opened its file the moment it was there [s]."""
+"""Timeout of a writer for readers that opened its file at its creation [s]."""
 _PAUSE = 0.001
 
 
 def is_held(path: Path) -> bool:
-    """Whether somebody writes an existing file, or has it open in HDF5 with its lock."""
+    """Whether another process writes an existing file, or has it open in HDF5 with a lock."""
     with path.open("r+b") as file:
         return not _locked(file.fileno(), exclusive=True)
 
 
 def share(descriptor: int) -> bool:
-    """Keep a file from being replaced while it is read; False while HDF5 still makes its structure."""
+    """Prevent replacement of a file while it is read; False while HDF5 creates its structure."""
     return _locked(descriptor, exclusive=False)
 
 
 def remove_old(path: Path) -> int | None:
-    """Take an older file away, unless it is held; gives its permissions, None if there is no such file.
+    """Remove an older file, unless it is locked; return its permissions, None if there is no such file.
 
     Raises
     ------
     OSError
-        A `BlockingIOError` if another process holds the file.
+        A `BlockingIOError` if another process has locked the file.
     """
     try:
         mode = path.stat().st_mode
@@ -68,11 +69,11 @@ def _unlink_unless_held(path: Path) -> None:
     with path.open("r+b") as file:
         if not _locked(file.fileno(), exclusive=True) or not is_at(file.fileno(), path):
             raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
-        path.unlink()  # under the lock: whoever opened it before is refused, whoever comes now finds no file
+        path.unlink()  # under the lock: earlier openers fail to lock it, later ones find no file
 
 
 def hold(descriptor: int, path: Path) -> bool:
-    """Lock a new file while its structure is made; False if another process has taken it away or keeps it."""
+    """Lock a new file while its structure is created; False if another process has removed or locked it."""
     until = time.monotonic() + PATIENCE
     while is_at(descriptor, path):
         if _locked(descriptor, exclusive=True):
@@ -84,12 +85,12 @@ def hold(descriptor: int, path: Path) -> bool:
 
 
 def keep(descriptor: int, path: Path) -> bool:
-    """Keep a file from being replaced while its descriptor is open; False if that has happened already."""
+    """Prevent replacement of a file while its descriptor is open; False if it has been replaced already."""
     return _locked(descriptor, exclusive=False) and is_at(descriptor, path)
 
 
 def is_at(descriptor: int, path: Path) -> bool:
-    """Whether an open file is still the one of this name."""
+    """Whether an open file still has this name."""
     if fcntl is None:
         return True
     try:
@@ -99,7 +100,7 @@ def is_at(descriptor: int, path: Path) -> bool:
 
 
 def _locked(descriptor: int, *, exclusive: bool) -> bool:
-    """Request a lock; False if another process holds one against it, True also where there are no locks."""
+    """Request a lock; False if another process holds a conflicting one, True if locks are not supported."""
     if fcntl is None:
         return True
     try:
@@ -107,5 +108,5 @@ def _locked(descriptor: int, *, exclusive: bool) -> bool:
     except BlockingIOError:
         return False
     except OSError:
-        return True  # a file system that knows no locks
+        return True  # a file system without locks
     return True

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Time series on their way to disk: blocks of samples, decimated, with statistics of every sample.
+"""Streaming of time series to disk: blocks of decimated samples, with statistics of all samples.
 
-A solver passes chunks of any size. The writer keeps at most one block in memory, writes it as one chunk
-per channel, flushes, and forgets it: the memory of a run does not grow with its length. Samples that
-decimation drops are not lost without trace: minimum, maximum, mean and rms of every block are kept at full
-rate in the group `blocks`, and `RunningStatistics` sums up the run.
+A solver passes chunks of any size. The writer buffers at most one block, writes it as one chunk per channel
+and flushes it: the memory does not grow with the length of the run. For samples omitted by decimation, the
+minimum, maximum, mean and rms of every block at full rate are stored in the group `blocks`, and
+`RunningStatistics` summarises the run.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ BLOCK_GROUP = "blocks"
 EVENT_GROUP = "events"
 
 MOST_CHANNELS = 6000
-"""HDF5 loses the structure of files that others may read while they grow with 8000 channels, of two variables
-each, and needs minutes to close them well before that."""
+"""Maximum number of channels: HDF5 fails in SWMR mode with 8000 channels of two variables each, and takes
+minutes to close files well below this number."""
 
 #: Numbers of the attribute `statistics` of a channel, in this order; `rms` of the alternating part.
 RUN_STATISTICS = ("mean", "rms", "min", "max")
@@ -40,11 +40,11 @@ RUN_STATISTICS = ("mean", "rms", "min", "max")
 
 @dataclass(frozen=True)
 class Channel:
-    """One recorded quantity: `name` as in `mesh_force[stage]`, SI unit, words and symbol for axes.
+    """Recorded quantity: `name` as in `mesh_force[stage]`, SI unit, description and symbol for axes.
 
-    Without a symbol of its own it takes that of the nomenclature.
+    The default symbol is that of the nomenclature.
     Channels are stored as 32-bit floats (7 digits) unless `dtype` is given; angles of a shaft grow
-    without limit, so they get 64 bits.
+    without limit, so they have 64 bits.
     """
 
     name: str
@@ -55,7 +55,7 @@ class Channel:
 
     @property
     def stored_as(self) -> str:
-        """Storage type: the requested one, else float64 for angles and float32 for the rest."""
+        """Storage type: the requested one, else float64 for angles and float32 for all others."""
         return self.dtype or ("f8" if self.name.startswith("angle[") else "f4")
 
     @property
@@ -66,10 +66,10 @@ class Channel:
 
 
 class RunningStatistics:
-    """Minimum, maximum, mean and rms of the alternating part, over samples that are not kept.
+    """Minimum, maximum, mean and rms of the alternating part, without storing the samples.
 
-    Parts are merged by their counts, means and sums of squared deviations, which loses no digits however long
-    the run is.
+    Chunks are merged by their counts, means and sums of squared deviations, without loss of precision in long
+    runs.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class RunningStatistics:
         self._squares = np.zeros(n_channels)
 
     def add(self, t: np.ndarray, values: np.ndarray) -> None:
-        """Take in samples, shapes (n,) and (n, n_channels), in the order of time."""
+        """Add samples, shapes (n,) and (n, n_channels), in the order of time."""
         import numpy as np
 
         if t.size and t[0] < self.since:
@@ -121,7 +121,7 @@ class RunningStatistics:
 
 
 class Closing:
-    """What leaves a `with` block on a result file is written into it as its end."""
+    """Store the exception that leaves a `with` block on a result file as its status."""
 
     finish: Callable[..., None]
 
@@ -136,7 +136,7 @@ class Closing:
 
 
 class ResultWriter(Closing):
-    """Write the channels of one run to a file that can be read at any moment.
+    """Writer of the channels of one run to a file that can be read at any time.
 
     Parameters
     ----------
@@ -145,11 +145,11 @@ class ResultWriter(Closing):
     header
         Provenance.
     channels
-        The recorded quantities, in the order of the columns handed to `append`.
+        Recorded quantities, in the order of the columns passed to `append`.
     block
-        Rows per block: what is in memory, in one chunk, and lost at most when the process is killed.
+        Rows per block and chunk: the data in memory, and the maximum loss if the process is killed.
     decimate
-        Store every n-th sample; the statistics still see all of them.
+        Store every n-th sample; the statistics use all samples.
     since
         Start of the statistics window [s].
     events
@@ -180,7 +180,7 @@ class ResultWriter(Closing):
 
         names = [c.name for c in channels]
         if len(set(names)) != len(names):
-            raise ResultError("two channels have the same name; every channel needs its own")
+            raise ResultError("two channels have the same name; use unique names")
         if len(names) > MOST_CHANNELS:
             raise ResultError(
                 f"{os.fspath(path)}: the run has {len(names)} channels, more than a result file takes (limit "
@@ -209,7 +209,7 @@ class ResultWriter(Closing):
         self._container.begin()
 
     def _make_variables(self, block: int) -> None:
-        # Whole chunks are packed; blocks that decimation leaves shorter than that fill their chunk in place.
+        # Complete chunks are compressed; shorter blocks after decimation fill their chunk in place.
         container, packed = self._container, block // self.decimate >= 64
         rows = max(block // self.decimate, 64)
         clock = {"units": "s", "long_name": "time", "symbol": "t"}
@@ -257,7 +257,7 @@ class ResultWriter(Closing):
         self._events = [kind, direction, when]
 
     def append_events(self, found: np.ndarray) -> None:
-        """Take in root events, shape (n, 3): time [s], index of the event function, direction (1 or -1)."""
+        """Add root events, shape (n, 3): time [s], index of the event function, direction (1 or -1)."""
         if not self._events or not len(found):
             return
         with self._container.writing():
@@ -273,11 +273,11 @@ class ResultWriter(Closing):
 
     @property
     def samples(self) -> int:
-        """Number of samples taken in so far, before decimation."""
+        """Number of added samples before decimation."""
         return self._seen
 
     def append(self, t: np.ndarray, values: np.ndarray) -> None:
-        """Take in samples: times, shape (n,) [s], and channels, shape (n, n_channels) [SI units]."""
+        """Add samples: times, shape (n,) [s], and channels, shape (n, n_channels) [SI units]."""
         n, done, block = t.shape[0], 0, self._t.shape[0]
         self._running.add(t, values)
         while done < n:
@@ -291,7 +291,7 @@ class ResultWriter(Closing):
                 self.flush()
 
     def flush(self) -> None:
-        """Write what is buffered, as a block of its own."""
+        """Write the buffered samples as a separate block."""
         n = self._filled
         if n == 0:
             return
@@ -315,7 +315,7 @@ class ResultWriter(Closing):
             for k, series in enumerate(self._series):
                 series.resize((self._stored,))
                 series[here] = values[keep, k]
-            # Time comes last: whoever trusts the length of `time` never sees a channel that is behind it.
+            # Time is written last: no channel is shorter than `time` for a reader.
             self._time.resize((self._stored,))
             self._time[here] = t[keep]
         summary = np.stack([values.min(axis=0), values.max(axis=0), values.mean(axis=0), values.std(axis=0)])
@@ -327,7 +327,7 @@ class ResultWriter(Closing):
         self._block_time[self._blocks - 1] = t[0]
 
     def statistics(self) -> dict[str, dict[str, Any]]:
-        """Sum up the samples since the start of the statistics window, channel by channel.
+        """Statistics of the samples since the start of the statistics window, by channel.
 
         `rms` is that of the alternating part; without a sample in the window every number is None.
         """
@@ -352,9 +352,9 @@ class ResultWriter(Closing):
         notes: Sequence[str] = (),
         statistics: Mapping[str, Mapping[str, Any]] | None = None,
     ) -> None:
-        """Write the rest, how the run ended and what is to be known of it; a second call does nothing.
+        """Write remaining samples, status and notes; a second call has no effect.
 
-        `statistics` by channel are those of all steps of the run; without them the samples are summed up.
+        `statistics` by channel are those of all steps of the run; default: those of the samples.
         """
         if not self._container.is_open:
             return
@@ -376,7 +376,7 @@ class ResultWriter(Closing):
 
 
 def how_it_ended(error: BaseException | None) -> tuple[str, str, int]:
-    """Translate what left a `with` block into status, sentence and integer status of a result file."""
+    """Status, sentence and integer status of a result file for the exception that left a `with` block."""
     if error is None:
         return FINISHED, st.sentence(st.OK), st.OK
     if isinstance(error, KeyboardInterrupt):

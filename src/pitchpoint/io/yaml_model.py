@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Model files: YAML text to a checked `Model`, and back.
+"""Model files: conversion of YAML text to a checked `Model` and back.
 
-Every problem of a file is collected and reported with its line; nothing in a file is ever executed.
+All problems of a file are collected and reported with their lines; no contents of a file are executed.
 """
 
 from __future__ import annotations
@@ -24,26 +24,26 @@ def load_model(path: str | Path, allow_code: bool = False, progress: Progress = 
     path
         YAML file.
     allow_code
-        Accept entries that name Python functions. They are not run here, but by what computes with the model.
+        Accept entries that name Python functions. They are not run here, but by computations with the model.
     progress
-        Called with the number of characters read; only megabytes take seconds.
+        Called with the number of characters read; relevant for files of megabytes.
 
     Returns
     -------
     Model
-        The checked model; relative names of files start from the directory of the file.
+        Checked model; relative file names refer to the folder of the file.
 
     Raises
     ------
     ModelError
-        With every problem of the file.
+        With all problems of the file.
     """
     text = text_of(path)
     return loads_model(text, allow_code=allow_code, file=str(path), progress=progress)
 
 
 def text_of(path: str | Path) -> str:
-    """Text of a YAML file; a `ModelError` gives the reason why it cannot be read."""
+    """Text of a YAML file; raises a `ModelError` if it cannot be read."""
     file = Path(path)
     try:
         data = file.read_bytes()
@@ -74,7 +74,7 @@ def loads_model(
     allow_code
         As for `load_model`.
     file
-        Name that messages use and relative file names start from.
+        File name for messages and base of relative file names.
     progress
         As for `load_model`.
 
@@ -97,9 +97,9 @@ def loads_model(
 
 
 def dump_model(model: Model) -> str:
-    """Write a model as YAML text that reads back to an equal model.
+    """YAML text of a model that reads back to an equal model.
 
-    Quantities carry the units people use where that loses nothing, else SI units.
+    Quantities have customary units if the conversion is exact, else SI units.
     """
     from io import StringIO
 

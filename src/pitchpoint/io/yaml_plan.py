@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plans of data sets: YAML text to a checked `DatasetPlan`."""
+"""Plans of data sets: conversion of YAML text to a checked `DatasetPlan`."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def load_plan(path: str | Path, allow_code: bool = False) -> DatasetPlan:
     path
         YAML file.
     allow_code
-        Accept levels that name Python functions. They run when a case is computed, not here.
+        Accept levels that name Python functions. They are run when a case is computed, not here.
 
     Raises
     ------
     ModelError
-        With every problem of the file.
+        With all problems of the file.
     """
     try:
         tree = Tree(text_of(path))

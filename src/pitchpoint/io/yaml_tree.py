@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""YAML text to plain data with the line of every key; syntax faults and double keys as problems.
+"""Conversion of YAML text to plain data with the line of every key; syntax errors and duplicate keys.
 
-The text is composed into nodes by ruamel.yaml (YAML 1.2, so `1e8` is a number and `on` a word) and never
-turned into Python objects other than numbers, texts, lists and dictionaries: tags are refused.
+The text is composed into nodes by ruamel.yaml (YAML 1.2, so `1e8` is a number and `on` a word) and converted
+only to numbers, texts, lists and dictionaries: tags are rejected.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ MAX_BYTES = 20_000_000
 MAX_DEPTH = 60
 _TAG = "tag:yaml.org,2002:"
 _COMPOSED = 0.75
-"""Share of the time that goes into composing the nodes; the rest reads them."""
+"""Share of the time for composing the nodes; the remainder converts them."""
 _EVERY = 5000
 
 
 class TreeError(Exception):
-    """The text is not usable YAML; holds the problem."""
+    """The text is not valid YAML; contains the problem."""
 
     def __init__(self, problem: Message) -> None:
         self.problem = problem
@@ -45,18 +45,18 @@ class Tree:
     Attributes
     ----------
     data
-        Dictionaries, lists, numbers, texts, booleans and None.
+        Dictionaries, lists, numbers, texts, Booleans and None.
     lines
-        Line of every key and list entry by its path, from 1.
+        Line of every key and list entry by its path, counted from 1.
     problems
-        Duplicate keys, tags, and the like.
+        Duplicate keys, tags and similar.
     """
 
     def __init__(self, text: str, progress: Progress = silent) -> None:
         self.lines: dict[Place, int] = {}
         self.problems: list[Message] = []
         self._values = 0
-        self._most = len(text) + 10_000  # more values than characters come from nested aliases only
+        self._most = len(text) + 10_000  # more values than characters can only result from nested aliases
         self._open: set[int] = set()
         self._progress, self._size = progress, len(text)
         node = _compose(text, progress)
@@ -137,9 +137,9 @@ class Tree:
         return out
 
     def _whole(self, place: Place, formula: str, line: int) -> str:
-        """Report a formula that YAML has cut at its commas, and read on with all of it."""
+        """Report a formula that YAML has split at its commas, and continue with the complete formula."""
         remedy = f'write {f"{place[-1]}: " if isinstance(place[-1], str) else ""}"{formula}"'
-        message = "is cut at its commas: inside {...} and [...] a formula with commas needs quotes"
+        message = "is split at its commas: inside {...} and [...] a formula with commas requires quotes"
         self._problem(place, message, line, remedy)
         return formula
 
@@ -161,7 +161,7 @@ class Tree:
 
 
 def _rejoined(node: Any, entries: list[tuple[Any, Any]]) -> list[tuple[Any, Any, str | None]]:
-    """Entries of a list or mapping as (value, key, whole); `whole` is a formula joined again, else None.
+    """Entries of a list or mapping as (value, key, whole); `whole` is a rejoined formula, else None.
 
     Inside {...} and [...] a comma ends a value without quotes: min(t, 1) becomes `min(t` and a further entry
     or key `1)`.
@@ -183,14 +183,14 @@ def _rejoined(node: Any, entries: list[tuple[Any, Any]]) -> list[tuple[Any, Any,
 
 
 def _plain_text(node: Any) -> str | None:
-    """Text of a value without quotes; None for anything else."""
+    """Text of an unquoted value; None for others."""
     from ruamel.yaml.nodes import ScalarNode
 
     return str(node.value) if isinstance(node, ScalarNode) and not node.style else None
 
 
 def value_of(text: str) -> Any:
-    """Read one value, written as after a key.
+    """Read one value in the notation of a model file.
 
     Examples
     --------
@@ -227,13 +227,13 @@ def _number(text: str) -> int | float | None:
 
 
 class _Watched:
-    """A text as a stream that reports how much of it was read."""
+    """Text stream that reports the progress of reading."""
 
     def __init__(self, text: str, progress: Progress) -> None:
         self._stream, self._size, self._progress = StringIO(text), len(text), progress
 
     def read(self, size: int) -> str:
-        """Pass the parser its next characters, and report how far the file is read."""
+        """Next characters for the parser; reports the progress."""
         self._progress(_COMPOSED * self._stream.tell(), self._size)
         return self._stream.read(size)
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Reports about a model: its numbers, what follows from it without a scenario, and the page of both."""
+"""Reports on a model: its parameters, results that need no scenario, and the HTML page with both."""

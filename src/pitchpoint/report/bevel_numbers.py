@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The numbers of bevel gears and their pairs that commands and reports show, by their symbols (ISO 23509)."""
+"""Geometry tables of bevel gears and pairs, by their ISO 23509 symbols."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ BEVEL_PAIR_ROWS: tuple[Row, ...] = (
     ("b", "common face width", "length"),
     ("sigma_p", "base pitch in the plane of action", "angle"),
     ("sigma_A", "start of contact", "angle"),
-    ("sigma_w", "pitch ray", "angle"),
+    ("sigma_w", "angle of the pitch ray", "angle"),
     ("sigma_E", "end of contact", "angle"),
-    ("sigma_T", "between the rays on both base cones", "angle"),
+    ("sigma_T", "angle between the rays on both base cones", "angle"),
     ("eps_alpha", "transverse contact ratio", "dimensionless"),
     ("eps_beta", "overlap ratio", "dimensionless"),
     ("eps_gamma", "total contact ratio", "dimensionless"),
@@ -64,9 +64,9 @@ BEVEL_STIFFNESS_ROWS: tuple[Row, ...] = (
 
 
 def bevel_gear_numbers(model: Model, name: str) -> dict[str, Any]:
-    """Collect geometry, mass and moments of inertia of a bevel gear; spiral angles lose their sign.
+    """Collect geometry, mass and moments of inertia of a bevel gear; spiral angles are positive.
 
-    The centre of mass counts from the apex into the gear.
+    The centre of mass is measured from the apex into the gear.
     """
     from pitchpoint.geometry.bevel.tooth import bevel_tooth
     from pitchpoint.model.inertia import bevel_gear_inertia
@@ -81,9 +81,9 @@ def bevel_gear_numbers(model: Model, name: str) -> dict[str, Any]:
 
 
 def bevel_mesh_numbers(model: Model, name: str) -> dict[str, Any]:
-    """Collect the geometry of a bevel mesh and its stiffness by DIN 3990, whatever law it uses.
+    """Collect the geometry of a bevel mesh and its DIN 3990 stiffness, independent of its stiffness law.
 
-    Backlash is what is simulated, so a given value counts.
+    The backlash is the simulated one: a given value takes precedence.
     """
     from pitchpoint.system.rules.bevel_mesh import bevel_single_stiffness
 
@@ -96,7 +96,7 @@ def bevel_mesh_numbers(model: Model, name: str) -> dict[str, Any]:
 
 
 def bevel_cycles(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float | None]]:
-    """Compute the stiffness cycle of every bevel mesh, see `numbers.cycles_of_model`."""
+    """Stiffness cycle of every bevel mesh, see `numbers.cycles_of_model`."""
     from pitchpoint.contact.bevel_cycle import bevel_cycle
     from pitchpoint.contact.mesh_cycle import phase_cycle
     from pitchpoint.contact.stiffness.description import PhaseStiffness

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How much room the gears of a model leave each other when they are assembled, judged by limits.
+"""Clearances between the assembled gears of a model, compared with limits.
 
-Within a mesh the teeth count as solids without modifications; gears that do not mesh, and shafts next to
-them, count as their tip circles and sections, where the file places them.
+Meshing teeth are solids without modifications. Gears that do not mesh and adjacent shafts are represented by
+tip cylinders and shaft sections at the positions of the model file.
 """
 
 from __future__ import annotations
@@ -39,18 +39,18 @@ _PARALLEL = 1e-6
 
 @dataclass(frozen=True)
 class Room:
-    """A distance and its limit.
+    """Distance and its limit.
 
     Attributes
     ----------
     words
-        What it is between.
+        The two parts, in words.
     distance, limit
-        [m].
+        Distance and its minimum [m].
     slack
-        Error of the distance [m]: so much below the limit is fine.
+        Numerical tolerance of the distance below the limit [m].
     where
-        The place and position of the gears, of teeth in mesh.
+        Mesh position and location of the minimum, for teeth in mesh.
     """
 
     words: str
@@ -61,7 +61,7 @@ class Room:
 
     @property
     def fine(self) -> bool:
-        """Whether the limit is kept."""
+        """Whether the distance is within its limit."""
         return self.distance >= self.limit - self.slack
 
 
@@ -72,12 +72,12 @@ class Stage:
     Attributes
     ----------
     pair
-        Its gears, with tooth thicknesses that give the backlash of the mesh.
+        Gears with tooth thicknesses that give the backlash of the mesh.
     gears
-        Their names.
+        Names of the gears.
     rooms
         Distances by kind, see `pitchpoint.geometry.clearance.KINDS`, and `FACE`: the common face width, whose
-        limit is the narrower face.
+        limit is the narrower face width.
     notes
         Remarks.
     """
@@ -89,7 +89,7 @@ class Stage:
 
 
 def stage_of(model: Model, mesh: str) -> Stage:
-    """The clearances of a mesh as it is assembled.
+    """Clearances of an assembled mesh.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def stage_of(model: Model, mesh: str) -> Stage:
     Raises
     ------
     GeometryError
-        If a gear has no tooth.
+        If a gear has no valid tooth.
     """
     pair, notes = _pair_as_built(model, mesh)
     first, second = names = model.meshes[mesh].gears
@@ -129,7 +129,7 @@ def stage_of(model: Model, mesh: str) -> Stage:
 
 
 def _pair_as_built(model: Model, mesh: str) -> tuple[GearPair, tuple[str, ...]]:
-    """The pair whose teeth are decimated, both alike, to the backlash of the mesh; roots stay as they are."""
+    """Pair with teeth thinned equally to the backlash of the mesh; roots unchanged."""
     from dataclasses import replace
 
     pair = model.pairs[mesh]
@@ -137,11 +137,11 @@ def _pair_as_built(model: Model, mesh: str) -> tuple[GearPair, tuple[str, ...]]:
     if abs(more) < 1e-12:
         return pair, ()
     if pair.gear1.outline is not None or pair.gear2.outline is not None:
-        return pair, ("the real teeth count, not the backlash that the file gives",)
+        return pair, ("computed from the actual teeth, not from the backlash given in the file",)
     thinner = 0.5 * more * math.cos(pair.gear1.beta) / math.cos(pair.gear1.alpha_t)
 
     def thinned(gear: CylindricalGear) -> CylindricalGear:
-        """The gear with thinner teeth, no deeper root and the same tip."""
+        """Gear with thinner teeth and unchanged root and tip circles."""
         allowance = gear.thickness_allowance - thinner
         return replace(gear, thickness_allowance=allowance, root_diameter=gear.d_fE, tip_diameter=gear.d_a)
 
@@ -149,13 +149,13 @@ def _pair_as_built(model: Model, mesh: str) -> tuple[GearPair, tuple[str, ...]]:
 
 
 def neighbours(model: Model) -> list[Room]:
-    """Room between gears that do not mesh, and between gears and shafts next to them, nearest first.
+    """Clearances between gears that do not mesh and between gears and shafts, smallest first.
 
     Parameters
     ----------
     model
-        The model, with bodies. Parts count that lie side by side on parallel axes, nearer to each other than
-        half of the smaller tip diameter, where the file places them.
+        Model with bodies. Evaluated are parts on parallel axes that overlap axially and whose distance is
+        less than half of the smaller tip diameter, at the positions of the model file.
     """
     rounds = _gears(model) + _sections(model)
     mates = {frozenset(mesh.gears) for mesh in model.meshes.values()}
@@ -180,7 +180,7 @@ def neighbours(model: Model) -> list[Room]:
 
 @dataclass(frozen=True)
 class _Round:
-    """A tip cylinder or a section of a shaft."""
+    """Tip cylinder or section of a shaft."""
 
     name: str
     body: str
@@ -192,7 +192,7 @@ class _Round:
 
 
 def _gears(model: Model) -> list[_Round]:
-    """Tip cylinders of the external gears that sit on bodies with a place."""
+    """Tip cylinders of the external gears on bodies with a position."""
     found = []
     for name, gear in model.gears.items():
         body = model.body_of(name)
@@ -223,14 +223,14 @@ def _sections(model: Model) -> list[_Round]:
 
 
 def clearance_numbers(stages: dict[str, Stage], others: list[Room]) -> dict[str, Any]:
-    """Collect what `clearance --json` prints.
+    """Output of `clearance --json`.
 
     Parameters
     ----------
     stages
         Clearances by mesh.
     others
-        Room between parts that do not mesh.
+        Clearances between parts that do not mesh.
     """
     meshes = {}
     for name, stage in stages.items():

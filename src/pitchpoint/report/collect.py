@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Brings together what a report shows: the model, what follows from it, and results in files or datasets."""
+"""Collect the contents of a report: model, results that need no scenario, results in files or datasets."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ SOURCES = (
 )
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
 SETTLED = 0.2
-"""Share of a record before its statistics begin, where no file reports this (`settle_time`)."""
+"""Share of a record omitted from statistics if no file gives `settle_time`."""
 
 
 def describe(model: Model) -> ReportModel:
-    """Collect the contents of a report about a model."""
+    """Collector of the contents of a report on a model."""
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.model.signals import signal_lines
     from pitchpoint.report.defaults import defaults
@@ -70,7 +70,7 @@ def describe(model: Model) -> ReportModel:
 
 
 def _sources(model: Model) -> tuple[str, ...]:
-    """Standards and papers behind the numbers of a model."""
+    """Standards and papers used for a model."""
     of_gears = SOURCES[:1] if model.gears else ()
     of_meshes = SOURCES[1:] if model.every_mesh else ()
     return (*of_gears, *(BEVEL_SOURCES if model.bevel_gears else ()), *of_meshes)
@@ -78,7 +78,7 @@ def _sources(model: Model) -> tuple[str, ...]:
 
 @dataclass
 class _Found:
-    """Results so far, by the name of the scenario, and remarks."""
+    """Results by scenario name, and remarks."""
 
     runs: dict[str, TimeRun] = field(default_factory=dict)
     sweeps: dict[str, dict[str, Any]] = field(default_factory=dict)
@@ -91,7 +91,7 @@ class _Found:
 def collect(
     model: Model, results: Sequence[str | os.PathLike[str] | xr.Dataset], progress: Progress
 ) -> tuple[ReportResults, list[str]]:
-    """Collect what a report shows: what follows from the model, the results given, and remarks."""
+    """Collect the contents of a report: results of the model alone, given results, and remarks."""
     from pitchpoint.io.opening import understood
     from pitchpoint.report.number_rows import C_PRIME_B, MEAN
     from pitchpoint.report.numbers import cycles_of_model
@@ -131,7 +131,7 @@ def collect(
 
 
 def _add_file(found: _Found, file: str, model: Model) -> None:
-    """Put the contents of one result file where the report looks for it."""
+    """Add the contents of one result file to the data of the report."""
     from pitchpoint.analysis.jumps import sweep_jumps
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.io.case_store import read_cases
@@ -141,11 +141,11 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
 
     header = read_header(file)
     if str(header.get("model_hash", "")) not in ("", content_hash(model)):
-        found.remarks.append(f"{Path(file).name} was computed with another state of the model.")
+        found.remarks.append(f"{Path(file).name} was computed with a different version of the model.")
     name, own = str(header["scenario"] or Path(file).stem), Path(file).name
 
     def take(kind: dict[str, Any]) -> str:
-        """A free name among the results of a kind; where it comes from is noted."""
+        """Unused name among the results of a kind; its origin is recorded."""
         key = _free(name, own, kind)
         found.sources.append(source_of(key, header, content_hash(model), own))
         return key
@@ -178,12 +178,12 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
-            f"{own}: a report computes {kind} results anew from the model; those of the file are not shown."
+            f"{own}: a report recomputes {kind} results from the model; those of the file are not shown."
         )
 
 
 def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
-    """Put a time response, a speed sweep or a slow roll where the report looks for it."""
+    """Add a time response, a speed sweep or a slow roll to the data of the report."""
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.report.provenance import source_of
 
@@ -203,14 +203,14 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     else:
         what = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
-            f"results: {what} has no place in a report; "
+            f"results: {what} cannot be shown in a report; "
             "give a dataset of solve_time, solve_quasistatic or sweep_speed, or the name of a result file"
         )
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
 
 
 def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
-    """Points and jumps of a dataset of `sweep_speed`, in the order in which they were run."""
+    """Points and jumps of a dataset of `sweep_speed`, in the order of computation."""
     from pitchpoint.analysis.jumps import sweep_jumps
 
     points: list[dict[str, Any]] = []
@@ -232,7 +232,7 @@ def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
 
 
 def _free(name: str, other: str, taken: dict[str, Any]) -> str:
-    """Name a result after its scenario, with something of its own where two have the same."""
+    """Name a result after its scenario, with a suffix if the name is used."""
     if name in taken:
         name = f"{name} ({other})"
     names = (name, *(f"{name} {k}" for k in range(2, len(taken) + 2)))

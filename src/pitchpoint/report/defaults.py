@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a model assumes: the keys that its file omits, with the values that apply."""
+"""Defaults of a model: the keys that its file omits, with the values in effect."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 
 
 WITHOUT_GEARS = {"sum over the gears": "none", "that of the gears": "its origin"}
-"""Defaults of bodies that carry no gears."""
+"""Defaults of bodies without gears."""
 FOLLOWS = ("sum over the gears", "that of the gears", "from geometry", "round about the z axis")
-"""Defaults that a solid takes the place of."""
+"""Defaults replaced by the values of a solid."""
 
 
 def defaults(model: Model) -> list[tuple[str, str]]:
-    """List the optional keys that are at their defaults, equal ones of several components together."""
+    """List the optional keys at their defaults; equal defaults of several components are merged."""
     merged: dict[tuple[str, str, str], list[str]] = {}
     for group, name, key, value in _walk(model):
         merged.setdefault((group, key, value), []).append(name)
@@ -39,13 +39,13 @@ def defaults(model: Model) -> list[tuple[str, str]]:
 
 
 def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
-    """Give (group, name, key below it, default in words) of every key that is at its default."""
+    """Yield (group, name, key, default in words) for every key at its default."""
     for group in groups_of(model):
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
             idle = _keys_without_effect(part)
             if group == "meshes" and follows_flanks(model, name):
-                idle.discard("slices")  # grids of gaps are read on slices, whatever the width integral
+                idle.discard("slices")  # grids of gaps are evaluated on slices for every width integral
             for key, value in _unset(part):
                 if key not in idle:
                     if getattr(part, "solid", None) is not None:
@@ -56,7 +56,7 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
 
 
 def _keys_without_effect(part: Any) -> set[str]:
-    """Name the keys that have no effect on this component as it is described."""
+    """Keys without effect on this component in its present configuration."""
     idle = (
         {"inertia_tensor"}
         if getattr(part, "inertia_tensor", None) is None
@@ -77,7 +77,7 @@ def _keys_without_effect(part: Any) -> set[str]:
 
 
 def _unset(part: Any, path: str = "") -> Iterator[tuple[str, str]]:
-    """Keys of one component with an informative default: a number, a word or a rule."""
+    """Keys of one component with a default that is a number, a word or a rule."""
     keys, known = keys_of(type(part)), defaults_of(type(part))
     for field in fields(part):
         if field.name not in keys:

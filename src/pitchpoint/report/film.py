@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A film of a scene: pictures that a browser without a window draws, assembled by ffmpeg.
+"""Video of a scene: frames rendered by a headless browser and encoded by ffmpeg.
 
-Both are programs of the system, the browser is driven by Playwright; what is missing is named before anything
-is computed.
+Both are programs of the operating system; Playwright controls the browser. Missing programs are reported
+before anything is computed.
 """
 
 from __future__ import annotations
@@ -27,26 +27,26 @@ if TYPE_CHECKING:
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
 LENGTH = 10.0
-"""Seconds that a film lasts: the record is drawn out or together to them."""
+"""Duration of a video [s]; the time axis of the record is scaled to it."""
 SIZE = (1280, 800)
 PATIENCE = 120.0
-"""Seconds after which an answer of the browser is no longer waited for."""
+"""Timeout for the browser [s]."""
 FLAGS = "--disable-background-networking --use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader"
 READY = "document.querySelector('.ppv')?.dataset.ready ?? ''"
 
 
 @dataclass(frozen=True)
 class _Kind:
-    """How a film of one ending is made.
+    """Encoding of one file format.
 
     Attributes
     ----------
     encoders
-        Encoders of ffmpeg that make it, the best first.
+        Suitable encoders of ffmpeg, the best first.
     rate
-        Pictures a second.
+        Frames per second.
     picture
-        What the browser draws: jpeg, or png where its noise would cost colours.
+        Format of the frames: jpeg, or png for formats with a palette.
     settings
         Arguments of ffmpeg.
     """
@@ -61,14 +61,14 @@ KINDS = {
     ".mp4": _Kind(
         ("libx264", "libopenh264", "mpeg4"), 25.0, "jpeg", ("-pix_fmt", "yuv420p", "-movflags", "+faststart")
     ),
-    # constant quality needs a rate of 0; the fifth of nine speeds halves the time for a few per cent of size
+    # constant quality requires a bit rate of 0; speed 5 of 9 halves the time for a few per cent of size
     ".webm": _Kind(
         ("libvpx-vp9", "libvpx"),
         25.0,
         "jpeg",
         ("-pix_fmt", "yuv420p", "-crf", "33", "-b:v", "0", "-cpu-used", "4", "-row-mt", "1"),
     ),
-    # one palette of the whole film; an ordered pattern stays where it is, which packs well
+    # one palette for the whole video; ordered dithering is constant from frame to frame and compresses well
     ".gif": _Kind(
         ("gif",),
         12.5,
@@ -84,16 +84,16 @@ KINDS = {
 
 @dataclass(frozen=True)
 class FilmMaker:
-    """The programs of this machine that make a film, found before anything is computed.
+    """Programs on this computer that create a video, located before anything is computed.
 
     Attributes
     ----------
     target
-        The film.
+        File of the video.
     browser, ffmpeg
-        The programs.
+        Paths of the programs.
     encoder
-        What ffmpeg makes the film with.
+        Encoder of ffmpeg.
     """
 
     target: Path
@@ -103,48 +103,48 @@ class FilmMaker:
 
     @property
     def kind(self) -> _Kind:
-        """How its ending is made."""
+        """Encoding for the file extension."""
         return KINDS[self.target.suffix.lower()]
 
     def command(self, file: Path) -> list[str]:
-        """What makes a film of pictures that come one after the other."""
+        """Command line of ffmpeg that encodes a stream of frames."""
         pictures = ["-f", "image2pipe", "-framerate", f"{self.kind.rate:g}", "-i", "-"]
         coder = ["-c:v", self.encoder, *self.kind.settings]
         return [self.ffmpeg, "-loglevel", "error", "-y", *pictures, *coder, str(file)]
 
 
 def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
-    """Look for what a film needs.
+    """Locate the programs required for a video.
 
     Parameters
     ----------
     target
-        The film: .mp4, .webm or .gif.
+        File of the video: .mp4, .webm or .gif.
 
     Raises
     ------
     PitchpointError
-        If the ending is none of these, the file exists, or Playwright, a program or its encoder is missing.
+        If the extension is not supported, the file exists, or Playwright, a program or an encoder is missing.
     """
     path = Path(target)
     kind = KINDS.get(path.suffix.lower())
     if kind is None:
-        raise PitchpointError(f"{path.name} has no ending of a film; use {', '.join(KINDS)}")
+        raise PitchpointError(f"{path.name} has no video extension; use {', '.join(KINDS)}")
     check_place(path)
     if path.exists():
-        raise PitchpointError(f"{path} is there already, and a film replaces no file; choose another name")
+        raise PitchpointError(f"{path} exists, and a video does not replace files; choose another name")
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     ffmpeg = shutil.which("ffmpeg")
     missing = [name for name, found in (("chromium", browser), ("ffmpeg", ffmpeg)) if found is None]
     if browser is None or ffmpeg is None:
         raise PitchpointError(
-            f"a film needs {' and '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not "
-            f"installed; on Debian and Ubuntu: apt install {' '.join(missing)}. Pages save films too"
+            f"a video requires {' and '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not "
+            f"installed; on Debian and Ubuntu: apt install {' '.join(missing)}. Pages save videos, too"
         )
     if importlib.util.find_spec("playwright") is None:
         raise PitchpointError(
-            "a film needs Playwright, which drives the browser; pip install 'pitchpoint[film]'. "
-            "Pages save films too"
+            "a video requires Playwright, which controls the browser; pip install 'pitchpoint[film]'. "
+            "Pages save videos, too"
         )
     listed = subprocess.run(
         [ffmpeg, "-hide_banner", "-encoders"], capture_output=True, text=True, check=False
@@ -154,34 +154,34 @@ def film_maker(target: str | os.PathLike[str]) -> FilmMaker:
     if encoder is None:
         others = [ending for ending, other in KINDS.items() if known & set(other.encoders)]
         raise PitchpointError(
-            f"this ffmpeg ({ffmpeg}) writes no {path.suffix.lower()}, "
-            f"it has no {' or '.join(kind.encoders)}; "
+            f"this ffmpeg ({ffmpeg}) cannot write {path.suffix.lower()} files, "
+            f"it lacks the encoder {' or '.join(kind.encoders)}; "
             + (f"it writes {', '.join(others)}" if others else "install one with encoders")
         )
     return FilmMaker(path, browser, ffmpeg, encoder)
 
 
 def film(page: str | os.PathLike[str], maker: FilmMaker, progress: Progress = silent) -> Path:
-    """Write the record of a page of `write_view` as a film.
+    """Write the motion in a page of `write_view` as a video.
 
     Parameters
     ----------
     page
-        The page.
+        HTML page with the scene.
     maker
-        The film and what makes it, from `film_maker`.
+        Target file and programs, from `film_maker`.
     progress
         Called after every picture.
 
     Raises
     ------
     PitchpointError
-        If a program fails, or the scene does not move.
+        If a program fails, or the scene has no motion.
     """
     with _shown(maker.browser, Path(page).resolve().as_uri()) as seen:
         first, last = seen.evaluate("pitchpointViewer.state().window")
         if not last > first:
-            raise PitchpointError("the scene has no motion over time, so there is no film of it")
+            raise PitchpointError("the scene has no motion over time, so no video can be written")
         camera = seen.context.new_cdp_session(seen)
         count = round(maker.kind.rate * LENGTH)
         times = (first + (last - first) * k / (count - 1) for k in range(count))
@@ -190,16 +190,16 @@ def film(page: str | os.PathLike[str], maker: FilmMaker, progress: Progress = si
 
 
 def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, progress: Progress = silent) -> None:
-    """Hand pictures to ffmpeg.
+    """Encode frames with ffmpeg.
 
     Parameters
     ----------
     maker
         The film and what makes it.
     pictures
-        Jpeg or png files.
+        Contents of jpeg or png files.
     count
-        How many there are.
+        Number of frames.
     progress
         Called after every picture.
 
@@ -221,15 +221,15 @@ def encode(maker: FilmMaker, pictures: Iterable[bytes], count: int, progress: Pr
                 progress(k + 1, count)
             process.stdin.close()
         except BrokenPipeError:
-            pass  # ffmpeg states why below
+            pass  # the error output of ffmpeg is reported below
         words = process.stderr.read().decode(errors="replace").strip()
         if process.wait() != 0:
-            raise PitchpointError(f"ffmpeg cannot write {maker.target.name}: {words or 'it gives no reason'}")
+            raise PitchpointError(f"ffmpeg cannot write {maker.target.name}: {words or 'no reason given'}")
 
 
 @contextmanager
 def _shown(program: str, address: str) -> Iterator[Page]:
-    """A page with a scene, once it shows it."""
+    """Open page with a scene, after its first drawing."""
     from playwright.sync_api import Error, sync_playwright
 
     root = hasattr(os, "geteuid") and os.geteuid() == 0
@@ -245,12 +245,12 @@ def _shown(program: str, address: str) -> Iterator[Page]:
                 raise PitchpointError("the browser cannot show this scene")
             yield page
     except Error as error:
-        raise PitchpointError(f"the browser ({program}) fails: {error.message.splitlines()[0]}") from None
+        raise PitchpointError(f"the browser ({program}) failed: {error.message.splitlines()[0]}") from None
 
 
 def _picture(page: Page, camera: CDPSession, time: float, kind: str) -> bytes:
-    """The page at an instant [s], as jpeg or png."""
+    """Screenshot of the page at a time [s], as jpeg or png."""
     page.evaluate(f"pitchpointViewer.seek({time!r}); pitchpointViewer.draw()")
-    # Playwright's own screenshot takes a fifth longer
+    # the screenshot function of Playwright takes 20 % longer
     quality = {"quality": 90} if kind == "jpeg" else {}
     return base64.b64decode(camera.send("Page.captureScreenshot", {"format": kind, **quality})["data"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is made of the flanks of a model besides the involute: intended modifications and real deviations."""
+"""Flank modifications, deviations and faults of the gears of a model, as table rows."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 HEIGHTS = ("profile_crowning", "lead_crowning", "profile_slope", "helix_slope")
 
 Line = tuple[str, str, str, str, str]
-"""Gear, flanks, what, amount, extent."""
+"""Gear, flanks, kind, amount, extent."""
 
 
 def flank_lines(model: Model) -> list[Line]:
-    """Describe what the flanks of all gears have besides the involute, amounts in micrometres.
+    """Modifications, deviations and faults of the flanks of all gears, amounts in micrometres.
 
     Faults of severity 0 are omitted, see `inactive_faults`.
     """
@@ -36,7 +36,7 @@ def flank_lines(model: Model) -> list[Line]:
 
 
 def inactive_faults(model: Model) -> int:
-    """How many faults of teeth and seats have severity 0: they wait for a study and change nothing."""
+    """Number of tooth and seat faults with severity 0, which have no effect until a study raises it."""
     return sum(fault.severity == 0.0 for gear in model.toothed.values() for fault in gear.faults.values())
 
 
@@ -59,7 +59,7 @@ def _lines(gear: Gear) -> list[tuple[str, str, str, str]]:
 
 
 def _modifications(flank: Any) -> list[tuple[str, str, str]]:
-    """Modifications of one kind of flank: what, amount, extent."""
+    """Modifications of the left or right flanks: kind, amount, extent."""
     found = []
     for name in ("tip_relief", "root_relief", "end_relief"):
         relief = getattr(flank, name)
@@ -78,7 +78,7 @@ def _modifications(flank: Any) -> list[tuple[str, str, str]]:
 
 
 def _deviations(real: Deviations) -> list[tuple[str, str, str, str]]:
-    """Deviations of single teeth: flanks, what, largest amount, extent."""
+    """Deviations of single teeth: flanks, kind, maximum, extent."""
     found = []
     left, right = real.pitch_of("left"), real.pitch_of("right")
     sides = [("left and right", left)] if left == right else [("left", left), ("right", right)]
@@ -95,7 +95,7 @@ def _deviations(real: Deviations) -> list[tuple[str, str, str, str]]:
 
 
 def _fault(label: str, fault: ToothFault | BevelFault | SeatFault) -> tuple[str, str, str, str]:
-    """A fault of the teeth or of the seat: flanks, what, severity, tooth."""
+    """Fault of the teeth or of the seat: flanks, kind, severity, tooth."""
     tooth = getattr(fault, "tooth", None)
     flanks = getattr(fault, "flank", "both").replace("both", "left and right")
     where = "all teeth" if tooth is None else f"tooth {tooth}"

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frequencies of everything that turns in a model: shafts, meshes, bad teeth, planet sets, rolling bearings.
+"""Kinematic frequencies of a model: shafts, meshes, tooth contacts, planetary gear sets, rolling bearings.
 
-Frequencies are in Hz, speeds in rad/s and in space; `analysis` has the formulas.
+Frequencies are in Hz, speeds in rad/s relative to the inertial frame; the formulas are in `analysis`.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from pitchpoint.model.scenario import Drive
 
 EQUAL = 1e-6
-"""Angle by which planets at equal angles may be elsewhere [rad]."""
+"""Tolerance of the angles of equally spaced planets [rad]."""
 
 
 def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str]]:
-    """Speeds that a scenario gives bodies [rad/s], and remarks: driven ones have that of the end of the run.
+    """Speeds of bodies in a scenario [rad/s], and remarks; for driven bodies the speed at the end of the run.
 
     Raises
     ------
@@ -52,12 +52,12 @@ def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str
                 [Message(where, "is a Python function, whose speed is not known", remedy=remedy)]
             )
         speeds[body] = speed
-        remarks.append(f"{body} has the speed that it is driven at when the run ends, at {end:g} s")
+        remarks.append(f"{body}: speed of its drive at the end of the run, {end:g} s")
     return speeds, remarks
 
 
 def _at_end(drive: Drive, end: float) -> float | None:
-    """Speed of a drive at the end of a run [rad/s]; None if only a run would show it."""
+    """Speed of a drive at the end of a run [rad/s]; None if only a run gives it."""
     from pitchpoint.core.formula.formula import Formula
     from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
 
@@ -66,7 +66,7 @@ def _at_end(drive: Drive, end: float) -> float | None:
         formula = Formula.parse(law.text, ("t",))
         if drive.speed is not None:
             return float(formula(end))
-        h = 1e-4 * end  # exact for angles of the second degree; the third costs (h/end)^2 of it
+        h = 1e-4 * end  # exact for quadratic laws; relative error (h/end)^2 for cubic ones
         return float((3.0 * formula(end) - 4.0 * formula(end - h) + formula(end - 2.0 * h)) / (2.0 * h))
     if isinstance(law, TableLaw):
         if drive.speed is not None:
@@ -81,7 +81,7 @@ def _at_end(drive: Drive, end: float) -> float | None:
 def turning_speeds(
     model: Model, given: Mapping[str, float], *, driven: Collection[str] = ()
 ) -> dict[str, float]:
-    """Speeds of all bodies as a file counts them, from given ones through teeth and couplings [rad/s].
+    """Speeds of all bodies relative to their parents [rad/s], from given ones through meshes and couplings.
 
     Parameters
     ----------
@@ -90,12 +90,12 @@ def turning_speeds(
     given
         Speeds by body [rad/s].
     driven
-        Bodies whose given speed need not fit that of the others: the teeth require another one.
+        Bodies whose given speed may contradict the gear ratios; the ratios take precedence.
 
     Raises
     ------
     ModelError
-        If a body is unknown or cannot turn, or given speeds contradict each other.
+        If a body is unknown or cannot rotate, or given speeds contradict each other.
     """
     from pitchpoint.model.speed_ratios import locked_links, start_speeds
 
@@ -108,7 +108,7 @@ def turning_speeds(
                 Message(f"speed.{body}", "is not a body of the model", remedy=hint(body, model.bodies))
             )
         elif seat is None or "spin" not in seat.coordinates:
-            problems.append(Message(f"speed.{body}", "is the speed of a body that cannot turn by itself"))
+            problems.append(Message(f"speed.{body}", "is given, but the body cannot rotate on its parent"))
         else:
             problems += [
                 Message(
@@ -128,7 +128,7 @@ def turning_speeds(
                     "does not fit the ratio to the other given speeds",
                     value=f"{given[body]:.6g} rad/s",
                     limit=f"{fitting:.6g} rad/s",
-                    remedy="correct it or leave it out; the other speeds follow from the ratios",
+                    remedy="correct or omit it; the other speeds follow from the ratios",
                 )
                 for body, fitting in wrong
             ]
@@ -137,14 +137,14 @@ def turning_speeds(
 
 
 def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
-    """Collect what `frequencies --json` prints.
+    """Output of `frequencies --json`.
 
     Parameters
     ----------
     model
         The model.
     spins
-        Speeds of all bodies as the file counts them, against what they hang on [rad/s].
+        Speeds of all bodies relative to their parents [rad/s].
     """
     from pitchpoint.model.carried_trains import speed_in_space
 
@@ -168,7 +168,7 @@ def frequencies_of(model: Model, spins: Mapping[str, float]) -> dict[str, Any]:
 
 
 def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any]]:
-    """Frequencies of every mesh, and the body that carries its line of centres; None if that is still."""
+    """Frequencies of every mesh, and the body that carries its line of centres; None if this is fixed."""
     from pitchpoint.analysis.fault_frequencies import gear_pair_frequencies
     from pitchpoint.model.carried_trains import line_carrier, speed_in_space
 
@@ -176,7 +176,7 @@ def _meshes(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any
     found = {}
     for name, mesh in model.every_mesh.items():
         bodies = [model.body_of(gear) for gear in mesh.gears]
-        if None in bodies:  # gears without bodies do not turn
+        if None in bodies:  # gears without bodies do not rotate
             continue
         one, two = (str(body) for body in bodies)
         carrier = line_carrier(machine, one, two)
@@ -202,7 +202,7 @@ def _teeth(gear: Gear | BevelGear) -> int:
 
 
 def _gears(model: Model, meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
-    """How often one tooth of each gear meets each of its mates, and all of them."""
+    """Contact frequency of one tooth of each gear with each mating gear, and with all."""
     found = {}
     for name, gear in model.toothed.items():
         meets = {
@@ -224,7 +224,7 @@ def _gears(model: Model, meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, d
 def _planet_sets(
     model: Model, meshes: Mapping[str, Mapping[str, Any]], speeds: Mapping[str, float]
 ) -> dict[str, dict[str, Any]]:
-    """Carriers with the planets that they take round, and the phases of the meshes with each central gear."""
+    """Carriers with their planets, and the phases of the meshes with each central gear."""
     from pitchpoint.analysis.planet_frequencies import excited_motion, planet_phases
     from pitchpoint.model.mechanism import base_of
 
@@ -257,7 +257,7 @@ def _planet_sets(
 
 
 def _angles(model: Model, carrier: str, planets: list[str]) -> np.ndarray:
-    """Angles of planets about the axis of their carrier, from the first one on [rad]."""
+    """Angles of planets about the axis of their carrier, relative to the first [rad]."""
     from pitchpoint.model.frames import body_frame
 
     origin, axes = body_frame(model, carrier)
@@ -269,7 +269,7 @@ def _angles(model: Model, carrier: str, planets: list[str]) -> np.ndarray:
 
 
 def _rolling_bearings(model: Model, spins: Mapping[str, float]) -> dict[str, dict[str, Any]]:
-    """Frequencies of every rolling bearing, seen from what carries its inner ring and its load round."""
+    """Frequencies of every rolling bearing, relative to the carrier of its inner ring and load."""
     from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
     from pitchpoint.model.carried_trains import line_carrier, speed_in_space
     from pitchpoint.model.frames import split

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a model to what its signals know of it: orders of shafts, meshes and rolling bearings."""
+"""Rotating parts of a model for the analysis of its signals: orders of shafts, meshes, rolling bearings."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 LARGEST = 10_000_000
-"""Largest denominator of a ratio: products of the tooth counts of three stages stay below it."""
+"""Largest denominator of a ratio, above the product of the tooth counts of three stages."""
 EXACT = 1e-12
 BEARING_PARTS = {"outer ring": "bpfo", "inner ring": "bpfi", "rolling element": "bsf_double", "cage": "ftf"}
 
@@ -29,30 +29,30 @@ def parts_of(
     model
         The model.
     spins
-        Speeds of all bodies [rad/s], as of `report.frequencies.turning_speeds`.
+        Speeds of all bodies [rad/s], from `report.frequencies.turning_speeds`.
     reference
-        Body whose turns count.
+        Body that defines order 1.
 
     Returns
     -------
     TurningParts
-        Shafts that turn equally fast are one.
+        Shafts of equal speed are merged.
     dict
-        Name of the shaft in the parts by body.
+        Name of the merged shaft by body.
     list of str
-        What was omitted, and why.
+        Remarks on omitted parts.
 
     Raises
     ------
     ModelError
-        If the reference does not turn, nothing that turns has gears, or all meshes are those of planets.
+        If the reference does not rotate, no rotating body has gears, or all meshes are those of planets.
     """
     from pitchpoint.report.frequencies import frequencies_of
 
     rows = frequencies_of(model, spins)
     base = abs(rows["shafts"].get(reference, {}).get("speed", 0.0))
     if not base:
-        raise ModelError([Message(f"bodies.{reference}", "does not turn, so no order refers to it")])
+        raise ModelError([Message(f"bodies.{reference}", "does not rotate, so it cannot define orders")])
     remarks, orders = [], {}
     for body, row in rows["shafts"].items():
         if not row["gears"] or not row["speed"]:
@@ -68,16 +68,16 @@ def parts_of(
             [
                 Message(
                     "meshes",
-                    "all go round with a carrier: planets pass a sensor one after the other, and no test "
-                    "here knows their lines",
+                    "all are on a rotating carrier: the planets pass a sensor in turn, and no test here "
+                    "covers the resulting lines",
                     remedy="`pitchpoint frequencies` lists the fault frequencies of sun, planets and ring",
                 )
             ]
         )
     if carried:
-        remarks.append(f"meshes on carriers are beyond this: {', '.join(carried)} omitted")
+        remarks.append(f"meshes on carriers are not supported: {', '.join(carried)} omitted")
     if not orders:
-        raise ModelError([Message("bodies", "carry no gears that turn; there is nothing to diagnose")])
+        raise ModelError([Message("bodies", "carry no rotating gears; there is nothing to diagnose")])
     groups: dict[Fraction, list[str]] = {}
     for body, order in orders.items():
         groups.setdefault(order, []).append(body)
@@ -90,7 +90,7 @@ def parts_of(
 def _meshes(
     model: Model, rows: Mapping[str, Mapping[str, object]], names: Mapping[str, str]
 ) -> tuple[Mesh, ...]:
-    """Meshes with fixed axes; those of equal teeth on equal shafts are one."""
+    """Meshes with fixed axes; those of equal tooth counts on equal shafts are merged."""
     found: dict[tuple[object, ...], tuple[list[str], list[str], list[str]]] = {}
     for name, row in rows.items():
         one, two = model.every_mesh[name].gears
@@ -112,7 +112,7 @@ def _meshes(
 def _bearings(
     model: Model, rows: Mapping[str, Mapping[str, object]], base: float, names: Mapping[str, str]
 ) -> tuple[Bearing, ...]:
-    """Rolling bearings by the orders of their parts, with the shaft that turns in them."""
+    """Rolling bearings with the orders of their parts and the shaft that rotates in them."""
     import math
 
     from pitchpoint.model.frames import split

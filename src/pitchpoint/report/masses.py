@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Mass and inertia of gears, shafts and bodies by every way in which they are known, side by side."""
+"""Comparison of mass and inertia of gears, shafts and bodies from all available sources."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 SOURCES = ("geometry", "gears", "solid", "given", "in force")
-"""Ways to know a mass; of a body the sum over its gears."""
+"""Sources of a mass; "gears" is the sum over the gears of a body."""
 VALUES = ("mass", "polar_inertia", "transverse_inertia")
 
 
 def masses(model: Model) -> list[dict[str, Any]]:
-    """What is known of the mass of every gear, shaft and body.
+    """Mass data of every gear, shaft and body from all sources.
 
     Parameters
     ----------
@@ -38,11 +38,11 @@ def masses(model: Model) -> list[dict[str, Any]]:
     Returns
     -------
     list
-        For each of them `part` ("gear", "shaft" or "body"), `name`, `sources`: for each of `SOURCES` that
-        is known mass [kg], polar inertia about the axis and transverse inertia about the centre of mass
-        [kg m²] (None where a value is not known), and the place of the centre of mass from the origin [m]
-        of shafts and bodies; `differences`: of each source from what is in force, per that; and of solids
-        `file`, `unit`, `density` [kg/m³].
+        For each of them `part` ("gear", "shaft" or "body"), `name`, `sources`: for each available source
+        mass [kg], polar inertia about the axis and transverse inertia about the centre of mass [kg m²]
+        (None if not known), and for shafts and bodies the centre of mass from the origin [m];
+        `differences`: relative difference of each source from the value in force; for solids `file`,
+        `unit`, `density` [kg/m³].
     """
     found = [
         _entry("gear", name, _of_gear(gear), gear.solid, gear.material) for name, gear in model.gears.items()
@@ -96,7 +96,7 @@ def _numbers(
 
 def _of_gear(gear: Gear) -> dict[str, Any]:
     sources = {}
-    # a blank may not fit its teeth, where all that is needed comes from elsewhere
+    # the blank may be inconsistent with the teeth if all values are given elsewhere
     with contextlib.suppress(GeometryError):
         sources["geometry"] = _numbers(*gear_by_geometry(gear))
     if gear.solid is not None:
@@ -122,7 +122,7 @@ def _of_shaft(shaft: Shaft) -> dict[str, Any]:
     from pitchpoint.geometry.shaft_solid import shaft_mass_properties
 
     def by_sections(density: float) -> dict[str, Any]:
-        """Mass, inertia and center of the sections of the shaft at a density [kg/m^3]."""
+        """Mass, inertia and centre of mass of the shaft sections for a density [kg/m^3]."""
         total = shaft_mass_properties(shaft.dimensions, density)
         inertia = (total.polar_inertia, total.transverse_inertia)
         return _numbers(total.mass, *inertia, center=(0.0, 0.0, total.center))

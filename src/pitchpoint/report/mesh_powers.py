@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the forces of a mesh give to both gears and to all that carries them, by torques about axes at rest.
+"""Power of mesh forces on both gears and on the bodies that carry them, from torques about fixed axes.
 
-A force F along the base tangent turns gear k by -r_bk F (mesh damper included), friction by the torques that
-the mesh shows. From the torques M_1 and M_2 about both axes follows that about any axis between: the gears
-push each other with opposite wrenches, so what acts on gear 2 has the torque -M_1 about the axis of gear 1.
-About an axis aside from both the other parts of the force count as well.
+A force F along the base tangent (mesh damper included) exerts the torque -r_bk F on gear k; friction exerts
+the torques recorded by the mesh. The torques M_1 and M_2 about both axes determine the torque about any axis
+in their plane: the wrenches on the gears are opposite, so the force on gear 2 has the torque -M_1 about the
+axis of gear 1. About an axis outside this plane the other force components contribute, too.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ FRICTION = ("friction_torque_1", "friction_torque_2")
 
 @dataclass(frozen=True)
 class Arms:
-    """Torque about an axis of what acts on gear 2.
+    """Torque of the force on gear 2 about an axis.
 
     Attributes
     ----------
     shares
         Factors of -M_1 and M_2.
     aside
-        Factors of the parts of the force [m].
+        Lever arms of the force components [m].
     """
 
     shares: tuple[float, float]
@@ -43,17 +43,17 @@ class Arms:
 
 
 def shows_friction(machine: Machine, name: str) -> bool:
-    """Whether a result states what friction does to each gear of a mesh."""
+    """Whether a result contains the friction torques on each gear of a mesh."""
     return all(f"{word}[{name}]" in machine.result for word in FRICTION)
 
 
 def mesh_powers(machine: Machine, mesh: int, record: np.void, name: str) -> list[float]:
-    """Mean powers that both gears of a mesh, and what carries them, get from it [W].
+    """Mean powers supplied by a mesh to both gears and to the bodies that carry them [W].
 
     Parameters
     ----------
     machine
-        The machine and its result.
+        Machine with its result.
     mesh, record, name
         Number, record and name of the mesh.
     """
@@ -79,7 +79,7 @@ def mesh_powers(machine: Machine, mesh: int, record: np.void, name: str) -> list
 
 
 def _arms(machine: Machine, mesh: int, record: np.void, pair: tuple[int, int], a: int) -> Arms:
-    """Torque about the axis of body `a`, out of torques about those of both gears."""
+    """Torque about the axis of body `a` from the torques about the axes of both gears."""
     if a in pair:
         return Arms((float(a == pair[0]), float(a == pair[1])), np.zeros(3))
     axis, at = machine.axis[a], machine.place[a]
@@ -108,5 +108,5 @@ def _rounded(one: float, two: float) -> tuple[float, float]:
 
 
 def _near(values: Array) -> Array:
-    """Values without the round-off of places and axes."""
+    """Values with round-off of positions and axes set to zero."""
     return np.where(np.abs(values) < 1e-12, 0.0, values)

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What notebooks show for models and results: tables or a summary, and the 3-D scene in a frame.
+"""Display of models and results in notebooks: tables or a summary, and the 3-D scene in a frame.
 
-Results are plain datasets of xarray, so nothing is put into that class: IPython is configured to display it,
-and whatever is not a result of pitchpoint gets the display that xarray has for it. Registering goes by the
-names of classes and imports nothing.
+Results are plain xarray datasets. A formatter registered with IPython displays results of pitchpoint; other
+datasets keep the display of xarray. Formatters are registered by class name, without importing the classes.
 """
 
 from __future__ import annotations
@@ -23,9 +22,9 @@ if TYPE_CHECKING:
     from pitchpoint.viz.scene.content import Scene
 
 HEIGHT, WITH_CURVES = "480px", "640px"
-"""Height of a scene among the cells, alone and with curves below it."""
+"""Height of a scene in a cell, without and with curves below it."""
 MOST_BYTES = 8_000_000
-"""Largest scene that goes into a notebook, the viewer of 0.7 MB included; the file holds a copy of each."""
+"""Size limit of a scene in a notebook, including the viewer (0.7 MB): the file stores each scene."""
 FIRST = (
     "mesh_force",
     "transmission_error",
@@ -36,7 +35,7 @@ FIRST = (
     "speed",
     "angle",
 )
-"""Quantities that a summary begins with."""
+"""First quantities of a summary."""
 MOST_ROWS = 8
 
 
@@ -59,7 +58,7 @@ def register() -> bool:
 
 
 def shown() -> dict[tuple[str, str], Callable[[Any], str]]:
-    """What makes the HTML of an object, by module and name of its class."""
+    """HTML formatters by module and class name."""
     found: dict[tuple[str, str], Callable[[Any], str]] = {
         key: getattr(drawings, function) for key, function in drawings.SHOWN.items()
     }
@@ -69,7 +68,7 @@ def shown() -> dict[tuple[str, str], Callable[[Any], str]]:
 
 
 def model_html(model: Model) -> str:
-    """The tables of a model, a drawing of every pair of gears in it, and its scene at rest."""
+    """Tables of a model, a drawing of each gear pair, and the scene at rest."""
     from pitchpoint.report.scene.rest import rest_scene
 
     return drawings.model_html(model) + _frame(lambda: rest_scene(model))
@@ -82,7 +81,7 @@ def is_result(data: xr.Dataset) -> bool:
 
 
 def dataset_html(data: xr.Dataset) -> str:
-    """Summary, scene and variables of a result; any other dataset as xarray shows it."""
+    """Summary, scene and variables of a result; the xarray display for any other dataset."""
     own = str(data._repr_html_())
     if not is_result(data):
         return own
@@ -91,22 +90,22 @@ def dataset_html(data: xr.Dataset) -> str:
 
 
 def _frame(scene: Callable[[], Scene]) -> str:
-    """A scene in a frame of its own, or a sentence that states why there is none."""
+    """Scene in a frame, or a sentence with the reason why there is none."""
     from pitchpoint.core.errors import PitchpointError, ValidityWarning
     from pitchpoint.viz.scene.page import scene_frame
 
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", ValidityWarning)  # it was reported when model or result were made
+            warnings.simplefilter("ignore", ValidityWarning)  # reported when the model or result was created
             made = scene()
         if not made.solids:
-            return _sentence("no scene: the model holds no body with gears, shafts or a solid to draw")
+            return _sentence("no scene: the model has no body with gears, shafts or a solid to draw")
         frame = scene_frame(made, height=WITH_CURVES if made.channels else HEIGHT)
     except (PitchpointError, ValueError, OSError) as error:
         return _sentence(f"no scene: {error}")
     if len(frame) > MOST_BYTES:
-        size = f"{len(frame) / 1e6:.0f} MB of at most {MOST_BYTES / 1e6:.0f} MB"
-        return _sentence(f"no scene: it has {size} for a notebook; `pitchpoint view` writes it as a page")
+        size = f"{len(frame) / 1e6:.0f} MB (limit {MOST_BYTES / 1e6:.0f} MB)"
+        return _sentence(f"no scene: too large for a notebook, {size}; use `pitchpoint view` to write a page")
     notes = "".join(_sentence(note) for note in made.notes)
     return frame + notes
 
@@ -118,7 +117,7 @@ def _sentence(text: str) -> str:
 
 
 def _scene(data: xr.Dataset) -> Scene:
-    """The scene of a result over time, or of its machine at rest where nothing moves."""
+    """Scene of a result over time, or of its model at rest if nothing moves."""
     from pitchpoint.core.errors import PitchpointError
     from pitchpoint.io.yaml_model import loads_model
     from pitchpoint.report.scene.build import scene_of
@@ -126,7 +125,7 @@ def _scene(data: xr.Dataset) -> Scene:
 
     text = str(data.attrs.get("model_text", ""))
     if not text:
-        raise PitchpointError("this result does not keep its model")
+        raise PitchpointError("this result does not contain its model")
     model = loads_model(text, file=str(data.encoding.get("source", "result")))
     if "mode" in data.dims or ("time" in data.dims and data.sizes["time"] > 1):
         return scene_of(model, data)
@@ -134,7 +133,7 @@ def _scene(data: xr.Dataset) -> Scene:
 
 
 def _summary(data: xr.Dataset) -> str:
-    """Title, where the result comes from, how it ended, and the first of its channels in numbers."""
+    """Title, origin, status, and a table of the first channels of a result."""
     attrs = data.attrs
     bold = escape(str(attrs.get("title") or "Result"))
     sentence = f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}"
@@ -157,7 +156,7 @@ def _facts(data: xr.Dataset) -> list[str]:
 
 
 def _ending(data: xr.Dataset) -> str:
-    """A sentence about a result that did not come to its end."""
+    """Sentence about the status of an unfinished result; empty if finished."""
     from pitchpoint.core.status import OK
 
     status, attrs = data.attrs.get("status", OK), data.attrs
@@ -207,7 +206,7 @@ def _modes(data: xr.Dataset) -> str:
 
 
 def _sweep(data: xr.Dataset) -> str:
-    """Where a sweep vibrates most in each direction, and where it jumps."""
+    """Maximum response of a sweep in each direction, and its jumps."""
     from pitchpoint.viz.quantities import amount, number
     from pitchpoint.viz.tables import plain_table
 
@@ -237,7 +236,7 @@ def _sweep(data: xr.Dataset) -> str:
 
 
 def _row(name: str, unit: str, x: Any) -> str:
-    """One channel in the unit that people use."""
+    """Table row of one channel in a customary unit."""
     from pitchpoint.viz.quantities import Channel, number, scale
 
     shown = scale(unit, x)

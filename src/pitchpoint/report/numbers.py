@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The numbers of gears, pairs and mesh stiffness that commands and reports show, by their ISO symbols.
+"""Data of gears, pairs and mesh stiffness for commands and reports, by their ISO symbols.
 
-Each quantity exists once, with its meaning and dimension; JSON and tables are made from the same rows. Values
-are SI and radians; numbers of teeth, diameters, centre distances and helix angles are positive here, whatever
-signs ISO 21771 gives them inside the geometry (the hand is given next to the helix angle instead).
+Each quantity is defined once, with meaning and dimension; JSON and tables use the same rows. Values are in SI
+units and radians. Numbers of teeth, diameters, centre distances and helix angles are positive here, without
+the signs of ISO 21771 in the geometry (the hand is given next to the helix angle).
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ PAIR_ROWS: tuple[Row, ...] = (
     ("a_w", "working centre distance", "length"),
     ("alpha_wt", "working pressure angle", "angle"),
     ("x_sum", "sum of profile shifts without backlash", "dimensionless"),
-    ("x_sum_given", "sum of profile shifts as made", "dimensionless"),
+    ("x_sum_given", "sum of given profile shifts", "dimensionless"),
     ("b_w", "common face width", "length"),
     ("d_w1", "working pitch diameter, gear 1", "length"),
     ("d_w2", "working pitch diameter, gear 2", "length"),
@@ -111,7 +111,7 @@ def gear_numbers(model: Model, name: str) -> dict[str, Any]:
 
 
 def measure_numbers(gear: CylindricalGear) -> dict[str, Any]:
-    """Collect what is measured on a gear in the workshop; None where a measure does not exist."""
+    """Collect the inspection dimensions of a gear; None if a dimension does not exist."""
     from pitchpoint.core.errors import GeometryError
     from pitchpoint.geometry import measures
     from pitchpoint.geometry.tooth_thickness import tip_thickness
@@ -132,9 +132,9 @@ def measure_numbers(gear: CylindricalGear) -> dict[str, Any]:
 
 
 def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
-    """Collect the geometry of a mesh as it is in the model, and its stiffness by DIN 3990 / ISO 6336.
+    """Collect the geometry of a mesh of the model and its stiffness by DIN 3990 / ISO 6336.
 
-    Backlash is what is simulated, so a value given in the file counts.
+    The backlash is the simulated one: a value given in the file takes precedence.
     """
     from pitchpoint.geometry.sliding import specific_sliding
     from pitchpoint.system.rules.stiffness import single_stiffness_of
@@ -153,9 +153,9 @@ def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
 
 
 def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float | None]]:
-    """Compute the stiffness cycle of every mesh, what it is relative to, and the value of that [N/m].
+    """Stiffness cycle of every mesh, with its reference value in words and as a number [N/m].
 
-    A constant of another unit than a stiffness has no such value: None.
+    None if the reference value does not have the unit of a stiffness.
     """
     from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
     from pitchpoint.contact.stiffness.description import PairShape
@@ -175,7 +175,7 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
 
 
 def geometry_of_model(model: Model) -> dict[str, Any]:
-    """Collect everything that `gears --json` prints."""
+    """Output of `gears --json`."""
 
     return {
         "gears": {
@@ -189,12 +189,12 @@ def geometry_of_model(model: Model) -> dict[str, Any]:
 
 
 def stiffness_numbers(single: SingleStiffness) -> dict[str, Any]:
-    """Collect the stiffness of a pair by DIN 3990 / ISO 6336, whatever law its mesh uses."""
+    """Collect the stiffness of a pair by DIN 3990 / ISO 6336, independent of the law of its mesh."""
     return pick(single, STIFFNESS_ROWS, set())
 
 
 def cycle_numbers(cycle: MeshCycle, relative_to: str, unit_stiffness: float | None) -> dict[str, Any]:
-    """Collect the stiffness over a mesh cycle; `unit_stiffness` is its ratio 1 [N/m]."""
+    """Collect the stiffness over a mesh cycle; `unit_stiffness` is the reference of its ratios [N/m]."""
     return {
         "phase": cycle.phase,
         "stiffness_ratio": cycle.stiffness_ratio,

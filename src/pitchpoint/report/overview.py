@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a report begins with: what the model has, its scene, and where the power of its runs goes."""
+"""First sections of a report: components of the model, scene, power flow of the runs."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ if TYPE_CHECKING:
     from pitchpoint.viz.power_flow import PowerFlow
 
 READ = {*TIME_QUANTITIES, *FORCE_PARTS, "normal_force"} - {"bearing_force", "coupling_force"}
-"""Quantities that a reader of the scene in a report may draw below it."""
+"""Quantities available as curves below the scene of a report."""
 NO_PARTS = ("lines", "pairs")
 """Mappings of a model that are not sections of its file."""
 MOST_NAMES = 6
-"""Names that are written out; of more the first of them."""
+"""Maximum number of listed names."""
 
 
 def counts_of(model: Model) -> list[tuple[str, str]]:
-    """What there is of each part of a model, with names."""
+    """Number and names of the components of each section of a model."""
     found = []
     for field in fields(model):
         section, parts = field.name, getattr(model, field.name)
@@ -40,7 +40,7 @@ def counts_of(model: Model) -> list[tuple[str, str]]:
 
 
 def _named(model: Model, section: str, name: str) -> str:
-    """Name of a part; of a gear with its teeth, of a mesh with those of both gears."""
+    """Name of a component; for gears and meshes with the numbers of teeth."""
     if section in ("gears", "bevel_gears"):
         return f"{name} ({model.toothed[name].number_of_teeth})"
     if section in ("meshes", "bevel_meshes"):
@@ -50,7 +50,7 @@ def _named(model: Model, section: str, name: str) -> str:
 
 
 def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
-    """The scene of the first run that came to its end, else of the first, else of the model at rest."""
+    """Scene of the first complete run, else of the first run, else of the model at rest."""
     from pitchpoint.report.scene.build import scene_of
 
     names = [*(name for name, run in runs.items() if not run.note), *runs]
@@ -60,13 +60,13 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
         try:
             scene = scene_of(model, data)
         except PitchpointError as error:
-            words = f"The motion of {name} cannot be shown: {error}"
+            words = f"The motion of {name} cannot be shown: {error}."
             break
         if scene.solids:
-            # the page has curves of its own: below the scene are the most important channels
+            # the page contains all curves; only the most important channels are shown below the scene
             scene = replace(scene, channels=[c for c in scene.channels if c.name.partition("[")[0] in READ])
-            notes = [f"The scene shows {name}; a click into a curve of this run moves its time.", lost]
-            notes.append("" if len(runs) < 2 else "The command view shows other runs, and two side by side.")
+            notes = [f"The scene shows {name}; click a curve of this run to set the time of the scene.", lost]
+            notes.append("" if len(runs) < 2 else "Use pitchpoint view for other runs or two side by side.")
             return SceneData(scene=scene, run=name, words=" ".join(filter(None, notes)))
     try:
         scene = scene_of(model)
@@ -74,14 +74,14 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
         return SceneData(words=f"There is no scene: {error}")
     if not scene.solids:
         return SceneData(
-            words="There is no scene: the model gives no shapes, neither gears on bodies nor files."
+            words="There is no scene: the model has no shapes, neither gears on bodies nor solid files."
         )
     at_rest = "The scene shows the machine at rest."
     return SceneData(scene=replace(scene, channels=()), words=f"{words} {at_rest}".strip())
 
 
 def _finite(data: xr.Dataset) -> tuple[xr.Dataset, str]:
-    """A result up to where a run that failed left numbers that are none, and a sentence about it."""
+    """Result up to the first non-finite sample of a failed run, and a sentence about it."""
     fine = np.ones(data.sizes["time"], dtype=bool)
     for values in data.data_vars.values():
         if values.dims == ("time",) and values.dtype.kind == "f":
@@ -89,14 +89,12 @@ def _finite(data: xr.Dataset) -> tuple[xr.Dataset, str]:
     if fine.all():
         return data, ""
     end = int(np.argmin(fine))
-    words = (
-        f"It ends where the numbers of the result are no longer finite, at {float(data['time'][end]):.6g} s."
-    )
+    words = f"It ends at {float(data['time'][end]):.6g} s, where the result becomes non-finite."
     return data.isel(time=slice(0, max(end, 1))), words
 
 
 def power_part(model: Model, runs: Mapping[str, TimeRun]) -> dict[str, Any]:
-    """Power flow of every run, or a sentence that states why there is none; nothing where none can flow."""
+    """Power flow of every run, or a sentence with the reason why there is none; empty without connections."""
     from pitchpoint.report.power_flow import power_flow
 
     found: dict[str, PowerFlow | str] = {}

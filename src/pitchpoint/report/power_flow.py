@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the power of a run goes: from drives through meshes and couplings to loads, and what is lost.
+"""Power flow of a run: from drives through meshes and couplings to loads, with losses.
 
-Powers are means of torque times speed over the samples of a result, about the axes that bodies and all that
-carry them have at rest: power of vibration across the axis is not followed and stays in the remainder, which
-is stated, of the whole and of every block.
+Powers are means of torque times speed over the samples of a result, about the axes of the bodies and of
+their carriers at rest. Power of vibration transverse to the axis is not evaluated; it is part of the
+remainder, which is reported for the whole machine and for every block.
 """
 
 from __future__ import annotations
@@ -33,29 +33,29 @@ Array = NDArray[np.float64]
 
 LOSSES = {"friction": "friction_power", "damping": "damping_power"}
 ROUND_OFF = 1e-12
-"""Share of the power of a link below which what it loses is none."""
+"""Relative loss of a link below which it counts as lossless."""
 
 
 class NoPowerFlowError(PitchpointError):
-    """A result does not hold what a power flow needs."""
+    """The result lacks data required for the power flow."""
 
 
 def power_flow(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> PowerFlow | None:
-    """Mean powers of a time run from its settled beginning on; none where nothing joins bodies that turn.
+    """Mean powers of a time run after settling; None if no link connects rotating bodies.
 
     Parameters
     ----------
     model
-        The model that was run.
+        Model of the run.
     result
-        Its result, loaded.
+        Result, loaded.
     settle_time
-        Start of the span, after the first sample [s].
+        Settling time omitted from the means [s].
 
     Raises
     ------
     NoPowerFlowError
-        If the result does not hold what is needed.
+        If the result lacks required channels.
     """
     from pitchpoint.system.compile import compile_model
 
@@ -69,13 +69,13 @@ def power_flow(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> Po
 
 
 def _joins(kind: Kind) -> bool:
-    """Whether a kind passes power on between bodies that turn, whatever its records."""
+    """Whether a kind transmits power between rotating bodies, for all its records."""
     power = kind.power or Power()
     return kind.role in (MESH, RATIO) or bool(power.torque and not power.source and power.where is None)
 
 
 class Machine:
-    """Speeds of all bodies over the samples, and the blocks that they belong to."""
+    """Speeds of all bodies over the samples, and their blocks."""
 
     def __init__(self, model: Model, system: System, result: xr.Dataset, settle_time: float) -> None:
         self.system, self.result = system, result
@@ -83,7 +83,7 @@ class Machine:
         inside = time >= time[0] + settle_time if time.size else np.zeros(0, bool)
         self.inside = inside if inside.sum() > 1 else np.ones(time.size, bool)
         self.time = time[self.inside]
-        # a record of all steps needs no other mean: that of steps has no half weights at the ends
+        # a record of all steps is integrated directly: the mean over steps has no half weights at the ends
         self.decimated = int(result.attrs.get("steps", time.size)) >= time.size
         self.booked = False
         if self.time.size < 2:
@@ -100,13 +100,13 @@ class Machine:
         self.blocks, self.block_of = self._blocks(model)
 
     def channel(self, name: str) -> Array:
-        """A channel over the span."""
+        """Channel over the evaluated span."""
         if name not in self.result:
-            raise NoPowerFlowError(f"the result does not hold {name}")
+            raise NoPowerFlowError(f"the result does not contain {name}")
         return np.asarray(self.result[name].values, dtype=np.float64)[self.inside]
 
     def _blocks(self, model: Model) -> tuple[list[str], dict[int, int]]:
-        """Names of the blocks, and the block of all that turns: the stations of a shaft are one."""
+        """Names of the blocks, and the block of each rotating body; the stations of a shaft are one block."""
         from pitchpoint.model.shafts import station_names
 
         shafts = model.stations.items()
@@ -123,41 +123,41 @@ class Machine:
         return blocks, block_of
 
     def mean(self, values: Array | float) -> float:
-        """Mean over the span, in which samples may be spaced unevenly."""
+        """Time average over the span, for non-uniform samples, too."""
         shown = np.broadcast_to(values, self.time.shape)
         return float(np.trapezoid(shown, self.time) / (self.time[-1] - self.time[0]))
 
     def mean_of(self, name: str) -> float:
-        """Mean of a channel: that of all steps, if the run has left it; samples may keep step with teeth."""
+        """Mean of a channel over all steps, if stored: samples may be synchronous with the teeth."""
         sampled = self.mean(self.channel(name))
         numbers = self.result[name].attrs.get("statistics") if self.decimated else None
         return sampled if numbers is None or not np.isfinite(numbers[0]) else float(numbers[0])
 
     def power(self, name: str, speed: Array | float) -> float:
-        """Mean power of a force or torque at a speed."""
+        """Mean power of a force or torque."""
         force = self.channel(name)
         return self.mean(force * speed) + (self.mean_of(name) - self.mean(force)) * self.mean(speed)
 
     def carriers(self, b: int) -> Iterator[int]:
-        """A body and all that carry it, as far as they turn."""
+        """A body and the bodies that carry it, if they rotate."""
         while b:
             if b in self.spin:
                 yield b
             b = self.parent[b]
 
     def turning(self, b: int, axis: Array) -> Array | float:
-        """Speed of a body about an axis at rest [rad/s]."""
+        """Speed of a body about a fixed axis [rad/s]."""
         return sum(float(axis @ self.axis[a]) * self.spin[a] for a in self.carriers(b))
 
     def link(self, name: str, kind: str, pair: tuple[int, int], powers: tuple[float, float]) -> PowerLink:
-        """Power from one body to another out of the powers on both; it goes where it is positive."""
+        """Power flow between two bodies from the powers on both, towards the body with positive power."""
         (i, j), (on_i, on_j) = (self.block_of.get(b, OUTSIDE) for b in pair), powers
         if on_j >= on_i:
             return PowerLink(name=name, kind=kind, start=i, end=j, given=-on_i, taken=on_j)
         return PowerLink(name=name, kind=kind, start=j, end=i, given=-on_j, taken=on_i)
 
     def sources(self) -> Iterator[PowerLink]:
-        """Drives and loads, and reactions of loads on other bodies."""
+        """Links of drives and loads, and of their reactions on other bodies."""
         for power, record, name in self.passing(source=True):
             i, j = int(record["i"]), int(record["j"])
             on_i = self.power(power.torque.format(name), self.turning(i, self.axis[i]))
@@ -168,7 +168,7 @@ class Machine:
                 yield self.link(f"reaction of {name}", power.source, (0, j), (-on_j, on_j))
 
     def passing(self, source: bool) -> Iterator[tuple[Power, np.void, str]]:
-        """Description, record and name of the elements whose torque is followed: sources, or all others."""
+        """Description, record and name of the elements with an evaluated torque: sources, or all others."""
         for kind, records in self.system.records.items():
             power = registry.find(kind).power
             if power is None or not power.torque or bool(power.source) != source:
@@ -179,13 +179,13 @@ class Machine:
                     yield power, record, name
 
     def follows(self, power: Power, record: np.void) -> bool:
-        """Whether nothing is lost from view: between bodies that turn where only some records pass power."""
+        """Whether all links between rotating bodies are evaluated, for kinds with only some such records."""
         if power.source or power.where is None:
             return True
         return power.where(record) and {int(record["i"]), int(record["j"])} <= set(self.block_of)
 
     def meshes(self) -> Iterator[PowerLink]:
-        """Meshes; friction power not divided among the gears counts for the driving gear."""
+        """Links of meshes; friction power not divided between the gears is assigned to the driving gear."""
         names = mesh_names(self.system)
         for m, (record, name) in enumerate(zip(mesh_records(self.system), names, strict=True)):
             pair = int(record["i"]), int(record["j"])
@@ -199,19 +199,19 @@ class Machine:
             yield replace(found, fed=fed if abs(fed) > ROUND_OFF * found.given else 0.0)
 
     def torques(self) -> Iterator[PowerLink]:
-        """Couplings and clutches: what does not arrive is lost in them."""
+        """Links of couplings and clutches; the difference of their powers is their loss."""
         for power, record, name in self.passing(source=False):
             pair = int(record["i"]), int(record["j"])
             found = self.between(name, pair, power.torque.format(name))
             yield _with_losses(found, {power.loss: found.given - found.taken})
 
     def between(self, name: str, pair: tuple[int, int], channel: str) -> PowerLink:
-        """A torque on the first of two bodies, the opposite one on the second."""
+        """Link of a torque on the first of two bodies and the opposite torque on the second."""
         first, second = (self.power(channel, self.turning(b, self.axis[pair[0]])) for b in pair)
         return self.link(name, "coupling", pair, (first, -second))
 
     def ratios(self) -> Iterator[PowerLink]:
-        """Ratios without teeth, which lose nothing; of three bodies the first shares with two."""
+        """Links of lossless ratios; with three bodies the first exchanges power with the other two."""
         for kind in self.system.kinds(RATIO):
             for record, name in zip(self.system.records[kind], self.system.names[kind], strict=True):
                 i = int(record["i"])
@@ -224,7 +224,7 @@ class Machine:
                         yield self.link(name, "ratio", (i, b), (-on, on))
 
     def carried(self, links: list[PowerLink]) -> list[PowerLink]:
-        """What blocks hand to those that carry them and turn: all that they get and do not store."""
+        """Links from blocks to their rotating carriers: supplied power less stored power."""
         on = [0.0] * len(self.blocks)
         for link in links:
             for block, power in ((link.start, -link.given), (link.end, link.taken)):
@@ -242,13 +242,13 @@ class Machine:
         return found
 
     def stored(self, block: int) -> float:
-        """Mean rate of the energy of a block: of its rotation, and of its way about what carries it [W]."""
+        """Mean rate of the kinetic energy of a block: rotation, and motion about its carriers [W]."""
         energy = sum(self.energy(b) for b, k in self.block_of.items() if k == block)
         first, last = np.broadcast_to(energy, 2)
         return float(last - first) / float(self.time[-1] - self.time[0])
 
     def energy(self, b: int) -> Array:
-        """Energy of motion of a body at both ends of the span, in the place it has at rest [J]."""
+        """Kinetic energy of a body at both ends of the span, at its rest position [J]."""
         record, axes = self.system.program["body"][b], self.axes[b]
         inertia = axes @ record["inertia"] @ axes.T
         center = axes @ record["com"]
@@ -261,7 +261,7 @@ class Machine:
         return np.asarray(0.5 * (float(record["mass"]) * along + ((turn @ inertia) * turn).sum(axis=1)))
 
     def unfollowed(self) -> list[str]:
-        """Elements that may take or give power and are none of the links, in words."""
+        """Elements that may exchange power but are not among the links, in words."""
         found = []
         for name, records in self.system.records.items():
             kind = registry.find(name)
@@ -270,7 +270,7 @@ class Machine:
         return found
 
     def flow(self, links: list[PowerLink]) -> PowerFlow:
-        """All of it."""
+        """Complete power flow."""
         own = {block: b for b, block in reversed(self.block_of.items())}
         speed = {block: self.mean(self.turning(b, self.axis[b])) for block, b in own.items()}
         span = float(self.time[-1] - self.time[0])

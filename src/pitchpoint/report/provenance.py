@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where a result comes from: its file, the state of the model, solver, options, how it ended."""
+"""Provenance of a result: file, model version, solver, options, status."""
 
 from __future__ import annotations
 
@@ -18,25 +18,25 @@ EMPTY: tuple[Any, ...] = ("", None, [], {}, ())
 
 
 def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str = "") -> SourceData:
-    """What is known about a result.
+    """Facts about a result.
 
     Parameters
     ----------
     name
-        Its name in the report.
+        Name in the report.
     header
         Attributes of its file or dataset.
     model_hash
-        Fingerprint of the model that the report is about.
+        Fingerprint of the model of the report.
     file
-        Name of the file, if it comes from one.
+        Name of the file, if any.
     """
     options = header.get("options") or {}
     if isinstance(options, str):
         options = json.loads(options)
     status, sentence = _end(header)
     theirs = str(header.get("model_hash", ""))
-    same = "" if not theirs else " (this model)" if theirs == model_hash else " (another state of the model)"
+    same = "" if not theirs else " (this model)" if theirs == model_hash else " (other version of the model)"
     kind = str(header.get("kind", ""))
     rows = [
         ("file", file),
@@ -62,7 +62,7 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
 
 
 def _end(header: Mapping[str, Any]) -> tuple[str, str]:
-    """How a result ended, in a word and a sentence; datasets hold the number of a status."""
+    """Status of a result as a word and a sentence; datasets store the number of the status."""
     status, words = header.get("status", ""), str(header.get("sentence", ""))
     if isinstance(status, str):
         return status, words
@@ -71,7 +71,7 @@ def _end(header: Mapping[str, Any]) -> tuple[str, str]:
 
 
 def _text(key: str, value: Any) -> str:
-    """An option as people write it; nothing for what is not set."""
+    """Option as text; empty if not set."""
     if any(value is x or (type(value) is type(x) and value == x) for x in EMPTY):
         return ""
     if isinstance(value, Mapping):
@@ -79,6 +79,6 @@ def _text(key: str, value: Any) -> str:
     if isinstance(value, list | tuple):
         return ", ".join(_text(key, v) for v in value)
     if isinstance(value, bool) or not isinstance(value, int | float):
-        # laws are in the file of the model; what is left of them here is not text for people
+        # laws are shown in the model file; their representation here is not readable
         return "" if "(" in str(value) else str(value).replace("_", " ")
     return amount(float(value), UNITS.get(key, ""), 5)

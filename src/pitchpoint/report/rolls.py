@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Slow rolls in a report: how far to roll until everything repeats, and curves of rolls made or given."""
+"""Slow rolls in a report: length up to the common period, and curves of computed or given rolls."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ if TYPE_CHECKING:
 Array = np.ndarray
 POSITION = "mesh_phase_position"
 POINTS, FEWEST_POINTS, ALL_POINTS = 96, 16, 960
-"""Points per period of a roll, at least and altogether."""
+"""Minimum number of points per period of a roll, and total number of points."""
 LARGE, POINTS_OF_LARGE = 100, 240
-"""Coordinates from which a roll has fewer points altogether: each takes a hundredth of a second then."""
+"""Number of coordinates above which a roll has fewer points: each then takes about 10 ms."""
 MOST_PERIODS, MOST_TURNS = 12, 60
-"""Periods that are rolled at most: of meshes that disturb each other, and where single teeth differ."""
+"""Maximum number of rolled periods: for interacting meshes, and for gears with single-tooth deviations."""
 MOST_MESHES = 20
-"""Meshes that are rolled at most, the first ones of the file."""
+"""Maximum number of rolled meshes, the first ones of the file."""
 SAME = 1e-3
-"""Relative difference up to which two periods, or the stiffness under load and of the law, are the same."""
+"""Relative tolerance for equal periods, and for equal stiffness under load and by the law."""
 ROUND_OFF = 1e-10
-"""Transmission errors that differ by less are the same [m]."""
+"""Tolerance for equal transmission errors [m]."""
 
 
 def periods_until_repeat(model: Model, mesh: str) -> int:
-    """Periods of a mesh after which everything that a slow roll meets has come round.
+    """Number of periods of a mesh after which a slow roll repeats.
 
-    Another mesh of the train comes round when the ratio of the tooth frequencies times the periods is whole,
-    a gear whose teeth differ when it has made whole turns.
+    Another mesh of the train repeats when the ratio of the mesh frequencies times the periods is an integer,
+    a gear with single-tooth deviations after whole turns.
     """
     turning, order = _rates(model, mesh)
     if not order:
@@ -54,25 +54,25 @@ def periods_until_repeat(model: Model, mesh: str) -> int:
 
 
 def points_to_roll(coordinates: int) -> int:
-    """Points of a roll altogether, fewer of a large machine."""
+    """Total number of points of a roll, fewer for a large machine."""
     return POINTS_OF_LARGE if coordinates > LARGE else ALL_POINTS
 
 
 def periods_to_roll(model: Model, mesh: str, points: int = ALL_POINTS) -> int:
-    """Periods that a report rolls with so many points: until everything repeats, unless that is too long."""
+    """Number of rolled periods for a number of points: until everything repeats, within limits."""
     most = MOST_TURNS if _single_teeth(model) else MOST_PERIODS
     return min(periods_until_repeat(model, mesh), most, points // FEWEST_POINTS)
 
 
 def points_per_period(periods: int, points: int = ALL_POINTS) -> int:
-    """Points per period, fewer where many periods are rolled."""
+    """Points per period, fewer if many periods are rolled."""
     return max(FEWEST_POINTS, min(POINTS, points // periods))
 
 
 def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
-    """Speeds of all bodies where the first turning one of a mesh has 1, and the tooth frequency then.
+    """Speeds of all bodies for speed 1 of the first rotating body of a mesh, and its mesh frequency.
 
-    As a file counts them: those of planets against their carriers.
+    Relative to their parents, as in the model file: planets relative to their carriers.
     """
     from pitchpoint.core.errors import PitchpointError
     from pitchpoint.model.scenario import Scenario
@@ -89,7 +89,7 @@ def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:
 
 
 def _order_of(model: Model, mesh: str, turning: dict[str, float]) -> float:
-    """Tooth frequency of a mesh for these speeds of the bodies; zero if it does not turn."""
+    """Mesh frequency for given speeds of the bodies; zero if the gears are at rest."""
     from pitchpoint.model.carried_trains import line_carrier, speed_in_space
 
     machine: Any = model
@@ -101,7 +101,7 @@ def _order_of(model: Model, mesh: str, turning: dict[str, float]) -> float:
 
 
 def _denominator(ratio: float) -> int:
-    """Denominator of a ratio of tooth numbers, which floating point holds to fifteen digits.
+    """Denominator of a ratio of tooth numbers given in double precision.
 
     Examples
     --------
@@ -114,25 +114,25 @@ def _denominator(ratio: float) -> int:
 def from_roll(
     model: Model, mesh: str, data: MeshCycleData, unit: float | None, system: System, roll: Roll, points: int
 ) -> MeshCycleData:
-    """Mesh cycle with what a roll of whole periods found, over the mesh phase.
+    """Mesh cycle with the curves of a roll of whole periods over the mesh phase.
 
     Parameters
     ----------
     model, mesh, system
-        What was rolled.
+        Model, mesh and compiled system of the roll.
     data
-        Mesh cycle without a roll.
+        Mesh cycle without the roll.
     unit
-        Stiffness of its ratio 1 [N/m]; None where that is not a stiffness.
+        Reference stiffness of its ratios [N/m]; None if the reference is not a stiffness.
     roll
         The roll.
     points
-        Points per period of it.
+        Points per period of the roll.
     """
     from pitchpoint.analysis.load_sharing import share_along_path
 
     def channel(name: str) -> Array:
-        """One channel of the roll, shape (n,)."""
+        """Channel of the roll, shape (n,)."""
         values: Array = roll.rows[:, system.layout.channel(f"{name}[{mesh}]")]
         return values
 
@@ -155,9 +155,9 @@ def from_roll(
     rolled = math.ceil((len(force) - 1) / points)
     slope = drawn[-1] / (unit or 1.0)
     law = np.interp(where % 1.0, data.stiffness.phase, data.stiffness.stiffness_ratio)
-    # a jump of the law lies between two points of the roll
+    # a jump of the law is between two points of the roll
     differs = float(np.median(np.abs(slope - law))) > SAME * float(data.stiffness.mean)
-    shared = loaded and bool(np.any(one.share))  # a prescribed stiffness knows no single pairs
+    shared = loaded and bool(np.any(one.share))  # a prescribed stiffness has no single pairs
     return replace(
         data,
         error_phase=where,
@@ -171,18 +171,18 @@ def from_roll(
 
 
 def _cycles(model: Model, mesh: str, curves: list[Array], points: int) -> tuple[int, int]:
-    """Periods after which the curves of a roll repeat, 0 if that is not known; and the notes of the model."""
+    """Number of periods after which the curves of a roll repeat, 0 if unknown; and the remarks."""
     periods, until = (len(curves[0]) - 1) // points, periods_until_repeat(model, mesh)
     cycles = shortest_cycle(curves, points, periods)
     if periods < until:
-        # what was rolled may repeat although teeth that differ are still to come
+        # the curves may repeat although deviating teeth have not been in mesh yet
         known = not _single_teeth(model) and cycles <= periods // 2
         cycles = cycles if known else 0
     return cycles, until
 
 
 def _single_teeth(model: Model) -> bool:
-    """Whether some teeth differ from others of their gear."""
+    """Whether single teeth differ from the others of their gear."""
     return any(gear.teeth_differ for _, gear in _every_gear(model))
 
 
@@ -199,13 +199,13 @@ def force_title(force: Array) -> str:
 
 
 def whole_phase(phase: Array, offset: float = 0.0) -> Array:
-    """Phase of a mesh [base pitches] without its jumps back to zero, starting between 0 and 1."""
+    """Unwrapped phase of a mesh [base pitches], starting between 0 and 1."""
     whole: Array = np.unwrap(np.asarray(phase, dtype=np.float64) - offset, period=1.0)
     return whole - np.floor(whole.min() + 1e-9)
 
 
 def shortest_cycle(curves: list[Array], points: int, periods: int) -> int:
-    """Periods after which all curves repeat within a roll of whole periods; 0 if they do not close.
+    """Number of periods after which all curves repeat within a roll of whole periods; 0 if they do not.
 
     Examples
     --------
@@ -222,13 +222,13 @@ def shortest_cycle(curves: list[Array], points: int, periods: int) -> int:
 
 
 def _repeats(curve: Array, points: int) -> bool:
-    """Whether a curve is the same a number of points further on."""
+    """Whether a curve repeats after a number of points."""
     allowed = max(SAME * float(np.ptp(curve)), ROUND_OFF)
     return curve.size > points and float(np.max(np.abs(curve[points:] - curve[:-points]))) <= allowed
 
 
 def _drawn(phase: Array, curves: list[Array], points: int) -> tuple[Array, list[Array]]:
-    """Phases and curves as they are drawn: one cycle from 0 on if it repeats, else the roll as it is."""
+    """Phases and curves for the plot: one cycle from phase 0 if they repeat, else the complete roll."""
     if not points:
         order = np.argsort(phase, kind="stable")
         return phase[order], [curve[order] for curve in curves]
@@ -240,13 +240,13 @@ def _drawn(phase: Array, curves: list[Array], points: int) -> tuple[Array, list[
 
 
 def closed(phase: Array, values: Array, cycle: float = 1.0) -> Array:
-    """Values of one cycle, shape (n,), with those at its ends, the phases 0 and `cycle`, at either side."""
+    """Values of one cycle, shape (n,), extended by those at its ends, the phases 0 and `cycle`."""
     end = np.interp(0.0, [phase[-1] - cycle, phase[0]], [values[-1], values[0]])
     return np.concatenate([[end], values, [end]])
 
 
 def given_roll(data: xr.Dataset, note: str = "") -> RollData:
-    """Transmission errors of a roll that was computed before, over the periods of each mesh."""
+    """Transmission errors of a given roll over the periods of each mesh."""
     from pitchpoint.viz.report.build import RollData
 
     position = np.asarray(data[POSITION].values, dtype=np.float64)
@@ -266,7 +266,7 @@ def given_roll(data: xr.Dataset, note: str = "") -> RollData:
 
 
 def _own_periods(position: Array, phase: Array) -> Array:
-    """Periods of a mesh since the start of a roll; those of the rolled mesh if they cannot be counted."""
+    """Periods of a mesh since the start of a roll; those of the rolled mesh if they cannot be determined."""
     if phase.size < 2:
         return position
     turned = np.unwrap(np.asarray(phase, dtype=np.float64), period=1.0)
@@ -277,6 +277,6 @@ def _own_periods(position: Array, phase: Array) -> Array:
 
 
 def without_given(cycles: dict[str, MeshCycleData], rolls: dict[str, Any]) -> dict[str, MeshCycleData]:
-    """Mesh cycles less the transmission errors of meshes whose roll is shown as it was given."""
+    """Mesh cycles without the transmission errors of meshes with a given roll."""
     given = {roll.mesh for roll in rolls.values()}
     return {name: replace(c, errors={}) if name in given else c for name, c in cycles.items()}

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a report computes itself, because it takes a second: slow roll of every mesh, modes, Campbell data.
+"""Results that a report computes from the model: slow roll of every mesh, modes, Campbell diagram.
 
-The loads of the first scenario at t = 0 count. What cannot be computed (for example loads that no tooth
-carries) is omitted with a sentence.
+The loads are those of the first scenario at t = 0. Results that cannot be computed (for example loads that no
+tooth carries) are omitted with a remark.
 """
 
 from __future__ import annotations
@@ -31,21 +31,21 @@ if TYPE_CHECKING:
     from pitchpoint.viz.report.build import CampbellData, MeshCycleData, ModeData
 
 LINEAR = 2
-"""Parts of the work of a report next to the slow rolls: matrices of the linear system, Campbell diagram."""
+"""Work units of a report in addition to slow rolls: matrices of the linear system, Campbell diagram."""
 SPEEDS = 41
 FOLLOWED = 20
-"""Modes of a large system in the Campbell diagram: each takes some milliseconds per speed."""
+"""Maximum number of modes in a Campbell diagram: each takes some milliseconds per speed."""
 HARMONICS = 3
 MOMENTS = 1001
-"""Moments at which a drive is requested its speed."""
+"""Number of times at which the speed of a drive is evaluated."""
 NAMED = 6
-"""Modes up to which a Campbell diagram has their names in its legend."""
+"""Maximum number of modes with names in the legend of a Campbell diagram."""
 
 
 def with_rolls(
     model: Model, cycles: dict[str, tuple[MeshCycleData, float | None]], progress: Progress
 ) -> tuple[dict[str, MeshCycleData], list[str]]:
-    """Add transmission errors and load sharing to mesh cycles (with the stiffness of their ratio 1 [N/m])."""
+    """Add transmission errors and load sharing to mesh cycles (with the reference stiffness [N/m])."""
     from pitchpoint.core.status import INTERRUPTED
     from pitchpoint.report.rolls import (
         ALL_POINTS,
@@ -72,7 +72,7 @@ def with_rolls(
     if left:
         notes.append(
             f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "
-            "rolled. A scenario with quasi_static rolls any other."
+            "computed. Use a scenario with quasi_static for the others."
         )
     for k, name in enumerate(rolled):
         data, unit = cycles[name]
@@ -86,7 +86,7 @@ def with_rolls(
                 fewer.append(name)
             part = partial(_part_of, progress, k, len(rolled) + LINEAR)
             roll = roll_through(system, still, points, periods, mesh=name, others=False, progress=part)
-            if roll.status == INTERRUPTED:  # a report of what was rolled before is not what was requested
+            if roll.status == INTERRUPTED:  # an incomplete report was not requested
                 raise KeyboardInterrupt
             if roll.sentence != "finished":
                 notes.append(f"{name}: the slow roll stopped: {roll.sentence}.")
@@ -98,20 +98,20 @@ def with_rolls(
         progress(k + 1, len(rolled) + LINEAR, name)
     if fewer:
         notes.append(
-            f"Slow rolls have {POINTS_OF_LARGE} points at most instead of {ALL_POINTS}, as the machine has "
-            f"more than {LARGE} coordinates: {', '.join(fewer)}. "
-            "A scenario with quasi_static has its own number."
+            f"Slow rolls have at most {POINTS_OF_LARGE} points instead of {ALL_POINTS}, because the machine "
+            f"has more than {LARGE} coordinates: {', '.join(fewer)}. "
+            "A scenario with quasi_static sets its own number."
         )
     return found, notes
 
 
 def _part_of(progress: Progress, before: int, parts: int, done: float, total: float, note: str = "") -> None:
-    """Report the progress of one of several parts of equal length."""
+    """Progress callback for one of several equal parts."""
     progress(before + done / total, parts, note)
 
 
 def rolled_meshes(model: Model, meshes: Iterable[str]) -> tuple[list[str], int]:
-    """Meshes that a report rolls, and how many more could be."""
+    """Meshes rolled for a report, and the number of further meshes that could be rolled."""
     from pitchpoint.report.rolls import MOST_MESHES
 
     turning = [name for name in meshes if rolls(model, name)]
@@ -119,13 +119,13 @@ def rolled_meshes(model: Model, meshes: Iterable[str]) -> tuple[list[str], int]:
 
 
 def rolls(model: Model, mesh: str) -> bool:
-    """Whether both gears of a mesh sit on bodies and one of them turns."""
+    """Whether both gears of a mesh are on bodies and one of these rotates."""
     bodies = [model.body_of(g) for g in model.every_mesh[mesh].gears]
     return all(bodies) and any(model.bodies[str(b)].moves != "fixed" for b in bodies)
 
 
 def loaded_scenario(model: Model) -> Scenario | None:
-    """Scenario whose loads and drives count: a slow roll, else a time response, else a sweep."""
+    """Scenario that defines loads and drives: a slow roll, else a time response, else a sweep."""
     for kind in ("quasi_static", "time", "sweep"):
         for scenario in model.scenarios.values():
             if scenario.kind == kind:
@@ -134,7 +134,7 @@ def loaded_scenario(model: Model) -> Scenario | None:
 
 
 def at_start(model: Model, scenario: Scenario | None) -> Model:
-    """The model with loads that stay as they are at the start: those over angle would change on the way."""
+    """Model with loads constant at their initial values: angle-dependent loads would vary during the roll."""
     from pitchpoint.model.components.law import Balance, Constant
     from pitchpoint.solvers.operating_point import operating_point
     from pitchpoint.system import evaluate
@@ -158,7 +158,7 @@ def linear_parts(
 ) -> tuple[ModeData | None, CampbellData | None, list[str]]:
     """Modes about the loaded state and Campbell data over the speed of the first body in mesh.
 
-    `before` parts of the work that `progress` is informed of are done.
+    `before` is the number of completed work units reported to `progress`.
     """
     from pitchpoint.solvers.campbell import follow_modes
     from pitchpoint.solvers.linear_system import linearise
@@ -198,32 +198,32 @@ def linear_parts(
         if order > 0.0
         for k in range(1, HARMONICS + 1)
     }
-    if orders:  # modes far above everything that the meshes excite would press the others to the bottom
+    if orders:  # modes far above the mesh frequencies would compress the scale of the others
         reach = 1.2 * max(orders.values()) * top / (2.0 * math.pi)
         vibrating &= (np.min(data.frequency, axis=0) <= reach) | (frequency <= reach)
     campbell = CampbellData(
         speed=data.speed,
         mode_frequencies=data.frequency[:, vibrating],
         orders=orders,
-        # numbers where names would cover the picture; the table of modes has both
+        # numbers instead of names that would cover the plot; the table of modes contains both
         mode_names=[
             name if vibrating.sum() <= NAMED else f"{k}"
             for k, (name, moves) in enumerate(zip(data.names, vibrating, strict=True), start=1)
             if moves
         ],
         shaft=str(body),
-        note="" if followed is None else f"The lowest {followed} of {found.total} modes are followed.",
+        note="" if followed is None else f"The lowest {followed} of {found.total} modes are tracked.",
     )
     return modes, campbell if vibrating.any() and orders else None, []
 
 
 def held_bodies(scenario: Scenario | None) -> list[str]:
-    """Bodies whose motion a scenario prescribes."""
+    """Bodies with a prescribed motion in a scenario."""
     return [] if scenario is None else list(dict.fromkeys([*scenario.drive, *scenario.hold]))
 
 
 def reference_body(model: Model) -> str | None:
-    """First body with a gear in mesh that turns."""
+    """First rotating body with a gear in mesh."""
     in_mesh = {g for mesh in model.every_mesh.values() for g in mesh.gears}
     for name, body in model.bodies.items():
         if body.moves != "fixed" and in_mesh & {*body.gears, *body.bevel_gears}:
@@ -234,7 +234,7 @@ def reference_body(model: Model) -> str | None:
 def highest_speed(system: System, body: str, frequency: Any) -> float:
     """End of the Campbell diagram [rad/s]: 1.2 times the highest speed of all scenarios.
 
-    If none turns the body, the speed where the slowest mesh has met every mode.
+    If no scenario rotates the body: speed at which the slowest mesh frequency exceeds every mode.
     """
     from pitchpoint.solvers.gear_trains import mesh_orders
     from pitchpoint.solvers.initial_state.start import body_rates
@@ -249,14 +249,14 @@ def highest_speed(system: System, body: str, frequency: Any) -> float:
 
 
 def model_of(system: System) -> Model:
-    """The model that a system of a report was made from."""
+    """Model from which a system of a report was compiled."""
     if system.model is None:
-        raise SolverError("the system was not made from a model", INCONSISTENT)
+        raise SolverError("the system was not compiled from a model", INCONSISTENT)
     return system.model
 
 
 def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
-    """Highest speed of a body in a scenario [rad/s], as far as the model file states it."""
+    """Highest speed of a body in a scenario [rad/s], if the model file defines it."""
     from pitchpoint.model.scenario import Scenario
 
     speeds = [scenario.speed, *({name: speed} for name, speed in prescribed(system, scenario))]
@@ -268,7 +268,7 @@ def highest_of_scenario(system: System, scenario: Scenario, body: str) -> float:
 
 
 def prescribed(system: System, scenario: Scenario) -> list[tuple[str, float]]:
-    """Highest prescribed speeds of bodies [rad/s]: of drives, and the end of a sweep."""
+    """Highest prescribed speeds of bodies [rad/s]: drives, and the end of a sweep."""
     from pitchpoint.solvers.gear_trains import mesh_orders
     from pitchpoint.solvers.initial_state.start import body_rates
 
@@ -296,7 +296,7 @@ def _fastest(drive: Drive, duration: float) -> float:
 
 
 def _values(law: Law, moments: NDArray[np.float64], dimension: str) -> NDArray[np.float64]:
-    """Values of a law at some moments; zeros where it cannot be known without running it."""
+    """Values of a law at some times; zeros if it can only be evaluated in a run."""
     from pitchpoint.core.formula.formula import Formula
     from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
 

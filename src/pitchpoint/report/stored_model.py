@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The model that a result file keeps."""
+"""Model stored in a result file."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ if TYPE_CHECKING:
 
 
 def stored_model(path: str, allow_code: bool = False) -> Model:
-    """Load the text of the model that a result file keeps.
+    """Load the model stored in a result file.
 
     Raises
     ------
     ModelError
-        If the file keeps none, or it cannot be read.
+        If the file contains no model, or it cannot be read.
     """
     from pitchpoint.io.reading import read_header
     from pitchpoint.io.yaml_model import loads_model
 
     text = read_header(path).get("model_text")
     if not text:
-        remedy = "for a report, name the model file as well; else run the model again"
-        problem = Message("model", "is not kept in this result file", remedy=remedy)
+        remedy = "for a report, give the model file, too; else rerun the model"
+        problem = Message("model", "is not stored in this result file", remedy=remedy)
         raise ModelError([problem], path)
     return loads_model(text, allow_code=allow_code, file=path)

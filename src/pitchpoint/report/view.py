@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`write_view`: the 3-D scene of a model or a result, or of two side by side, as one HTML page."""
+"""`write_view`: 3-D scene of a model or a result, or of two next to each other, as one HTML page."""
 
 from __future__ import annotations
 
@@ -34,26 +34,26 @@ def write_view(
     path_out
         The HTML file to write.
     *sources
-        A model or its file, or a result over time or of modes, or its file; two of them are shown side by
-        side.
+        Model or its file, or result of a time run or of modes, or its file; two sources are shown next to
+        each other.
     allow_code
-        Let model files run the Python functions that they name.
+        Allow model files to run the Python functions that they name.
     modes
-        How many of the lowest modes are computed and shown, if there is one source.
+        Number of lowest modes that are computed and shown, for a single source.
 
     Returns
     -------
     Path
-        The file written.
+        Written file.
     tuple
-        What is not shown, in sentences.
+        Remarks on omitted content.
 
     Raises
     ------
     ModelError
-        If a model file is wrong, or a result keeps no model.
+        If a model file is invalid, or a result contains no model.
     PitchpointError
-        If a result holds no motion, or the page cannot be written or would destroy another file.
+        If a result contains no motion, or the page cannot be written or would overwrite an input file.
     """
     from pitchpoint.io.target import check_target, write_file
     from pitchpoint.report.write import files_of
@@ -69,12 +69,12 @@ def write_view(
 
 
 def file_labels(files: Sequence[str]) -> list[str]:
-    """Names of files without the folders that they share; nothing for what comes from no file.
+    """Names of files without their common folders; empty for sources without a file.
 
     Parameters
     ----------
     files
-        Paths, empty where there is none.
+        Paths, empty for sources without a file.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def file_labels(files: Sequence[str]) -> list[str]:
 
 
 def _name(source: Model | str | os.PathLike[str] | xr.Dataset) -> str:
-    """File that a source comes from, nothing if it comes from none."""
+    """File of a source, empty if none."""
     from pitchpoint.model.model import Model
 
     if isinstance(source, Model):
@@ -111,7 +111,7 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
     from pitchpoint.report.stored_model import stored_model
 
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ValidityWarning)  # it was reported when the result was made
+        warnings.simplefilter("ignore", ValidityWarning)  # reported when the result was computed
         if isinstance(source, Model):
             return scene_of(source, modes=modes)
         if isinstance(source, str | os.PathLike):
@@ -129,12 +129,10 @@ def _scene(source: Model | str | os.PathLike[str] | xr.Dataset, allow_code: bool
 
 
 def _motion(model: Model, result: xr.Dataset, name: str, modes: int) -> Scene:
-    """Scene of a model that moves as in a result."""
+    """Scene of a model with the motion of a result."""
     from pitchpoint.report.scene.build import scene_of
 
     if "time" not in result.dims and "body_shape" not in result:
         kind = result.attrs.get("kind", "no time run")
-        raise PitchpointError(
-            f"{name}: holds nothing that moves over time ({kind}); view a time run or modes"
-        )
+        raise PitchpointError(f"{name}: contains no motion over time ({kind}); view a time run or modes")
     return scene_of(model, result, modes=modes)

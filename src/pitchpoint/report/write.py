@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`write_report`: one HTML file about a model and its results."""
+"""`write_report`: report on a model and its results in one HTML file."""
 
 from __future__ import annotations
 
@@ -27,25 +27,25 @@ def write_report(
     progress: Progress = silent,
     on_note: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write one self-contained HTML page about a model and its results.
+    """Write a report on a model and its results as one self-contained HTML page.
 
     Parameters
     ----------
     model
-        A model, or the name of its file.
+        Model, or path of its file.
     path_out
-        The HTML file to write; its folder is made if it does not exist, an older report is replaced.
+        HTML file to write; its folder is created if necessary, an older report is replaced.
     *results
-        Result files (`.h5`) of runs, slow rolls, sweeps and cases, and datasets of `solve_time`,
-        `solve_quasistatic` and `sweep_speed`, in any number. The first fifth of a dataset counts as settling,
-        from a file those of its scenario. What follows from the model alone (geometry, mesh cycle, modes) is
-        computed and shown in any case.
+        Any number of result files (`.h5`) of runs, slow rolls, sweeps and cases, and datasets of
+        `solve_time`, `solve_quasistatic` and `sweep_speed`. The settling time is the first fifth of a
+        dataset; for a file it is that of the scenario. Results of the model alone (geometry, mesh cycle,
+        modes) are always computed and shown.
     allow_code
-        Whether a model file may name Python code.
+        Allow model files to run the Python functions that they name.
     progress
-        Called with the number of parts that are done: the slow roll of every mesh, modes, Campbell diagram.
+        Called with the number of completed parts: slow roll of every mesh, modes, Campbell diagram.
     on_note
-        Called with every warning of the page, as soon as the page is written.
+        Called with every warning of the page, after the page is written.
 
     Returns
     -------
@@ -55,13 +55,13 @@ def write_report(
     Raises
     ------
     ModelError
-        If the model file is wrong.
+        If the model file is invalid.
     PitchpointError
-        If a result has no place in a report, or the page cannot be written or would destroy another file.
+        If a result cannot be shown, or the page cannot be written or would overwrite an input file.
 
     Notes
     -----
-    Validity warnings that come up on the way are in the report and are not raised.
+    Validity warnings are listed in the report and are not raised.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def write_report(
 
 
 def files_of(*things: Model | str | os.PathLike[str] | xr.Dataset) -> list[str]:
-    """Files that are named, or that models and datasets were read from.
+    """Files given, or from which models and datasets were read.
 
     Examples
     --------
@@ -104,7 +104,7 @@ def files_of(*things: Model | str | os.PathLike[str] | xr.Dataset) -> list[str]:
         if isinstance(thing, str | os.PathLike):
             found.append(os.fspath(thing))
         else:
-            opened = getattr(thing, "encoding", None)  # where a dataset keeps the name of its file
+            opened = getattr(thing, "encoding", None)  # a dataset stores the name of its file here
             source = getattr(thing, "file", None) if opened is None else opened.get("source")
             found += [str(source)] if source else []
     return found

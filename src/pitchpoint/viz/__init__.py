@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures and reports from results: the only place with colours."""
+"""Plots, drawings and reports of results; the only package that defines colours."""

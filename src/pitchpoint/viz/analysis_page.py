@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures and page of one analysis: the signal, and what a tool has made of it."""
+"""Plots and page of one analysis: the signal and the result of the tool."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _POINTS, _FEW, _ROWS = 8000, 50, 12
-"""Points of a curve, points that are marked, and rows of a table that get a picture each."""
+"""Maximum numbers of points of a curve, of marked points, and of rows with one plot each."""
 _LOGARITHMIC = 1e3
-"""Ratio of largest to median value from which positive numbers are drawn over a logarithmic axis."""
+"""Ratio of largest to median value above which positive numbers have a logarithmic axis."""
 
 
 def analysis_page(record: xr.Dataset, result: xr.Dataset, notes: Sequence[str] = ()) -> str:
-    """The page about one result of `analysis.dataset.analyse`, as HTML.
+    """HTML page of one result of `analysis.dataset.analyse`.
 
     Parameters
     ----------
     record
-        What was analysed.
+        Analysed record.
     result
-        What came out.
+        Result of the analysis.
     notes
         Sentences for the last section.
     """
@@ -62,7 +62,7 @@ def analysis_page(record: xr.Dataset, result: xr.Dataset, notes: Sequence[str] =
 
 
 def results_by_channel(result: xr.Dataset) -> dict[str, xr.Dataset]:
-    """The result of each channel on its own."""
+    """Result of each single channel."""
     if "channel" not in result.dims:
         return {str(result.attrs["channel"]): result}
     return {
@@ -72,14 +72,14 @@ def results_by_channel(result: xr.Dataset) -> dict[str, xr.Dataset]:
 
 
 def plot_analysis(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """Pictures of the result of one channel; none where it is but numbers.
+    """Plots of the result of one channel; empty if it contains only single numbers.
 
     Parameters
     ----------
     result
         Result of `analyse` of one channel, with its attributes.
     channel
-        What the axes call it.
+        Name in axis titles.
     """
     kind = TOOLS[result.attrs["tool"]].picture
     if kind in PICTURES:
@@ -101,7 +101,7 @@ def plot_analysis(result: xr.Dataset, channel: str) -> list[go.Figure]:
 
 
 def _signals(record: xr.Dataset, names: Sequence[str]) -> Section:
-    """The channels over time, as they were read."""
+    """Section with the input channels over time."""
     section = Section("signal", "Signal")
     if "time" in record.dims:
         time, found = channels(record)
@@ -112,7 +112,7 @@ def _signals(record: xr.Dataset, names: Sequence[str]) -> Section:
 
 
 def _curve(result: xr.Dataset, variable: xr.DataArray, words: str) -> go.Figure:
-    """One row of numbers over its dimension."""
+    """Plot of one row of numbers over its dimension."""
     axis = str(variable.dims[0])
     x, y = (np.asarray(v.values, dtype=np.float64) for v in (result[axis], variable))
     across, unit = scale(str(result[axis].attrs.get("units", "")), x), str(variable.attrs["units"])
@@ -122,7 +122,7 @@ def _curve(result: xr.Dataset, variable: xr.DataArray, words: str) -> go.Figure:
     figure.add_scatter(
         x=(x[kept] * across.factor).astype(np.float32),
         y=(y[kept] * best.factor).astype(np.float32),
-        # few numbers are points, and one alone would be no line at all
+        # few numbers are drawn as points; a single one would not be visible as a line
         mode="lines" if kept.size > _FEW else "lines+markers",
         name=words,
         line={"color": theme.colour_of(str(variable.name), 0), "width": 1.3, "simplify": False},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which picture belongs to the result of which tool of `analyse`."""
+"""Plots for the results of the tools of `analyse`."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def spectrum_of(result: xr.Dataset, axis: str) -> Spectrum:
-    """The dataclass of a spectrum back from its dataset; `axis` is `frequency` or `order`."""
+    """Spectrum dataclass from its dataset; `axis` is `frequency` or `order`."""
     return Spectrum(
         frequency=result[axis].values,
         amplitude=result["amplitude"].values,
@@ -56,7 +56,7 @@ def _tones(result: xr.Dataset, channel: str) -> list[go.Figure]:
 
 
 def _gear_signals(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """Mean turn and what is left of it, on one axis of angle; the difference is that of FM4."""
+    """Synchronous average, residual and difference signal (as in FM4) over one angle axis."""
     unit = str(result["residual"].attrs["units"])
     regular, residual = result["regular"].values, result["residual"].values
     rows = {
@@ -66,7 +66,7 @@ def _gear_signals(result: xr.Dataset, channel: str) -> list[go.Figure]:
     }
     parts = [Channel(name, values, unit) for name, values in rows.items()]
     figure = plot_signals(result["angle"].values, parts, rows=[[k] for k in range(len(parts))], over="angle")
-    # on one scale: the difference drawn as large as the residual would look like damage
+    # common scale: a difference signal scaled up to the residual would look like damage
     limit = 1.05 * max(float(np.abs(trace.y).max()) for trace in figure.data[1:])
     figure.update_layout({axis: {"range": [-limit, limit]} for axis in ("yaxis2", "yaxis3")})
     figure.update_xaxes(range=[0.0, 360.0], dtick=45)
@@ -91,4 +91,4 @@ PICTURES: dict[str, Callable[[xr.Dataset, str], list[go.Figure]]] = {
     "find_period": period_plot.plot_search,
     "period_evidence": period_plot.plot_evidence,
 }
-"""Functions from the result of one channel and its name to figures, by `Tool.picture`."""
+"""Functions that plot the result of one channel, by `Tool.picture`."""

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 MOST_NAMES = 6
-"""Modes up to which the legend names them; more are labelled at their lines."""
+"""Maximum number of modes with names in the legend; more modes are labelled at their lines."""
 HEIGHT, TOP, MARGINS, TEXT_HEIGHT = 460, 76, 124, 13
 """Height of the figure, its margin above, both margins and a line of text [pixels]."""
 
@@ -57,7 +57,7 @@ def plot_campbell(
         revolutions.title(f"speed of {shaft}" if shaft else "speed"),
         pitch.title("frequency"),
         height=HEIGHT,
-        # room for two rows of order names between picture and legend
+        # room for two rows of order names between plot and legend
         margin={"t": TOP},
         legend={"y": 1.1},
     )
@@ -72,7 +72,7 @@ def plot_campbell(
             showlegend=not crowded,
             line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
         )
-    # names are placed next to and above the picture, where no circle and no line can be
+    # names are placed next to and above the plot, outside circles and lines
     room = _beside(figure, names, modes[-1] * pitch.factor, top * pitch.factor) if crowded else 0
     leaving = _draw_orders(figure, omega, orders, top)
     room = _beside(figure, list(leaving), np.array([*leaving.values()]), top * pitch.factor, room)
@@ -88,7 +88,7 @@ def plot_campbell(
 def _draw_orders(
     figure: go.Figure, omega: Array, orders: Mapping[str, float], top: float
 ) -> dict[str, float]:
-    """Lines of the orders; those that leave at the right have their names still to come, with their ends."""
+    """Draw the lines of the orders; return names and ends of those that reach the right edge."""
     revolutions, pitch = scale("rad/s"), scale("Hz", [top])
     leaving: dict[str, float] = {}
     for row, (name, order) in enumerate(_distinct(orders)):
@@ -111,7 +111,7 @@ def _draw_orders(
 def _mark_crossings(
     figure: go.Figure, omega: Array, modes: Array, orders: Mapping[str, float], top: float
 ) -> None:
-    """Circles where orders meet modes."""
+    """Circles at the crossings of orders and modes."""
     crossings = campbell_crossings(omega, modes, [order for _, order in _distinct(orders)])
     if not crossings:
         return
@@ -126,7 +126,7 @@ def _mark_crossings(
 
 
 def _above(figure: go.Figure, name: str, at: float, row: int) -> None:
-    """Name of a line that leaves through the top of the picture; neighbours on two levels."""
+    """Label of a line that leaves through the top of the plot; neighbours on two levels."""
     figure.add_annotation(
         x=at,
         y=1,
@@ -141,12 +141,12 @@ def _above(figure: go.Figure, name: str, at: float, row: int) -> None:
 
 
 def _beside(figure: go.Figure, names: Sequence[str], ends: Array, top: float, room: int = 0) -> int:
-    """Names at the right ends of lines, `room` next to the picture; those closer than a text line share one.
+    """Labels at the right ends of lines, `room` from the plot; those closer than a text line are merged.
 
     Returns
     -------
     int
-        Room that names take now [pixels].
+        Width used by the labels [pixels].
     """
     closest = TEXT_HEIGHT / (HEIGHT - MARGINS) * top
     groups: list[list[int]] = []
@@ -172,7 +172,7 @@ def _beside(figure: go.Figure, names: Sequence[str], ends: Array, top: float, ro
 
 
 def _together(names: Sequence[str]) -> str:
-    """Names of lines that lie together: a range of numbers, or all of them.
+    """Merged label of adjacent lines: a range of numbers, or all names.
 
     Examples
     --------
@@ -188,7 +188,7 @@ def _together(names: Sequence[str]) -> str:
 
 
 def _distinct(orders: Mapping[str, float]) -> list[tuple[str, float]]:
-    """Orders in ascending order; those that are equal share a line and a short label."""
+    """Orders in ascending order; equal ones share a line and a short label."""
     found: list[tuple[list[str], float]] = []
     for name, order in sorted(orders.items(), key=lambda item: item[1]):
         if found and order - found[-1][1] <= 1e-9 * order:

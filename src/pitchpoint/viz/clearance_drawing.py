@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the teeth of a pair come nearest: a magnified picture of every place, in its own position."""
+"""Drawing of the smallest clearances of a gear pair: one magnified panel per location."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ PANEL, GAP, COLUMNS = 224.0, 16.0, 4
 CAPTION, HEAD = 62.0, 34.0
 WIDTH = COLUMNS * PANEL + (COLUMNS + 1) * GAP
 LETTERS = 34
-"""Letters that fit below a picture."""
+"""Characters per line below a panel."""
 ZOOM = 6.0
-"""Half of what a picture shows, in distances."""
+"""Half of the field of a panel, in multiples of the distance."""
 NEAREST, FARTHEST = 0.04, 1.2
-"""Limits of that, in modules."""
+"""Limits of the half field, in modules."""
 OVERVIEW = 2.6
-"""Half of what the first picture shows, in modules."""
+"""Half of the field of the first panel, in modules."""
 
 
 @dataclass(frozen=True)
@@ -35,13 +35,13 @@ class Place:
     Attributes
     ----------
     words
-        What it is between.
+        The two parts, in words.
     distance, limit
-        [m].
+        Distance and its minimum [m].
     fine
-        Whether the limit is kept.
+        Whether the distance is within its limit.
     where
-        A `Clearance`: position of the gears and the two places.
+        A `Clearance`: mesh position and the two nearest points.
     """
 
     words: str
@@ -52,12 +52,12 @@ class Place:
 
 
 def clearances_svg(meshes: Mapping[str, tuple[Any, Sequence[Place]]]) -> str:
-    """The places of all meshes, one block below the other.
+    """Drawing of the clearances of all meshes, one block per mesh.
 
     Parameters
     ----------
     meshes
-        For each title, the `GearPair` and its places.
+        `GearPair` and its clearances, by title.
     """
     parts: list[str] = []
     top = 0.0
@@ -71,11 +71,11 @@ def clearances_svg(meshes: Mapping[str, tuple[Any, Sequence[Place]]]) -> str:
             parts.append(f'<svg x="{x:.0f}" y="{y:.0f}" width="{PANEL:.0f}" height="{PANEL + CAPTION:.0f}">')
             parts.append(f"{panel}</svg>")
         top += -(-len(panels) // COLUMNS) * (PANEL + CAPTION) + GAP
-    return svg.document(WIDTH, max(top, HEAD), parts, "where the teeth come nearest")
+    return svg.document(WIDTH, max(top, HEAD), parts, "smallest clearances of the teeth")
 
 
 def _head(title: str, top: float) -> str:
-    """Name of the mesh, and which gear has which colour."""
+    """Name of the mesh and legend of the colours."""
     parts = [svg.text(GAP, top + 22.0, title, "pp-head", "start")]
     x = WIDTH - GAP - 150.0
     for css, words in (("pp-gear pp-mate", "gear 1"), ("pp-gear", "gear 2")):
@@ -86,7 +86,7 @@ def _head(title: str, top: float) -> str:
 
 
 def _outlines(pair: Any, phi1: float, phi2: float) -> tuple[Array, Array]:
-    """Outlines of both gears in their position, [m], as fine as the distances were taken from."""
+    """Outlines of both gears in their mesh position [m], as fine as for the distances."""
     from pitchpoint.geometry.outline_distance import gear_line
     from pitchpoint.geometry.placement import mesh_offset
 
@@ -115,7 +115,7 @@ def _teeth(pair: Any, middle: Array, half: float, phi: tuple[float, float]) -> t
 
 
 def _overview(pair: Any, places: Sequence[Place]) -> str:
-    """The mesh in the middle of its backlash, with the numbers of the places on the teeth of gear 1."""
+    """Panel with the mesh in the middle of its backlash and the numbered locations on gear 1."""
     middle = np.array([0.5 * pair.d_w1, 0.0])
     ends = [_on_gear_1(pair, one.where) for one in places]
     reach = max([float(np.abs(end - middle).max()) for end in ends], default=0.0)
@@ -131,13 +131,13 @@ def _overview(pair: Any, places: Sequence[Place]) -> str:
         parts.append(svg.text(at[0], at[1] + 5.0, str(k), "pp-halo"))
     parts.append(_frame())
     parts.append(_bar(view))
-    parts.append(svg.text(0.0, PANEL + 16.0, "places on the teeth of gear 1", "pp-text", "start"))
-    parts.append(svg.text(0.0, PANEL + 34.0, "nearest while it turns by a pitch", "pp-small", "start"))
+    parts.append(svg.text(0.0, PANEL + 16.0, "locations on the teeth of gear 1", "pp-text", "start"))
+    parts.append(svg.text(0.0, PANEL + 34.0, "minimum over one pitch of rotation", "pp-small", "start"))
     return "".join(parts)
 
 
 def _on_gear_1(pair: Any, where: Any) -> Array:
-    """A place of gear 1 in the position of the first picture, on the tooth that is in mesh there."""
+    """Location on gear 1 in the position of the first panel, on the tooth in mesh there."""
     pitch = 2.0 * math.pi / pair.gear1.z
     place = complex(*where.place1) * np.exp(-1j * where.phi1)
     place *= np.exp(-1j * pitch * round(float(np.angle(place)) / pitch))
@@ -145,7 +145,7 @@ def _on_gear_1(pair: Any, where: Any) -> Array:
 
 
 def _free(spot: Array, taken: Sequence[Array]) -> Array:
-    """A place for a number next to a spot, clear of the others and inside the picture."""
+    """Position of a number next to a location, clear of the others and inside the panel."""
     best, room = spot, -1.0
     for radius in (14.0, 24.0, 36.0):
         for angle in np.arange(12) * math.pi / 6.0:
@@ -161,7 +161,7 @@ def _free(spot: Array, taken: Sequence[Array]) -> Array:
 
 
 def _detail(pair: Any, count: int, one: Place) -> str:
-    """One place, magnified."""
+    """Magnified panel of one location."""
     ends = np.array([one.where.place1, one.where.place2])
     m_n = pair.gear1.m_n
     half = min(max(ZOOM * abs(one.distance), NEAREST * m_n), FARTHEST * m_n)
@@ -174,14 +174,14 @@ def _detail(pair: Any, count: int, one: Place) -> str:
     parts += [
         svg.text(0.0, PANEL + 16.0 + 16.0 * k, line, "pp-text", "start") for k, line in enumerate(lines)
     ]
-    judged = "fine" if one.fine else "overlap" if one.distance < 0.0 else "below the limit"
+    judged = "OK" if one.fine else "overlap" if one.distance < 0.0 else "below the limit"
     words = f"{length(one.distance)}, limit {length(one.limit)}: {judged}"
     parts.append(svg.text(0.0, PANEL + 18.0 + 16.0 * len(lines), words, css, "start"))
     return "".join(parts)
 
 
 def length(value: float) -> str:
-    """A distance in the unit that people use; less than a nanometre is nothing.
+    """Distance in a customary unit; less than a nanometre is 0.
 
     Examples
     --------
@@ -192,7 +192,7 @@ def length(value: float) -> str:
 
 
 def _gap(start: Array, end: Array, css: str) -> str:
-    """The distance as a line between two dots; a short one between arrows that point to it."""
+    """Distance as a line between two dots; a short one between two arrows."""
     parts = [svg.circle(start, 2.4, css), svg.circle(end, 2.4, css)]
     apart = end - start
     size = float(np.hypot(*apart))
@@ -218,7 +218,7 @@ def _frame() -> str:
 
 
 def _bar(view: View) -> str:
-    """A scale of a round length in the lower left corner."""
+    """Scale bar of a round length in the lower left corner."""
     most = 0.36 * PANEL / view.scale
     power = 10.0 ** math.floor(math.log10(most))
     size = next(k * power for k in (5.0, 2.0, 1.0) if k * power <= most)
@@ -228,7 +228,7 @@ def _bar(view: View) -> str:
 
 
 def _lines(words: str) -> list[str]:
-    """Words in at most two lines; what is too long for them is cut."""
+    """Text in at most two lines; longer text is truncated."""
     lines = [""]
     for word in words.split(" "):
         if len(lines[-1]) + 1 + len(word) > LETTERS and lines[-1]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A table of computed and published numbers with the source of each."""
+"""Table of computed and published numbers with their sources."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from pitchpoint.viz.tables import plain_table
 
 @dataclass(frozen=True)
 class Compared:
-    """One number of a study.
+    """One row of the table.
 
     Attributes
     ----------
     what
-        Words for the number.
+        Description of the number.
     value
-        The number, in `unit`, or words.
+        Computed number in `unit`, or text.
     source
-        Where it comes from: run, channel, function.
+        Origin: run, channel, function.
     unit
-        Unit for both numbers.
+        Unit of both numbers.
     published
-        What somebody else gives, in `unit`, or words; None if there is nothing to compare with.
+        Published number in `unit`, or text; None if there is none.
     digits
         Significant digits shown.
     """
@@ -41,7 +41,7 @@ class Compared:
 
     @property
     def difference(self) -> float:
-        """Relative difference to the published number [-]; not a number without one.
+        """Relative difference from the published number [-]; NaN without one.
 
         Examples
         --------
@@ -55,14 +55,14 @@ class Compared:
 
 
 def compared_table(rows: Sequence[Compared], *, published: str = "published") -> str:
-    """Quantity, unit, value, published value, difference and source, as HTML.
+    """HTML table of quantity, unit, value, published value, difference and source.
 
     Parameters
     ----------
     rows
-        The numbers, in order.
+        Rows in order.
     published
-        Heading of the column with the numbers of others; without any there is no such column.
+        Heading of the column of published numbers; the column is omitted if no row has one.
     """
     others = any(row.published is not None for row in rows)
     body = []
@@ -76,14 +76,14 @@ def compared_table(rows: Sequence[Compared], *, published: str = "published") ->
 
 
 def sourced_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Table with words, unit, numbers, and last the source of each row, as HTML.
+    """HTML table with description, unit, numbers, and source in the last column.
 
     Parameters
     ----------
     head
-        Names of all columns but the last.
+        Names of all columns except the last.
     rows
-        Texts, one more than names; the third to the last but one are numbers.
+        Texts, one more than `head`; columns three to the last but one are numbers.
     """
     body = []
     for what, unit, *cells, source in rows:
@@ -92,8 +92,8 @@ def sourced_table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
             f'<tr><th scope="row">{escape(what)}</th><td class="unit">{escape(unit)}</td>{middle}'
             f'<td class="from">{escape(source)}</td></tr>'
         )
-    # the last column is text: its heading is on the left
-    last = '<th scope="col" class="from">from</th></tr></thead>'
+    # the last column is text: its heading is left-aligned
+    last = '<th scope="col" class="from">source</th></tr></thead>'
     return plain_table(head, body).replace("</tr></thead>", last, 1)
 
 

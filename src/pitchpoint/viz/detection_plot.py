@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rates of detection over the signal-to-noise ratio, one line per detector."""
+"""Detection rates over the signal-to-noise ratio, one line per detector."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ SYMBOLS = ("circle", "square", "triangle-up", "diamond", "cross", "x")
 
 
 def plot_detection(curves: DetectionCurves) -> go.Figure:
-    """Detected share of the faulty signals, with confidence intervals, and the false alarms that are allowed.
+    """Plot of the detected share of faulty signals with confidence intervals, and the allowed false alarms.
 
     Parameters
     ----------
     curves
-        What `detection_curves` found.
+        Result of `detection_curves`.
     """
     figure = theme.figure(
         "signal-to-noise ratio [dB]", "detected [%]", height=400, yaxis={"range": [-3, 103]}
@@ -52,7 +52,7 @@ def plot_detection(curves: DetectionCurves) -> go.Figure:
     figure.add_annotation(
         x=float(snr[-1]),
         y=100.0 * curves.false_alarm,
-        text="false alarms allowed",
+        text="allowed false alarms",
         showarrow=False,
         xanchor="right",
         yanchor="bottom",

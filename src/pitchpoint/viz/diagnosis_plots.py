@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of a diagnosis: spectra with the lines that machines have, the mean turn of a shaft."""
+"""Plots of a diagnosis: spectra with the lines of machine parts, mean turn of a shaft."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ if TYPE_CHECKING:
 SYMBOLS = ("circle-open", "diamond-open", "square-open", "triangle-up-open", "cross-open", "hexagon-open")
 OCTAVE_POINTS = 500
 WIDE = 8.0
-"""Ratio of the highest to the lowest first line from which an axis is logarithmic."""
+"""Ratio of the highest to the lowest fundamental line above which the axis is logarithmic."""
 LETTERS = 24
-"""Labels of one picture from which on they would touch each other."""
+"""Maximum number of labels in one plot without overlap."""
 DEPTH = -4.0
-"""Powers of ten below the largest amplitude at which a picture ends."""
+"""Range of the amplitude axis below the largest amplitude [decades]."""
 
 
 @dataclass(frozen=True)
@@ -39,17 +39,17 @@ class Lines:
     Attributes
     ----------
     name
-        What the legend calls them.
+        Name in the legend.
     places
         Frequencies [Hz] or orders, rising, shape (n,).
     labels
-        Texts above them, as many as places; none if empty.
+        Labels, one per line, or empty.
     look
-        Number of its colour and symbol: the same part looks the same in all pictures.
+        Number of colour and symbol: a part looks the same in all plots.
     group
-        What the legend calls it together with others, which come and go with it; empty if it is alone.
+        Legend group that is shown and hidden together; empty if none.
     symbol
-        Number of its symbol, if it is another one than that of its colour.
+        Number of the symbol, if it differs from that of the colour.
     """
 
     name: str
@@ -69,14 +69,14 @@ def plot_lines(
     over: str = "frequency",
     span: tuple[float, float] | None = None,
 ) -> go.Figure:
-    """A spectrum in which the lines of parts of the machine are marked.
+    """Spectrum with marked lines of machine parts.
 
     Parameters
     ----------
     spectrum
         Amplitudes over frequency [Hz] or order.
     lines
-        What is marked; what lies beyond the axis is omitted.
+        Marked lines; those outside the axis are omitted.
     unit
         Unit of the amplitudes.
     quantity
@@ -84,8 +84,8 @@ def plot_lines(
     over
         `frequency` or `order`.
     span
-        Ends of the horizontal axis [Hz, or orders]; default all that shows something. An axis from zero on is
-        logarithmic where the first lines of the parts are far apart.
+        Ends of the horizontal axis [Hz, or orders]; default: range with significant amplitudes. An axis from
+        zero is logarithmic if the fundamental lines of the parts are far apart.
     """
     frequency: Array = np.arange(spectrum.amplitude.size, dtype=np.float64) * spectrum.step
     low, high = span or (0.0, _end(spectrum, lines))
@@ -98,7 +98,7 @@ def plot_lines(
     if wide:
         kept = _by_octaves(x, y)
         x, y = x[kept], y[kept]
-    # the first sample of a spectrum is the mean, which is not drawn
+    # the first line of a spectrum is the mean, which is not drawn
     curve = Spectrum(np.r_[0.0, x], np.r_[0.0, y], 0.0, spectrum.resolution, 1.5)
     figure = plot_spectrum({quantity: curve}, unit=unit, quantity=quantity, over=over, highest=high, labels=0)
     figure.data[0].update(name="spectrum", line={"color": theme.GREY, "width": 1.1}, showlegend=False)
@@ -118,11 +118,11 @@ def plot_lines(
     else:
         figure.update_xaxes(range=[low * across, high * across])
     if y.size and float(y.max()) > 0.0:
-        # as deep as what lies between the lines, not as its single zeros
+        # down to the level between the lines, not to single zeros
         floor = float(np.quantile(y, 0.02)) if span else 0.0
         bottom, top = np.log10([max(floor, 10.0**DEPTH * float(y.max())) * up, float(y.max()) * up])
         figure.update_yaxes(range=[bottom - 0.2, top + 0.5])
-        # above the curve, where nothing runs through them
+        # above the curve, clear of all lines
         texts = [(at, text) for part in lines for at, text in zip(part.places, part.labels, strict=False)]
         texts = [(float(at) * across, text) for at, text in texts if text and low <= at <= high]
         for at, text in texts:
@@ -142,7 +142,7 @@ def plot_mean_turn(
     since: str,
     mark: tuple[float, float] | None = None,
 ) -> go.Figure:
-    """Mean turn of a shaft above its residual, over teeth or degrees.
+    """Plot of the mean turn of a shaft above its residual, over teeth or degrees.
 
     Parameters
     ----------
@@ -151,24 +151,24 @@ def plot_mean_turn(
     unit
         Unit of the signal.
     teeth
-        Teeth in a turn; None draws degrees instead.
+        Number of teeth; None for an axis in degrees.
     zero
-        Angle that the shaft has gone at the first sample [rad].
+        Angle of the shaft at the first sample [rad].
     since
-        What the angle counts from.
+        Zero of the angle, in words.
     mark
-        Middle and width of the tooth that stands out [rad], counted as the axis is; None if none does.
+        Middle and width of the tooth that stands out [rad] along the axis; None if there is none.
     """
     angle = np.mod(turn.angle + zero, 2.0 * np.pi)
     order = np.argsort(angle, kind="stable")
     per_turn = float(teeth) if teeth else 360.0
     rows = [
-        Channel("mean turn, without its mean", (turn.average - turn.average.mean())[order], unit),
+        Channel("mean turn without its mean value", (turn.average - turn.average.mean())[order], unit),
         Channel("residual: without mesh harmonics and the two lowest orders", turn.residual[order], unit),
     ]
     words = "tooth pitches" if teeth else "angle [°]"
     figure = plot_signals(
-        angle[order] / (2.0 * np.pi) * per_turn, rows, rows=[[0], [1]], over=f"{words} since {since}"
+        angle[order] / (2.0 * np.pi) * per_turn, rows, rows=[[0], [1]], over=f"{words} from {since}"
     )
     figure.update_xaxes(range=[0.0, per_turn])
     if teeth is None:
@@ -196,7 +196,7 @@ def plot_mean_turn(
 
 
 def line_places(first: float, count: int, highest: float) -> Array:
-    """The first multiples of a frequency that lie below the highest one.
+    """First multiples of a frequency below a limit.
 
     Examples
     --------
@@ -208,7 +208,7 @@ def line_places(first: float, count: int, highest: float) -> Array:
 
 
 def in_hertz(spectrum: FineSpectrum, frequency: float) -> FineSpectrum:
-    """A spectrum over orders as one over frequency [Hz]; orders stay where the speed is not known (NaN)."""
+    """Spectrum over frequency [Hz] from one over orders; unchanged if the speed is not known (NaN)."""
     if not np.isfinite(frequency):
         return spectrum
     return replace(spectrum, step=spectrum.step * frequency, resolution=spectrum.resolution * frequency)
@@ -221,7 +221,7 @@ def _mark(
     span: tuple[float, float],
     factors: tuple[float, float],
 ) -> None:
-    """Marks on the spectrum at the lines of one part."""
+    """Draw marks on the spectrum at the lines of one part."""
     inside = (part.places >= span[0]) & (part.places <= span[1])
     if not inside.any():
         return
@@ -244,7 +244,7 @@ def _mark(
 
 
 def _by_octaves(x: Array, y: Array) -> NDArray[np.int64]:
-    """Samples to draw over a logarithmic axis: equally many in each octave."""
+    """Indices of samples for a logarithmic axis: the same number per octave."""
     kept, start = [], 0
     while start < x.size:
         end = max(int(np.searchsorted(x, 2.0 * x[start])), start + 1)
@@ -254,7 +254,7 @@ def _by_octaves(x: Array, y: Array) -> NDArray[np.int64]:
 
 
 def _end(spectrum: FineSpectrum, lines: Sequence[Lines]) -> float:
-    """Where the last line is that is not lost below the largest one, and the first mesh of every part."""
+    """Position of the last significant line, but at least the fundamental line of every part."""
     a = spectrum.amplitude
     seen = np.flatnonzero(a[1:] >= 5e-3 * float(a[1:].max())) if a.size > 1 else np.empty(0)
     last = (int(seen[-1]) + 1) * spectrum.step if seen.size else spectrum.highest

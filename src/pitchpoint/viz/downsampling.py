@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fewer points for the screen, without losing a single peak.
+"""Downsampling of curves for plots that preserves all peaks.
 
-A line of a million points is drawn on a thousand pixels. Taking every thousandth point hides impacts that
-last a few samples; here every bucket of samples keeps its first, smallest, largest and last one, in their
-order.
+A curve of a million points is drawn on a thousand pixels. Every thousandth point alone would hide impacts of
+a few samples; here every bucket of samples keeps its first, minimum, maximum and last sample, in order.
 """
 
 from __future__ import annotations
@@ -15,14 +14,14 @@ Array = NDArray[np.float64]
 
 
 def kept_samples(values: Array, limit: int = 8000) -> NDArray[np.int64]:
-    """Indices of the samples to draw.
+    """Indices of the drawn samples.
 
     Parameters
     ----------
     values
-        Samples, shape (n,); NaN counts as a gap and is kept where it begins.
+        Samples, shape (n,); NaN is a gap, whose first sample is kept.
     limit
-        Number of samples to keep at most; at least 4.
+        Maximum number of kept samples; at least 4.
 
     Returns
     -------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A plot as data of a page: long lines in 16 bits, finer than any screen and a quarter of the size."""
+"""Plots as page data: long curves with 16 bits per number, finer than screens, at a quarter of the size."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ Packed = tuple[dict[str, str] | None, list[float]]
 
 FLOATS = {"f4": "<f4", "f8": "<f8"}
 LONG = 100
-"""Points from which on a line is worth it."""
+"""Minimum number of points of a packed curve."""
 STEPS = 65535
-"""Steps between the least and the largest number of a line."""
+"""Steps between the minimum and maximum of a curve."""
 
 
 def figure_json(figure: go.Figure) -> str:
-    """A plot as JSON; `meta.steps` of a line states which of its coordinates are steps, and what they mean.
+    """Plot as JSON; `meta.steps` of a curve lists its packed coordinates and their scaling.
 
-    [value of 0, value of a step] goes with two bytes a number, or with one byte for the way from the number
-    before. [first value, step, how many] represents even numbers, of which nothing else is kept.
+    [value of 0, value of a step] is used with two bytes per number, or with one byte for the difference from
+    the previous number. [first value, step, count] represents equally spaced numbers, without further data.
 
     Parameters
     ----------
     figure
-        The plot; coordinates along logarithmic axes keep their digits.
+        The plot; coordinates along logarithmic axes are not packed.
     """
     from plotly.io.json import to_json_plotly
 
@@ -55,8 +55,8 @@ def _logarithmic(axis: Any) -> bool:
 
 
 def _numbers(values: Any) -> Array | None:
-    """Numbers of a coordinate; None of what is short or has gaps."""
-    # plotly has packed arrays of numbers already; lists are short, or hold gaps
+    """Numbers of a coordinate; None if it is short or has gaps."""
+    # plotly has already packed arrays of numbers; lists are short or have gaps
     if not isinstance(values, dict) or values.get("dtype") not in FLOATS:
         return None
     found = np.frombuffer(base64.b64decode(values["bdata"]), FLOATS[values["dtype"]]).astype(np.float64)
@@ -64,11 +64,11 @@ def _numbers(values: Any) -> Array | None:
 
 
 def _on_grid(values: Array) -> Packed | None:
-    """Ascending multiples of one step from a first number, as samples of a record are."""
+    """First number, step and count of equally spaced, ascending numbers, such as sample times."""
     gaps = np.diff(values)
     if gaps.min() <= 0.0 or gaps.max() > 250.5 * gaps.min():
         return None
-    # single precision blurs gaps: each by itself is distinguished from its neighbours, their sum has the step
+    # single precision rounds the spacings: single ones differ, their sum gives the step
     counts = np.rint(gaps / gaps.min())
     places = np.append(0.0, np.cumsum(counts))
     first, step = float(values[0]), float(values[-1] - values[0]) / float(places[-1])

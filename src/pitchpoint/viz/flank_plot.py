@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A flank seen from the side: what is there of it and what is missing."""
+"""Side view of a flank with missing material."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ THERE, MISSING = theme.TEAL, theme.RED
 
 
 def plot_missing(z: ArrayLike, diameter: ArrayLike, level: ArrayLike) -> go.Figure:
-    """Flank over face width and diameter, in one colour where there is material, in another where not.
+    """Plot of a flank over face width and diameter, with missing material in a second colour.
 
     Parameters
     ----------
     z
-        Places along the face width [m], shape (n_z,), rising.
+        Positions along the face width [m], shape (n_z,), ascending.
     diameter
-        Diameters [m], shape (n_d,), rising.
+        Diameters [m], shape (n_d,), ascending.
     level
-        What is missing [m], shape (n_z, n_d): nothing where it is not positive (`tooth_faults.break_level`).
+        Missing material [m] where positive, shape (n_z, n_d) (`tooth_faults.break_level`).
     """
     across, up = np.asarray(z, dtype=np.float64), np.asarray(diameter, dtype=np.float64)
     gone = np.asarray(level, dtype=np.float64).T > 0.0

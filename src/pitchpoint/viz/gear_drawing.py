@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Drawings of one gear, of two gears in mesh and of their mesh zone, as SVG.
+"""SVG drawings of a gear, of two gears in mesh and of their mesh zone.
 
-Lengths come in metres from `geometry`; the drawing scales them to pixels and turns the second axis downwards.
+Lengths from `geometry` are in metres; the drawing scales them to pixels with the second axis downwards.
 Gear 1 is at the origin, gear 2 at (a_w, 0), as in the transverse plane of the mesh; gear 1 drives
-counter-clockwise, so contact runs along the line of action from A to E.
+counter-clockwise, so contact moves along the line of action from A to E.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from pitchpoint.viz.svg import Array
 
 WIDTH = 480.0
 CHORD = 0.15
-"""Distance of chords from the tooth in pixels: no one sees it, and files stay small."""
+"""Maximum distance of chords from the tooth, invisible and with small files [pixels]."""
 FEWEST = 8
 _TRIED = 24
 # Radial thickness of the ring drawn around an internal gear without a known rim, in modules below the root
@@ -31,7 +31,7 @@ RIM_MODULES = 2.5
 
 @dataclass(frozen=True)
 class View:
-    """From metres in the transverse plane to pixels."""
+    """Transformation from metres in the transverse plane to pixels."""
 
     low: Array
     scale: float
@@ -46,19 +46,20 @@ class View:
 
 @lru_cache(maxsize=256)
 def points_for(gear: Any, chord: float) -> int:
-    """Points per flank whose chords stay within a distance of the tooth, 400 at most.
+    """Number of points per flank, at most 400, for a maximum distance of chords from the tooth.
 
     Parameters
     ----------
     gear
         A `CylindricalGear`.
     chord
-        The distance [m].
+        Maximum distance [m].
 
     Notes
     -----
-    Chords lie off by the square of their length, which gives the approximate number of points; then some more
-    are taken until the points of a fine tooth keep the distance. Points of a real tooth stay as they are.
+    The deviation of chords is proportional to the square of their length, which gives an approximate number
+    of points; it is increased until the points of a fine tooth are within the distance. Points of a measured
+    tooth are not changed.
     """
     from pitchpoint.geometry.outline_distance import N_FLANK, gear_line
 
@@ -67,7 +68,7 @@ def points_for(gear: Any, chord: float) -> int:
     fine = gear_line(gear).pitch
 
     def error(n: int) -> float:
-        """Largest distance of the fine tooth from one of so many points."""
+        """Maximum distance of the fine tooth from a tooth with this number of points."""
         return float(np.abs(gear_line(gear, n).nearest(fine).distance).max())
 
     n = int(np.clip(_TRIED * np.sqrt(error(_TRIED) / chord), FEWEST, N_FLANK))
@@ -84,7 +85,7 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int | None = None) -> st
     gear
         A `CylindricalGear`.
     name
-        What to write below it.
+        Text below the drawing.
     n_flank
         Points per flank; as many as the size of the drawing needs if omitted.
     """
@@ -104,7 +105,7 @@ def gear_svg(gear: Any, *, name: str = "gear", n_flank: int | None = None) -> st
 
 
 def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flank: int | None = None) -> str:
-    """Both gears of a pair in mesh, seen along their axes.
+    """Drawing of both gears of a pair in mesh, seen along their axes.
 
     Parameters
     ----------
@@ -141,12 +142,12 @@ def pair_svg(pair: Any, *, names: tuple[str, str] = ("gear 1", "gear 2"), n_flan
 
 
 def mesh_zone_svg(pair: Any, *, n_flank: int | None = None) -> str:
-    """The mesh zone: flanks with what of them is active, circles, line of action, path of contact A to E.
+    """Drawing of the mesh zone: flanks with active parts, circles, line of action, path of contact A to E.
 
     Parameters
     ----------
     pair
-        A `GearPair` whose gears touch (contact ratio above zero).
+        A `GearPair` with a contact ratio above zero.
     n_flank
         Points per flank; as many as the size of the drawing needs if omitted.
     """
@@ -183,7 +184,7 @@ def mesh_zone_svg(pair: Any, *, n_flank: int | None = None) -> str:
 
 
 def _outlines(pair: Any, n_flank: int | None, chord: float) -> tuple[Array, Array]:
-    """Both outlines [m] in one plane, turned so that the front flanks just touch."""
+    """Both outlines [m] in one plane, rotated so that the front flanks just touch."""
     from pitchpoint.geometry.tooth_form import gear_outline
 
     first, second = (n_flank or points_for(gear, chord) for gear in (pair.gear1, pair.gear2))
@@ -197,18 +198,18 @@ def _outlines(pair: Any, n_flank: int | None, chord: float) -> tuple[Array, Arra
 
 
 def active_diameters(pair: Any, which: int) -> tuple[float, float]:
-    """Diameters between which the flanks of a gear touch [m], positive: start and end of its active profile.
+    """Diameters at the start and end of the active profile of a gear [m], positive.
 
     Parameters
     ----------
     pair
-        A `GearPair` whose gears touch.
+        A `GearPair` with a contact ratio above zero.
     which
         1 or 2.
 
     Notes
     -----
-    From d_Nf to d_Na, but no deeper than the root form circle, where the involute ends.
+    From d_Nf to d_Na, limited by the root form circle, where the involute ends.
     """
     gear = pair.gear1 if which == 1 else pair.gear2
     root, tip = (pair.d_Nf1, pair.d_Na1) if which == 1 else (pair.d_Nf2, pair.d_Na2)
@@ -216,12 +217,12 @@ def active_diameters(pair: Any, which: int) -> tuple[float, float]:
 
 
 def _active_flanks(pair: Any) -> tuple[Array, Array]:
-    """Active parts of the two flanks that touch in the drawing, [m]."""
+    """Active parts of the two flanks in contact in the drawing [m]."""
     from pitchpoint.geometry.tooth_form import tooth_form
 
     found = []
     inside = pair.a_w < 0.0
-    # the left flank of tooth 0 of gear 1 meets a left flank of an external gear, a right one of a ring
+    # the left flank of tooth 0 of gear 1 mates with a left flank of an external gear, a right one of a ring
     touch, next_tooth = 0.5 * pair.j_bt / (0.5 * pair.gear1.d_b), pi / abs(pair.gear2.z)
     places = ((pair.gear1, touch, 1.0, 0.0), (pair.gear2, pi - next_tooth, 1.0, pair.a_w))
     if inside:
@@ -240,20 +241,20 @@ def _outer_radius(gear: Any) -> float:
 
 
 def body(gear: Any, view: View, outline: Array, css: str, window: tuple[Array, Array] | None = None) -> str:
-    """The material of a gear: inside its outline, or for an internal gear between outline and rim.
+    """Cross section of a gear: inside its outline, or for an internal gear between outline and rim.
 
     Parameters
     ----------
     gear
         A `CylindricalGear`.
     view
-        Where points go in the picture.
+        Transformation to pixels.
     outline
-        Its outline, shape (n, 2) [m].
+        Outline of the gear, shape (n, 2) [m].
     css
-        Class of the shape.
+        CSS class of the shape.
     window
-        Lower left and upper right corner of what is shown, to which the outline is cut [m].
+        Lower left and upper right corner of the visible field, to which the outline is clipped [m].
     """
     if gear.z > 0:
         return svg.polygon(view(outline), css)
@@ -279,12 +280,12 @@ def _caption(gear: Any, name: str) -> str:
 
 
 def _marks(view: View, where: dict[str, Array], along: Array) -> list[str]:
-    """Points of the path of contact: A, C, E labelled on one side, B and D on the other."""
+    """Points of the path of contact, A, C, E labelled on one side, B and D on the other."""
     down = np.array([along[0], -along[1]])
     across = np.array([-down[1], down[0]])
     parts: list[str] = []
     spots = {name: view(point) for name, point in where.items()}
-    # B and D may lie almost on one spot: their letters then move apart along the line
+    # B and D may almost coincide: their letters are then moved apart along the line
     gap = float((spots["D"] - spots["B"]) @ down)
     apart = max(0.0, 18.0 - abs(gap)) / 2.0 * (1.0 if gap >= 0.0 else -1.0)
     shift = {"B": -apart, "D": apart}
@@ -297,7 +298,7 @@ def _marks(view: View, where: dict[str, Array], along: Array) -> list[str]:
 
 
 def _legend(top: float, pair: Any) -> str:
-    """What the kinds of line mean, and between which diameters the flanks are active."""
+    """Legend of the lines, with the diameters of the active flanks."""
     parts = [f'<rect class="pp-paper" x="0" y="{top:.0f}" width="{WIDTH:.0f}" height="92"/>']
     entries = [
         ("pp-path", "path of contact A to E"),

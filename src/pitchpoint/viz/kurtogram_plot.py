@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Kurtogram: levels one above the other, bands side by side, their kurtosis as colour."""
+"""Kurtogram: kurtosis as colour over frequency band and level."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _SAME = 1e-6
-"""Part of the highest frequency by which edges of bands of different levels may be off each other."""
+"""Tolerance of band edges of different levels, relative to the highest frequency."""
 
 
 def plot_kurtogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """Map of the kurtosis over frequency and level, the best band framed.
+    """Map of the kurtosis over frequency and level, with the best band framed.
 
     Parameters
     ----------
     result
         Result of `kurtogram` of one channel.
     channel
-        Its name.
+        Name of the channel.
     """
     low, high, level = (result[name].values for name in ("low", "high", "level"))
     pitch = scale("Hz", high)
@@ -37,12 +37,12 @@ def plot_kurtogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
     for bottom, top, at, kurtosis in zip(low, high, level, result["kurtosis"].values, strict=True):
         values[np.searchsorted(levels, at), (middle > bottom) & (middle < top)] = kurtosis
     best = [float(result[name]) for name in ("best_low", "best_high", "best_kurtosis")]
-    figure = theme.figure(pitch.title("frequency"), "width of the bands", height=430)
+    figure = theme.figure(pitch.title("frequency"), "bandwidth", height=430)
     figure.add_heatmap(
         x=edges * pitch.factor,
         y=np.arange(levels.size),
         z=values.astype(np.float32),
-        # a steady tone has -1 and noise 0: what is below 0 holds no impacts
+        # a steady tone has -1 and noise 0: values below 0 indicate no impacts
         zmin=0.0,
         zmax=max(best[2], float(np.nanmax(values)), 1e-9),
         colorscale=theme.MAP_SCALE,

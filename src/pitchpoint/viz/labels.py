@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Labels next to a drawing that do not cover each other: spread along a column, each joined to its place."""
+"""Labels next to a drawing without overlap: spread along a column, with leader lines to their positions."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from pitchpoint.viz.svg import Array
 
 
 def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Array:
-    """Places along a column at least a step apart, as near as can be to those that are wanted.
+    """Positions along a column at least a step apart, as close as possible to the wanted ones.
 
     Parameters
     ----------
     wanted
-        Places that labels would like to have, in any order.
+        Wanted positions, in any order.
     step
-        Least distance between two of them.
+        Minimum distance between two positions.
     low, high
-        Ends of the column; what does not fit continues beyond `high`.
+        Ends of the column; excess labels continue beyond `high`.
 
     Returns
     -------
     ndarray
-        Places in the order of `wanted`, in which their order along the column stays.
+        Positions in the order of `wanted`, with unchanged order along the column.
 
     Notes
     -----
-    Labels that meet form a group around the mean of what they want; groups that meet become one.
+    Overlapping labels form a group around the mean of their wanted positions; overlapping groups are merged.
 
     Examples
     --------
@@ -37,7 +37,7 @@ def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Arr
     [6.0, 16.0, 50.0]
     """
     order = np.argsort(np.asarray(wanted, dtype=np.float64), kind="stable")
-    groups: list[list[float]] = []  # first place, number of labels, sum of what the first place should be
+    groups: list[list[float]] = []  # first position, number of labels, sum of the wanted first positions
     for at in np.asarray(wanted, dtype=np.float64)[order]:
         groups.append([float(at), 1.0, float(at)])
         while True:
@@ -47,7 +47,7 @@ def spread(wanted: Sequence[float], step: float, low: float, high: float) -> Arr
                 break
             first, count, total = groups.pop()
             before = groups[-1]
-            # the first of the later group is `before[1]` steps behind the first of the joint one
+            # the first of the later group is `before[1]` steps after the first of the merged one
             before[2] += total - count * before[1] * step
             before[1] += count
     found = np.empty(len(order))

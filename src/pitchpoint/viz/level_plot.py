@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A signal above its wavelet levels, one row each over the same time."""
+"""Signal and its wavelet levels over time, one row each."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def plot_signal_and_levels(
     time: Array, values: Array, levels: WaveletLevels, *, unit: str, name: str = "S"
 ) -> go.Figure:
-    """The signal, its approximation and its details from slow to fast.
+    """Plot of a signal, its approximation and its details from low to high frequency.
 
     Parameters
     ----------
@@ -26,7 +26,7 @@ def plot_signal_and_levels(
     values
         The signal, shape (n,).
     levels
-        What `wavelet_levels` made of it.
+        Result of `wavelet_levels`.
     unit
         SI unit of the signal.
     name

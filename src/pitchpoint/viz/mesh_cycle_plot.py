@@ -27,7 +27,7 @@ def plot_mesh_stiffness(
     loaded: tuple[ArrayLike, ArrayLike] | None = None,
     cycles: int = 2,
 ) -> go.Figure:
-    """Stiffness over mesh cycles, with its mean.
+    """Plot of the stiffness over mesh cycles, with its mean.
 
     Parameters
     ----------
@@ -37,10 +37,10 @@ def plot_mesh_stiffness(
     name
         Name of the mesh, for the legend.
     unit
-        What the ratio refers to: c′·b for tooth pair laws, the mean for prescribed stiffness.
+        Reference of the ratio: c′·b for tooth pair laws, the mean for prescribed stiffness.
     loaded
-        Phases and slopes of the force under load, in the same unit, where they differ from the law; a single
-        cycle of them is repeated like that of the law.
+        Phases and slopes of the force under load, in the same unit, if they differ from the law; a single
+        cycle is repeated like that of the law.
     cycles
         Number of cycles drawn.
     """
@@ -80,10 +80,10 @@ def plot_transmission_error(
     cycles: int = 2,
     title: str = "mesh phase ψ [base pitches]",
 ) -> go.Figure:
-    """Transmission error over mesh cycles about its mean, one line per load case.
+    """Plot of the transmission error over mesh cycles about its mean, one line per load case.
 
-    The means, half the backlash and the deflection under load, are many times larger than what excites
-    vibration; they are in the legend.
+    The means (half the backlash and the deflection under load) are many times larger than the variation that
+    excites vibration; they are given in the legend.
 
     Parameters
     ----------
@@ -92,7 +92,7 @@ def plot_transmission_error(
     errors
         Transmission error along the line of action [m], shape (n,) each, by the name of the load case.
     cycles
-        Number of cycles drawn: a single cycle of phases is repeated, longer ones are drawn as they are.
+        Number of cycles drawn: a single cycle is repeated, longer curves are drawn unchanged.
     title
         Title of the horizontal axis.
     """
@@ -113,25 +113,26 @@ def plot_transmission_error(
             line={"color": theme.SERIES[index % len(theme.SERIES)], "width": 2, "simplify": False},
         )
     figure.update_layout(showlegend=True)
-    # round-off would fill the picture with a wave of its own
+    # round-off would fill the plot
     if max((float(np.abs(v).max()) for v in sizes if v.size), default=0.0) < ROUND_OFF:
         figure.update_yaxes(range=[-ROUND_OFF * shown.factor, ROUND_OFF * shown.factor])
     return figure
 
 
 def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
-    """Share of one tooth pair in the load, from its first to its last contact.
+    """Plot of the load share of one tooth pair, from its first to its last contact.
 
     Parameters
     ----------
     way
-        Way since the beginning of contact at mid-face [base pitches], shape (n,); helical teeth touch before.
+        Travel since the start of contact at mid-face [base pitches], shape (n,); negative for helical teeth
+        that touch earlier.
     share
-        Share in the load, shape (n,).
+        Load share, shape (n,).
     """
     figure = theme.figure(
-        "way of a tooth pair, 0 where its mid-face comes into contact [base pitches]",
-        "share in the load [%]",
+        "travel of a tooth pair from the start of contact at mid-face [base pitches]",
+        "load share [%]",
         height=340,
     )
     figure.add_scatter(
@@ -145,7 +146,7 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
 
 
 def _repeated(phase: ArrayLike, values: ArrayLike, cycles: int) -> tuple[np.ndarray, np.ndarray]:
-    """A single cycle several times, so that its ends can be seen; longer curves as they are."""
+    """Single cycles repeated, so that their ends are visible; longer curves unchanged."""
     x = np.asarray(phase, dtype=np.float64)
     y = np.asarray(values, dtype=np.float64)
     if x.size == 0 or x[-1] - x[0] > 1.5:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What notebooks show for a gear, a pair and a model: a drawing and a short table.
+"""Display of gears, pairs and models in notebooks: a drawing and a short table.
 
-Geometry and model know nothing of pictures. The package attaches `_repr_html_` to their classes when it hands
-out the first of its public names, so every notebook that knows this method shows them. IPython is also
-informed by `pitchpoint.report.notebook`, which adds the scene.
+`geometry` and `model` do not depend on plots. The package attaches `_repr_html_` to their classes when its
+first public name is imported, so all notebooks that support this method display them.
+`pitchpoint.report.notebook` registers further formatters with IPython, which add the scene.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-# module and class -> function of this module that makes its HTML
+# module and class -> function of this module that returns its HTML
 SHOWN = {
     ("pitchpoint.geometry.cylindrical_gear", "CylindricalGear"): "gear_html",
     ("pitchpoint.geometry.gear_pair", "GearPair"): "pair_html",
@@ -21,7 +21,7 @@ SHOWN = {
     ("pitchpoint.model.components.bevel_gear", "BevelGear"): "bevel_component_html",
     ("pitchpoint.model.model", "Model"): "model_html",
 }
-# Notebooks centre and embolden the heads of rows; these tables are read from left to right.
+# Notebooks centre row headings and set them in bold; these tables override this.
 STYLE = (
     "<style>.pp-shown table th,.pp-shown table td{font-weight:400;text-align:left!important}"
     ".pp-shown table .num{text-align:right!important}"
@@ -37,7 +37,7 @@ def _framed(*parts: str) -> str:
 
 
 def attach() -> None:
-    """Give the gears and pairs that are imported by now a `_repr_html_`; a model has its own."""
+    """Attach `_repr_html_` to the imported classes of gears and pairs; models define it themselves."""
     for (module, name), function in SHOWN.items():
         shown = getattr(sys.modules.get(module), name, None)
         if shown is not None and not hasattr(shown, "_repr_html_"):
@@ -45,7 +45,7 @@ def attach() -> None:
 
 
 def gear_html(gear: Any) -> str:
-    """Drawing, teeth with their tool, and data of one gear."""
+    """Drawing, teeth with their tool, and data of a gear."""
     from pitchpoint.viz.gear_drawing import gear_svg
     from pitchpoint.viz.tables import GEAR_ROWS, quantity_table
     from pitchpoint.viz.tooth_drawing import tooth_svg
@@ -92,7 +92,7 @@ def bevel_pair_html(pair: Any) -> str:
 
 
 def model_html(model: Any) -> str:
-    """The tables of a model, and a drawing of every pair of gears in it."""
+    """Tables of a model, and a drawing of each gear pair."""
     from pitchpoint.viz.gear_drawing import pair_svg
 
     drawings = [pair_svg(pair, names=tuple(model.meshes[name].gears)) for name, pair in model.pairs.items()]
@@ -100,7 +100,7 @@ def model_html(model: Any) -> str:
 
 
 def _known(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
-    """Data of a gear or pair; a quantity that has no meaning for it is omitted from the table."""
+    """Data of a gear or pair, without quantities that do not apply to it."""
     from pitchpoint.core.errors import PitchpointError
 
     found: dict[str, Any] = {}
@@ -110,7 +110,7 @@ def _known(thing: Any, identifiers: tuple[str, ...]) -> dict[str, Any]:
         except PitchpointError:
             continue
         if isinstance(value, int | float) and not isinstance(value, bool):
-            # ISO 21771 counts an internal gear negative; tables for people do not. Backlash and crown of
-            # bevel gears have a sign that means something.
+            # ISO 21771 uses negative values for internal gears; the tables do not. The signs of backlash
+            # and of the crown of bevel gears are significant.
             found[key] = value if key.startswith(("x", "beta", "j_m", "t_xo")) else abs(value)
     return found

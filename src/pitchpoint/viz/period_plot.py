@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Periods of repeated impacts: evidence over the period, against what noise gives."""
+"""Periods of repeated impacts: evidence over the period, compared with noise."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 _POINTS = 8000
 _LEAST = 1e-300
-_TITLE = "−log₁₀ of the chance"
+_TITLE = "−log₁₀ of the probability in noise"
 
 
 def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """Evidence of all trial periods, the threshold, and the period that was found.
+    """Plot of the evidence of all trial periods, the threshold, and the detected period.
 
     Parameters
     ----------
@@ -44,13 +44,13 @@ def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
     )
     chance = max(float(result["p_value"]), _LEAST)
     shown = f"{number(chance, 2)} (limit {number(float(result['false_alarm']))})"
-    words = f"nothing found in {channel}: exact tests of the highest peaks leave a chance of {shown}"
+    words = f"nothing found in {channel}: exact tests of the highest peaks give a probability of {shown}"
     top = max(float(score.max()), threshold)
     if bool(result["found"]):
         found, deviation = float(result["period"]), float(result["deviation"])
         words = (
             f"{channel}: {clock.text(found, 5)}, standard deviation {amount(deviation, 's', 2)}; "
-            f"chance in noise {shown}"
+            f"probability in noise {shown}"
         )
         exact = float(np.log10(period.size / chance))
         top = max(top, exact)
@@ -71,14 +71,14 @@ def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
         hoverinfo="skip",
     )
     figure.update_layout(title=theme.title_above(words), margin={"t": 64}, showlegend=True)
-    figure.data[0].update(name="rough score of all trial periods")
+    figure.data[0].update(name="approximate score of all trial periods")
     figure.update_yaxes(range=[0.0, 1.1 * top])
     figure.update_xaxes(range=[period[0] * clock.factor, period[-1] * clock.factor])
     return [figure]
 
 
 def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """Evidence of each of some given periods.
+    """Plot of the evidence of given periods.
 
     Parameters
     ----------
@@ -98,7 +98,7 @@ def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
         x=[clock.text(value, 5) for value in period],
         y=np.abs(score),
         marker={"color": theme.SERIES[0]},
-        text=[f"chance {number(float(value), 3)}" for value in result["p_value"].values[known]],
+        text=[f"probability {number(float(value), 3)}" for value in result["p_value"].values[known]],
         textposition="outside",
         cliponaxis=False,
         hovertemplate="%{x}: %{y:.3g}<extra></extra>",

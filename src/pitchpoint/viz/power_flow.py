@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Powers of a machine as plain numbers: blocks that turn, and what goes from one to the next [W]."""
+"""Power flow of a machine as plain data: rotating blocks and the power transmitted between them [W]."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 OUTSIDE = -1
-"""Number that represents all that is not a block: motors, brakes, surroundings."""
+"""Number for the surroundings of the blocks: motors, brakes, environment."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class PowerBlock:
-    """Something that turns.
+    """Rotating block.
 
     Attributes
     ----------
     name
         Name of the body or shaft.
     speed
-        Mean speed about its own axis [rad/s].
+        Mean speed about its axis [rad/s].
     stored
-        Mean rate of the energy of its rotation [W].
+        Mean rate of its rotational energy [W].
     """
 
     name: str
@@ -31,20 +31,20 @@ class PowerBlock:
 
 @dataclass(frozen=True, kw_only=True)
 class PowerLink:
-    """Power that goes from one block to another.
+    """Power transmitted from one block to another.
 
     Attributes
     ----------
     name, kind
         Name of the element, and drive, load, mesh, coupling, ratio or carrier.
     start, end
-        Numbers of the blocks; `OUTSIDE` for what is none.
+        Numbers of the blocks; `OUTSIDE` for the surroundings.
     given, taken
-        Mean power that leaves the first and that reaches the second [W]; given is not negative.
+        Mean power that leaves the first and that reaches the second block [W]; `given` is not negative.
     losses
-        Mean powers lost on the way according to the result, by words.
+        Mean power losses according to the result, by their description.
     fed
-        Mean power that a mesh gets from what moves with its phase: stiffness and static errors [W].
+        Mean power supplied to a mesh by its phase-dependent stiffness and static errors [W].
     """
 
     name: str
@@ -58,26 +58,26 @@ class PowerLink:
 
     @property
     def lost(self) -> float:
-        """All losses on the way [W]."""
+        """Sum of the losses [W]."""
         return sum(self.losses.values())
 
 
 @dataclass(frozen=True, kw_only=True)
 class PowerFlow:
-    """Mean powers of a run over a span of time.
+    """Mean powers of a run over a time span.
 
     Attributes
     ----------
     span
         Beginning and end [s].
     blocks, links
-        What turns, and what goes between.
+        Rotating blocks, and the power transmitted between them.
     elastic
-        Mean rate of the energy in the flanks [W].
+        Mean rate of the elastic energy in the flanks [W].
     booked
-        Whether friction of some mesh counts for the gear that drives, as nothing states what it does to each.
+        Whether friction power of a mesh is assigned to the driving gear, because its division is unknown.
     unfollowed
-        Elements that may take or give power and are not among the links.
+        Elements that may exchange power but are not among the links.
     """
 
     span: tuple[float, float]
@@ -89,41 +89,41 @@ class PowerFlow:
 
     @property
     def put_in(self) -> float:
-        """Power from outside [W]."""
+        """Input power [W]."""
         return sum(link.given for link in self.links if link.start == OUTSIDE)
 
     @property
     def taken_out(self) -> float:
-        """Power to the outside [W]."""
+        """Output power [W]."""
         return sum(link.taken for link in self.links if link.end == OUTSIDE)
 
     @property
     def lost(self) -> float:
-        """All losses that the result knows [W]."""
+        """Sum of all losses in the result [W]."""
         return sum(link.lost for link in self.links)
 
     @property
     def fed(self) -> float:
-        """Power that meshes get from what moves with their phase [W]."""
+        """Power supplied to meshes by phase-dependent stiffness and static errors [W]."""
         return sum(link.fed for link in self.links)
 
     @property
     def stored(self) -> float:
-        """Mean rate of the energy in rotation and flanks [W]."""
+        """Mean rate of the energy stored in rotation and flanks [W]."""
         return sum(block.stored for block in self.blocks) + self.elastic
 
     @property
     def remainder(self) -> float:
-        """What none of these numbers accounts for [W]."""
+        """Remainder of the power balance [W]."""
         return self.put_in + self.fed - self.taken_out - self.lost - self.stored
 
     def left(self, block: int) -> float:
-        """What comes to one block, is not stored in it and does not leave it again [W].
+        """Remainder of the power balance of one block [W].
 
         Parameters
         ----------
         block
-            Its number.
+            Number of the block.
         """
         come = sum(link.taken for link in self.links if link.end == block)
         gone = sum(link.given for link in self.links if link.start == block)

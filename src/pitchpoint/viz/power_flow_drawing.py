@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Power flow as a drawing: blocks that turn, bands as wide as the power between them, losses as drops."""
+"""Drawing of a power flow: rotating blocks, bands of a width proportional to the power, losses as drops."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from pitchpoint.viz.quantities import Scale, amount, scale
 from pitchpoint.viz.svg import document, text
 
 WIDTH_BLOCK, STEP = 104.0, 218.0
-"""Width of a block, and way from one column to the next [pixels]."""
+"""Width of a block, and distance between columns [pixels]."""
 WIDEST, THINNEST = 54.0, 1.5
-"""Width of the band of the largest power, and of any that is drawn at all [pixels]."""
+"""Width of the band of the largest power, and minimum width of a band [pixels]."""
 GAP, HEAD, LEAST = 62.0, 44.0, 46.0
-"""Way between two blocks of a column, room above them, and height of a block [pixels]."""
+"""Distance between blocks of a column, space above them, and height of a block [pixels]."""
 NEGLIGIBLE = 1e-6
 """Share of the largest power below which a band is not drawn."""
 
 
 @dataclass
 class _Box:
-    """A block, or the place outside where a power comes from or goes to."""
+    """Box of a block, or of a source or sink in the surroundings."""
 
     column: int
     height: float
@@ -43,11 +43,11 @@ class _Box:
 
 
 _Joined = tuple[PowerLink, _Box, _Box, float]
-"""A link, the boxes at its ends, and the width of its band [pixels]."""
+"""Link, the boxes at its ends, and the width of its band [pixels]."""
 
 
 def power_flow_svg(flow: PowerFlow) -> str:
-    """The flow from left to right as HTML; bands that go back to an earlier block are drawn as arcs."""
+    """HTML drawing of the flow from left to right; bands back to an earlier block are arcs."""
     most = max((link.given for link in flow.links), default=0.0)
     links = [link for link in flow.links if link.given > NEGLIGIBLE * most]
     if not links:
@@ -88,9 +88,9 @@ def power_flow_svg(flow: PowerFlow) -> str:
         band, name = _band(link, start, end, width, unit, x, shared)
         parts.append(band)
         names.append(name)
-    # no band of another link lies over a name
+    # no band of another link covers a name
     parts += [*names, *(_block(box, x[id(box)]) for box in boxes)]
-    title = f"power flow, {unit.text(flow.put_in)} put in"
+    title = f"power flow, input {unit.text(flow.put_in)}"
     width = 20.0 + STEP * span + WIDTH_BLOCK
     drawing = document(width, height, [f"<style>{STYLE}</style>", *parts], title)
     size = f"min-width:{0.75 * width:.0f}px;max-width:{width:.0f}px"
@@ -105,7 +105,7 @@ COLOURS = {"mesh": theme.BLUE, "drive": theme.GREEN, "load": theme.GREEN, "carri
 
 
 def _columns(count: int, links: Sequence[PowerLink]) -> list[int]:
-    """Column of every block: one behind all that feed it, unless power runs in a circle."""
+    """Column of every block: to the right of all blocks that feed it, unless power circulates."""
     after: dict[int, list[int]] = {k: [] for k in range(count)}
     fed = {link.end for link in links if link.start != OUTSIDE}
     for link in links:
@@ -114,7 +114,7 @@ def _columns(count: int, links: Sequence[PowerLink]) -> list[int]:
     columns = [0] * count
 
     def push(k: int, path: tuple[int, ...]) -> None:
-        """Put all that a block feeds behind it, and what they feed behind them."""
+        """Move all blocks fed by a block to its right, recursively."""
         for other in after[k]:
             if other not in path and columns[other] <= columns[k]:
                 columns[other] = columns[k] + 1
@@ -126,7 +126,7 @@ def _columns(count: int, links: Sequence[PowerLink]) -> list[int]:
 
 
 def _stack(boxes: Sequence[_Box], ends: Sequence[_Joined]) -> float:
-    """Put the boxes of each column one below the other, near to what feeds them; gives the height needed."""
+    """Stack the boxes of each column, close to the boxes that feed them; return the required height."""
     columns = sorted({box.column for box in boxes})
     for sweep in range(3):
         for column in columns if sweep % 2 == 0 else reversed(columns):
@@ -145,12 +145,12 @@ def _stack(boxes: Sequence[_Box], ends: Sequence[_Joined]) -> float:
 
 
 def _load(box: _Box, ends: Sequence[_Joined], side: int) -> float:
-    """Width of all bands at the left (0) or right (1) side of a box."""
+    """Total width of the bands at the left (0) or right (1) side of a box."""
     return sum(e[3] for e in ends if e[2 - side] is box)
 
 
 def _near(box: _Box, ends: Sequence[_Joined]) -> float:
-    """Mean height of what a box is joined to."""
+    """Mean height of the boxes linked to a box."""
     joined = [e[1] for e in ends if e[2] is box] + [e[2] for e in ends if e[1] is box]
     return float(np.mean([other.y + 0.5 * other.height for other in joined])) if joined else 0.0
 
@@ -164,7 +164,7 @@ def _band(
     x: dict[int, float],
     shared: Sequence[bool],
 ) -> tuple[str, str]:
-    """Band between two boxes, and its name with what is lost; `shared` are ends that other bands join too."""
+    """Band between two boxes, and its name with the loss; `shared` are ends with several bands."""
     a, b = x[id(start)] + WIDTH_BLOCK, x[id(end)]
     ya, yb = start.port(1, width), end.port(0, width)
     reach = 0.5 * (b - a) if b > a else 90.0
@@ -180,7 +180,7 @@ def _band(
         if not any(shared) and abs(yb - ya) <= 0.5 * width:
             words = _named(link, unit, 0.5 * (a + b), ya, width)
         elif shared[1] and not shared[0]:
-            # bands that come together are distinguished where they begin
+            # converging bands are labelled at their start
             words = _beside(link, unit, (a + 6.0, ya, "start"), yb, h)
         else:
             words = _beside(link, unit, (b - 6.0, yb, "end"), ya, h)
@@ -188,7 +188,7 @@ def _band(
 
 
 def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> str:
-    """Name and power above a straight band, and what is lost falling out of it."""
+    """Name and power above a straight band, with a drop for the loss."""
     words = text(x, y - 0.5 * width - 19.0, link.name, "pp-halo")
     words += text(x, y - 0.5 * width - 5.0, unit.text(link.given), "pp-small")
     if link.lost > 0.0:
@@ -199,10 +199,10 @@ def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> st
 def _beside(
     link: PowerLink, unit: Scale, place: tuple[float, float, str], other_y: float, half: float
 ) -> str:
-    """Name, power and loss at an end of a band that bends, on the side away from its other end."""
+    """Name, power and loss at the end of a curved band, on the side away from its other end."""
     x, y, anchor = place
     lost = _loss(link) if link.lost > 0.0 else ""
-    # the blocks state which planet is on which carrier
+    # the blocks show the planets on each carrier
     name = "" if link.kind == "carrier" else link.name
     lines = [line for line in (name, unit.text(link.given), lost) if line]
     top = y + half + 15.0 if other_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
@@ -213,12 +213,12 @@ def _beside(
 
 
 def _loss(link: PowerLink) -> str:
-    """What is lost, with the sign that it has in the table."""
+    """Loss in words, with the sign of the table."""
     return f"{amount(link.lost, 'W')} lost"
 
 
 def _drop(x: float, y: float, width: float, lost: str) -> str:
-    """What is lost, falling out of the band."""
+    """Drop below the band for the loss."""
     line = (
         f'<line class="pp-drop" stroke-width="{min(width, 40.0):.1f}" '
         f'x1="{x:.1f}" x2="{x:.1f}" y1="{y:.1f}" y2="{y + 12.0:.1f}"/>'
@@ -227,7 +227,7 @@ def _drop(x: float, y: float, width: float, lost: str) -> str:
 
 
 def _block(box: _Box, x: float) -> str:
-    """A block with its name and speed, or the words of what lies outside."""
+    """Block with its name and speed, or text of a source or sink."""
     middle = box.y + 0.5 * box.height
     if box.outside:
         shape = ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From channels in SI to axes that people read: display unit, factor, title."""
+"""Display of SI channels: unit, factor, axis title."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from pitchpoint.core.units import display_unit, in_unit
 
 Array = NDArray[np.float64]
 
-# SI unit of a channel -> kind of quantity in `core.units`. Units that represent two kinds (N/m) take the one
-# that occurs in time results. Whatever is not listed is shown as it is.
+# SI unit of a channel -> kind of quantity in `core.units`. For ambiguous units (N/m) the kind that occurs in
+# time results. Units that are not listed are displayed unchanged.
 _KINDS = {
     "m": "length",
     "N": "force",
@@ -36,7 +36,7 @@ _SPELLINGS = {"N*m": "N m", "Nm": "N m", "N·m": "N m", "N/m²": "N/m^2", "1": "
 
 @dataclass(frozen=True)
 class Scale:
-    """Display unit of an axis and the factor that takes SI values to it."""
+    """Display unit of an axis and the factor from SI values."""
 
     unit: str
     factor: float
@@ -50,16 +50,16 @@ class Scale:
         return f"{number(value * self.factor, digits)} {self.unit}".rstrip()
 
 
-# Angles of channels are tilts of shafts, which are small; angles of gears are given in degrees elsewhere.
+# Angles of channels are small tilts of shafts; angles of gears are given in degrees elsewhere.
 _TILTS = ((0.1, Scale("rad", 1.0)), (1e-3, Scale("mrad", 1e3)), (0.0, Scale("µrad", 1e6)))
 
 
 @dataclass(frozen=True)
 class Channel:
-    """One variable of a result: name, values in SI (n,), SI unit, and what to call it.
+    """One variable of a result: name, values in SI (n,), SI unit, description.
 
-    `statistics` are those of all steps of a run (mean, rms of the alternating part, min, max); samples that
-    keep step with the mesh would miss what lies between them.
+    `statistics` are those of all steps of a run (mean, rms of the alternating part, min, max): samples
+    synchronous with the mesh would miss extremes between them.
     """
 
     name: str
@@ -71,7 +71,7 @@ class Channel:
 
     @property
     def label(self) -> str:
-        """Readable name with the element it belongs to.
+        """Readable name with the element.
 
         Examples
         --------
@@ -82,7 +82,7 @@ class Channel:
 
     @property
     def words(self) -> str:
-        """Short name for axes, `mesh force`; the long one is a sentence and belongs below a picture."""
+        """Short name for axes, `mesh force`; the long name is a caption."""
         return self.quantity.replace("_", " ")
 
     @property
@@ -92,7 +92,7 @@ class Channel:
 
 
 def channel_label(name: str) -> str:
-    """Readable name of a channel: its quantity in words, the element that it belongs to as the model has it.
+    """Readable name of a channel: quantity in words, element as named in the model.
 
     Examples
     --------
@@ -130,16 +130,16 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
 
 
 def channel_scale(name: str, unit: str, values: Array) -> Scale:
-    """Display unit of a channel: transmission errors count in µm and µrad, whatever their mean is.
+    """Display unit of a channel: always µm and µrad for transmission errors, whatever their mean.
 
     Parameters
     ----------
     name
-        Of the channel, with its element.
+        Name of the channel with its element.
     unit
         SI.
     values
-        Of the channel, in SI.
+        Values of the channel, in SI.
 
     Examples
     --------
@@ -164,7 +164,7 @@ def pretty(unit: str) -> str:
 
 
 def number(value: float, digits: int = 5) -> str:
-    """A number for tables: significant digits, no exponent where people would not write one.
+    """Number for tables: significant digits, without exponent for moderate magnitudes.
 
     Examples
     --------
@@ -188,7 +188,7 @@ def number(value: float, digits: int = 5) -> str:
 
 
 def amount(value: float, unit: str, digits: int = 4) -> str:
-    """An SI value in the unit that people use.
+    """SI value in a customary unit.
 
     Examples
     --------
@@ -199,7 +199,7 @@ def amount(value: float, unit: str, digits: int = 4) -> str:
 
 
 def span(low: float, high: float, unit: str = "Hz") -> str:
-    """A band from one SI value to another in the unit that people use.
+    """Range between two SI values in a customary unit.
 
     Examples
     --------
@@ -216,13 +216,13 @@ def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
     Parameters
     ----------
     data
-        An `xarray.Dataset` with the coordinate `time`, or a mapping that holds `time` and arrays or
+        An `xarray.Dataset` with the coordinate `time`, or a mapping of `time` and arrays or
         `Channel`s.
 
     Returns
     -------
     tuple
-        Time [s], shape (n,), and the channels with exactly that dimension by name.
+        Time [s], shape (n,), and the channels over `time` alone, by name.
     """
     time = np.asarray(getattr(data["time"], "values", data["time"]), dtype=np.float64)
     found: dict[str, Channel] = {}
@@ -250,7 +250,7 @@ def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
 
 
 def _statistics(numbers: Any) -> dict[str, float] | None:
-    """Statistics that a run has left with a channel; None if it has not come to its end."""
+    """Statistics that a run stored with a channel; None if it has not finished."""
     if numbers is None or not np.all(np.isfinite(numbers)):
         return None
     return dict(zip(("mean", "rms", "min", "max"), map(float, numbers), strict=True))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the sections about a time response have in common: the part that counts, its sampling, its shafts."""
+"""Common functions of the sections on time responses: evaluated part, sampling, reference shafts."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from pitchpoint.analysis.sampled import SignalError, sample_rate_of
 from pitchpoint.viz.quantities import Array, Channel
 
-# Quantities that are drawn over time and listed, in this order: what is read most; the file holds all.
+# Main quantities, drawn over time and listed in this order; the file contains all.
 TIME_QUANTITIES = (
     "deflection",
     "transmission_error",
@@ -29,12 +29,11 @@ TIME_QUANTITIES = (
     "signal",
 )
 FORCE_PARTS = ("circumferential_force", "radial_force", "axial_force")
-# Relative change of speed from which a run counts as a run-up: maps instead of one spectrum.
+# Relative change of speed above which a run counts as a run-up: maps instead of one spectrum.
 RUN_UP = 0.05
-# Relative change of the ratio of two shafts up to which one is geared to the other.
+# Relative variation of the ratio of two shafts up to which they count as geared.
 GEARED = 0.01
-# Turns of a shaft from which a record has an order spectrum of it, which has many teeth, and a map over its
-# orders.
+# Minimum revolutions of a shaft for an order spectrum (with many teeth per revolution), and for an order map.
 ORDER_TURNS, MAP_TURNS = 0.25, 2.0
 
 
@@ -44,23 +43,23 @@ def owner(channel: Channel) -> str:
 
 
 def listed(channel: Channel, quantity: str) -> bool:
-    """Whether a channel is of a quantity, and no inner signal of a block such as `control.integral`."""
+    """Whether a channel has a quantity and is no internal signal of a block such as `control.integral`."""
     return channel.quantity == quantity and (quantity != "signal" or "." not in owner(channel))
 
 
 def channel_word(count: int) -> str:
-    """The word for so many channels."""
+    """Singular or plural of "channel"."""
     return "channel" if count == 1 else "channels"
 
 
 def settled_part(time: Array, settle_time: float) -> np.ndarray:
-    """Samples of the window of statistics; everything if the run ended before it began."""
+    """Samples of the window of statistics; all if the run ended before it."""
     inside = time >= time[0] + settle_time
     return inside if int(inside.sum()) >= 64 else np.ones(time.size, dtype=bool)
 
 
 def uniform(time: Array, values: Array) -> tuple[Array, float]:
-    """Values at equal time steps and their rate; records of adaptive solvers are interpolated."""
+    """Values at equal time steps and their sample rate; records of adaptive solvers are interpolated."""
     try:
         return values, sample_rate_of(time)
     except SignalError:
@@ -85,19 +84,19 @@ def changes_speed(time: Array, angle: Channel | None, window: np.ndarray) -> boo
 
 
 def turns_of(angle: Array) -> float:
-    """Whole way that a shaft turns [revolutions], given its unwrapped angle [rad].
+    """Total rotation of a shaft [revolutions] from its unwrapped angle [rad].
 
     Examples
     --------
     >>> turns_of(2.0 * np.pi * np.array([0.5, 1.0, 2.0]))
     1.5
     """
-    # the end of a whole turn is not missed by round-off
+    # tolerance for round-off at the end of a whole turn
     return round(float(abs(angle[-1] - angle[0])) / (2.0 * np.pi), 9)
 
 
 def turning_angle(run: Any, found: Mapping[str, Channel], body: str = "") -> Channel | None:
-    """Angle that orders refer to: that given by the run, else that of `body`, else the first that turns."""
+    """Reference angle of orders: that given by the run, else that of `body`, else the first rotating one."""
     if run.angle:
         return found.get(run.angle)
     angles = [c for c in found.values() if c.quantity == "angle"]
@@ -108,12 +107,12 @@ def turning_angle(run: Any, found: Mapping[str, Channel], body: str = "") -> Cha
 def geared_speeds(
     time: Array, reference: Channel, found: Mapping[str, Channel], window: np.ndarray
 ) -> dict[str, float]:
-    """Mean speeds [rad/s] of the reference shaft and of all that turn in a constant ratio to it."""
+    """Mean speeds [rad/s] of the reference shaft and of all shafts with a constant ratio to it."""
     if time.size < 11:
         return {}
     own = tenth_speeds(time, reference.values[window])
     mean = (reference.values[window][-1] - reference.values[window][0]) / (time[-1] - time[0])
-    # a shaft that turns back has no orders
+    # a shaft that reverses has no orders
     if not np.all(own * mean > 0.0):
         return {}
     speeds = {owner(reference): float(mean)}

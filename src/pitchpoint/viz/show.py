@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`show`: a picture of a gear, a pair, a mesh cycle or a spectrum, whatever it is given."""
+"""`show`: plot or drawing of a gear, a pair, a model, a mesh cycle, a map or a result."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pitchpoint.core.errors import PitchpointError
 
 
 class Picture:
-    """HTML or SVG that Jupyter displays and `save` writes to a file."""
+    """HTML or SVG for display in Jupyter or as a file."""
 
     def __init__(self, html: str) -> None:
         self.html = html
@@ -18,10 +18,10 @@ class Picture:
         return self.html
 
     def save(self, path: str) -> None:
-        """Write the picture as a file that a browser opens."""
+        """Write the picture to a file for a browser."""
         from pathlib import Path
 
-        # a bare SVG is a file of its own kind; anything else needs the frame of a page
+        # a single SVG is a complete file; other content requires an HTML page
         bare = self.html.startswith("<svg")
         text = self.html if bare else f'<!DOCTYPE html><meta charset="utf-8">{self.html}'
         Path(path).write_text(text, encoding="utf-8")
@@ -69,4 +69,4 @@ def show(thing: Any) -> Any:
             return signals_plot.plot_signals(
                 time, [c for c in found.values() if c.quantity == first.quantity]
             )
-    raise PitchpointError(f"{type(thing).__name__}: has no picture; pass a gear, a pair, a model or a result")
+    raise PitchpointError(f"{type(thing).__name__}: no picture available; pass a gear, pair, model or result")

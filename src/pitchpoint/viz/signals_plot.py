@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Signals over time; contact states as a band below them."""
+"""Signals over time, with contact states as a band below."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ STATE_COLOURS = {0: theme.RED, -1: theme.OCHRE, 2: theme.MAGENTA}
 STATE_NAMES = {0: "separated", -1: "back flank", 2: "both flanks"}
 MAX_BANDS = 120
 NOISE = 1e-5
-"""Share of a value below which its changes are round-off."""
+"""Relative variation below which changes are round-off."""
 VISIBLE = 0.25
-"""Share of an axis that the ripple of a line has to fill, or it gets an axis of its own."""
+"""Minimum share of an axis for the ripple of a curve; smaller ripple gets a separate axis."""
 ONE_ROW, ROW, LINE, GAP, MARGINS = 320, 110, 17, 12, 78
 """Heights [pixels]: figure with one row, axes of one of several rows, line of names, gap, both margins."""
 HEAD_WIDTH = 60
-"""Letters that fit above one of two figures side by side."""
+"""Characters per line above one of two figures next to each other."""
 
 
 def plot_signals(
@@ -39,7 +39,7 @@ def plot_signals(
     rows: Sequence[Sequence[int]] | None = None,
     over: str = "time",
 ) -> go.Figure:
-    """Channels of one unit over time, drawn so that no peak and no ripple is lost.
+    """Plot of channels of one unit over time that preserves all peaks and ripple.
 
     Parameters
     ----------
@@ -48,25 +48,25 @@ def plot_signals(
     channels
         One or more channels of the same unit, shape (n,) each.
     contact_state
-        State of a mesh at these times: 1 front, 0 separated, -1 back, 2 both; stretches without front contact
-        are shaded as long as they can be distinguished.
+        State of a mesh at these times: 1 front, 0 separated, -1 back, 2 both; intervals without front contact
+        are shaded if they can be resolved.
     points
-        Points per line at most; min/max decimation. Two buckets per pixel of a wide screen leave no slits in
-        dense lines.
+        Maximum number of points per curve; min/max decimation. Two buckets per pixel of a wide screen avoid
+        gaps in dense curves.
     title
         Name of the vertical axis; default the names of the channels.
     rows
         Indices of the channels of each row; default those of `signal_rows`.
     over
-        `time`, `angle`, or words for the axis of numbers that are drawn as they are.
+        `time`, `angle`, or the title of an axis without unit conversion.
 
     Raises
     ------
     ValueError
-        If there is no channel, or their units differ.
+        If there is no channel, or the units differ.
     """
     if len({c.unit for c in channels}) != 1:
-        raise ValueError("channels: need one or more channels of one unit; plot other units on their own")
+        raise ValueError("channels: one or more channels of one unit required; plot other units separately")
     shown = scale(channels[0].unit, np.concatenate([c.values for c in channels]))
     clocks = {"time": scale("s", time if time.size else [1.0]), "angle": Scale("°", 180.0 / np.pi)}
     clock = clocks.get(over, Scale("", 1.0))
@@ -78,13 +78,13 @@ def plot_signals(
             channel = channels[index]
             kept = kept_samples(channel.values, points)
             figure.add_scatter(
-                # single precision is finer than any screen and halves the size of a report
+                # single precision is sufficient for any screen and halves the size of a report
                 x=(time[kept] * clock.factor).astype(np.float32),
                 y=(channel.values[kept] * shown.factor).astype(np.float32),
                 yaxis=f"y{k}" if k > 1 else "y",
                 mode="lines",
                 name=channel.label,
-                # plotly's own decimation leaves gaps in dense lines; the samples were chosen above
+                # the decimation of plotly leaves gaps in dense curves; the samples were selected above
                 line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
             )
     if len(channels) > 1:
@@ -94,18 +94,18 @@ def plot_signals(
         _keep_noise_small(figure.layout[f"yaxis{k}" if k > 1 else "yaxis"], values)
     if contact_state is not None:
         _shade(figure, time * clock.factor, contact_state, f"y{len(rows) + 1}")
-    # lines are named above their row; a legend is left for the bands of contact
+    # curves are named above their row; the legend is used for the contact states
     figure.update_layout(showlegend=len(channels) == 1 and len(figure.data) > 1)
     if over == "time":
-        # a page with a scene puts its time on this axis
+        # a page with a scene marks its time on this axis
         figure.update_layout(meta={"clock": clock.factor})
     return figure
 
 
 def signal_rows(channels: Sequence[Channel]) -> list[list[int]]:
-    """Indices of the channels that share an axis: those whose ranges overlap.
+    """Indices of the channels that share an axis: those with overlapping ranges.
 
-    All share one where that shows every ripple, or where there is none.
+    All share one axis if it shows all ripple, or if there is none.
 
     Examples
     --------
@@ -136,7 +136,7 @@ def signal_rows(channels: Sequence[Channel]) -> list[list[int]]:
 def _arrange(
     figure: go.Figure, channels: Sequence[Channel], rows: Sequence[Sequence[int]], row_title: str
 ) -> None:
-    """Rows one below the other, each below the names of its lines in their colours."""
+    """Stacked rows, each below the names of its curves in their colours."""
     heads = [_head(channels, row) for row in rows]
     height = ONE_ROW - MARGINS if len(rows) == 1 else ROW
     whole = float(sum(height + LINE * len(head) + GAP for head in heads))
@@ -165,7 +165,7 @@ def _arrange(
 
 
 def _head(channels: Sequence[Channel], row: Sequence[int]) -> list[str]:
-    """Lines of text that name the channels of a row."""
+    """Text lines with the names of the channels of a row."""
     lines, width = [""], 0
     for index in row:
         name = channels[index].label
@@ -178,12 +178,12 @@ def _head(channels: Sequence[Channel], row: Sequence[int]) -> list[str]:
 
 
 def plot_force_parts(time: Array, channels: Sequence[Channel], *, points: int = 8000) -> go.Figure:
-    """Circumferential, radial and axial part of a tooth force, each in its colour."""
+    """Plot of circumferential, radial and axial component of a tooth force, each in its colour."""
     return plot_signals(time, channels, points=points, title="tooth force")
 
 
 def _keep_noise_small(axis: go.layout.YAxis, values: Array) -> None:
-    """A channel that is constant up to round-off is drawn as constant, not as a picture of round-off."""
+    """Channel with round-off removed if it is constant."""
     finite = values[np.isfinite(values)]
     if finite.size and np.ptp(finite) < NOISE * float(np.abs(finite).max()):
         middle = float(finite.mean())
@@ -196,7 +196,7 @@ def _common_name(channels: Sequence[Channel]) -> str:
 
 
 def _shade(figure: go.Figure, time: Array, state: Array, axis: str) -> None:
-    """Bands where the front flanks do not touch, unless they are too many to be distinguished."""
+    """Shade intervals without contact of the front flanks, unless there are too many to resolve."""
     codes = np.rint(state).astype(np.int64)
     edges = np.concatenate([[0], np.flatnonzero(np.diff(codes)) + 1, [codes.size]])
     runs = [

@@ -29,10 +29,10 @@ class Shafts:
     Attributes
     ----------
     chosen
-        The shaft of the orders given.
+        Reference shaft of the orders.
     speeds
-        Mean speeds [rad/s] of it and of all shafts that turn in a constant ratio to it, by name; orders of
-        another shaft are those given, times the ratio of the speeds.
+        Mean speeds [rad/s] of it and of all shafts with a constant ratio to it, by name; orders of another
+        shaft are the given ones times the ratio of the speeds.
     """
 
     chosen: str
@@ -49,12 +49,12 @@ def plot_spectrum(
     labels: int = 4,
     shafts: Shafts | None = None,
 ) -> go.Figure:
-    """Amplitude spectra on a logarithmic axis, the highest peaks of the first one labelled.
+    """Plot of amplitude spectra on a logarithmic axis, with labels at the highest peaks of the first.
 
     Parameters
     ----------
     spectra
-        Spectra by the names that are above the plot; a single one may have none.
+        Spectra by name, shown above the plot; a single one may be unnamed.
     unit
         SI unit of the signal.
     quantity
@@ -62,11 +62,11 @@ def plot_spectrum(
     over
         `frequency` [Hz] or `order`.
     highest
-        End of the horizontal axis; default where the last peak above half a percent of the largest lies.
+        End of the horizontal axis; default: position of the last peak above 0.5 % of the maximum.
     labels
         Number of peaks with a label.
     shafts
-        Whose orders these are; a report lets its reader choose another one.
+        Reference shafts of the orders; in a report the reader can select another one.
     """
     tallest = max(
         (float(s.amplitude[1:].max()) for s in spectra.values() if s.amplitude.size > 1), default=0.0
@@ -106,7 +106,7 @@ def plot_spectrum(
 def plot_order_map(
     data: OrderMap, *, unit: str, quantity: str = "amplitude", shafts: Shafts | None = None
 ) -> go.Figure:
-    """Amplitude over order and speed of a run-up, in decibels below the largest one."""
+    """Map of the amplitude over order and speed of a run-up, in decibels below the maximum."""
     # maps are drawn over speed; a run that is not monotonic is drawn over time
     steady = bool(np.all(np.diff(data.speed) > 0.0) or np.all(np.diff(data.speed) < 0.0))
     axis = scale("rad/s", data.speed) if steady else scale("s", data.time)
@@ -131,14 +131,14 @@ def _order_title(shafts: Shafts | None) -> str:
 
 
 def _offer(figure: go.Figure, shafts: Shafts | None, *, over_speed: bool = False) -> None:
-    """Leave the other shafts in the figure, for the script of the page."""
+    """Store the other shafts in the figure for the script of the page."""
     if shafts is not None and len(shafts.speeds) > 1:
         meta = {"shaft": shafts.chosen, "speeds": dict(shafts.speeds), "overSpeed": over_speed}
         figure.update_layout(meta={"orders": meta})
 
 
 def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "amplitude") -> go.Figure:
-    """Amplitude over time and frequency, in decibels below the largest one."""
+    """Map of the amplitude over time and frequency, in decibels below the maximum."""
     clock, pitch = scale("s", data.time), scale("Hz", data.frequency)
     return amplitude_map(
         data.time * clock.factor,
@@ -154,7 +154,7 @@ def plot_time_frequency(data: TimeFrequencyMap, *, unit: str, quantity: str = "a
 def amplitude_map(
     x: Array, y: Array, amplitude: Array, x_title: str, y_title: str, unit: str, quantity: str
 ) -> go.Figure:
-    """A map in decibels below its largest amplitude.
+    """Map in decibels below its maximum.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def amplitude_map(
     unit
         SI unit of the amplitude.
     quantity
-        What the title calls it.
+        Name in the title.
     """
     x, y, z = _reduced(x, y, amplitude)
     largest = float(z.max())
@@ -177,7 +177,7 @@ def amplitude_map(
     figure.add_heatmap(
         x=x.astype(np.float32),
         y=y.astype(np.float32),
-        # whole decibels in one byte each: a map then weighs 0.1 MB instead of 1.2
+        # integer decibels in one byte each: 0.1 MB instead of 1.2 MB per map
         z=np.clip(np.round(level), -100, 0).astype(np.int8),
         zmin=-theme.MAP_RANGE_DB,
         zmax=0.0,
@@ -192,7 +192,7 @@ def amplitude_map(
 
 
 def _reduced(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
-    """A map no finer than the screen; cells that are joined keep their largest amplitude."""
+    """Map reduced to the resolution of the screen; merged cells have their maximum amplitude."""
     for dimension, limit in ((1, MAP_COLUMNS), (0, MAP_ROWS)):
         n = z.shape[dimension]
         if n <= limit:
@@ -206,7 +206,7 @@ def _reduced(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
 
 
 def _last_peak(spectrum: Spectrum) -> float:
-    """Highest frequency that still shows something, with a quarter of room beyond it."""
+    """Highest frequency with significant amplitudes, plus a quarter."""
     a = spectrum.amplitude
     if a.size < 2 or not a[1:].max() > 0.0:
         return float(spectrum.frequency[-1])
@@ -217,7 +217,7 @@ def _last_peak(spectrum: Spectrum) -> float:
 def _label_peaks(
     figure: go.Figure, spectrum: Spectrum, end: float, factor: float, gain: float, count: int
 ) -> None:
-    """Labels at the highest peaks, none so close to another that they would overlap."""
+    """Labels at the highest peaks, without overlap."""
     taken: list[float] = []
     for frequency, amplitude in largest_peaks(spectrum, 4 * count):
         if (
@@ -241,7 +241,7 @@ def _label_peaks(
 
 
 def known_part(frequency: float, resolution: float) -> float:
-    """Frequency or order of a peak, with the decimals that the distance between lines allows.
+    """Frequency or order of a peak, rounded according to the line spacing.
 
     Examples
     --------
@@ -252,14 +252,14 @@ def known_part(frequency: float, resolution: float) -> float:
 
 
 def plot_tones(frequency: Array, amplitude: Array, background: Array, *, unit: str, name: str) -> go.Figure:
-    """Tones as bars at their frequencies, and the amplitudes around them.
+    """Plot of tones as bars at their frequencies, and of the background amplitudes.
 
     Parameters
     ----------
     frequency
         Frequencies [Hz], shape (n,).
     amplitude, background
-        Amplitudes of the tones and of what is around, in SI, shape (n,).
+        Amplitudes of the tones and of the background, in SI, shape (n,).
     unit
         SI unit of the amplitudes.
     name
@@ -279,7 +279,7 @@ def plot_tones(frequency: Array, amplitude: Array, background: Array, *, unit: s
         x=x,
         y=background * shown.factor,
         mode="markers",
-        name="around it",
+        name="background",
         marker={"color": theme.OCHRE, "size": 7, "symbol": "line-ew-open", "line": {"width": 2}},
     )
     for place, height in zip(x, amplitude * shown.factor, strict=True):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The few SVG elements that drawings of gears need, and the look they share."""
+"""SVG elements and common styles for drawings of gears."""
 
 from __future__ import annotations
 
@@ -43,13 +43,13 @@ STYLE = (
     ".pp-scale{stroke:var(--pp-ink);stroke-width:3}.pp-tiny{font-size:12px;font-weight:400}"
     ".pp-frame{fill:none;stroke:var(--pp-soft);stroke-width:1}.pp-head{fill:var(--pp-ink);font-weight:600}"
     ".pp-text{fill:var(--pp-ink)}.pp-small{font-size:13px;fill:var(--pp-soft)}"
-    # a halo in the colour of the paper keeps letters readable on top of lines
+    # a halo in the background colour makes text readable on top of lines
     ".pp-halo{fill:var(--pp-ink);stroke:var(--pp-paper);stroke-width:4;paint-order:stroke;font-weight:600}"
 )
 
 
 def document(width: float, height: float, parts: Iterable[str], title: str) -> str:
-    """A complete drawing that fills its width, light or dark as the theme of the page, else of the system."""
+    """Complete drawing that fills its width, in the colours of the page theme, else of the system."""
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="pp-drawing" viewBox="0 0 {width:.0f} {height:.0f}" '
         f'role="img" aria-label="{escape(title)}" '
@@ -60,7 +60,7 @@ def document(width: float, height: float, parts: Iterable[str], title: str) -> s
 
 
 def polygon(points: Array, css: str, hole: Array | None = None) -> str:
-    """Filled closed line through `points`, shape (n, 2), in pixels; `hole` is left open."""
+    """Filled closed line through `points`, shape (n, 2), in pixels, except for `hole`."""
     rings = [points] if hole is None else [points, hole]
     path = "".join(
         "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in _distinct(ring)) + "Z" for ring in rings if len(ring)
@@ -87,7 +87,7 @@ def line(start: Array, end: Array, css: str) -> str:
 
 
 def text(x: float, y: float, words: str, css: str = "pp-text", anchor: str = "middle") -> str:
-    """One line of text; the position is the foot of the letters."""
+    """One line of text; the position is on the baseline."""
     return f'<text class="{css}" x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}">{escape(words)}</text>'
 
 
@@ -100,7 +100,7 @@ def _distinct(points: Array) -> Array:
 
 
 def clip(points: Array, low: Array, high: Array) -> Array:
-    """Polygon cut to a rectangle (Sutherland and Hodgman), shape (m, 2), empty if nothing is left.
+    """Polygon clipped to a rectangle (Sutherland and Hodgman), shape (m, 2), possibly empty.
 
     Examples
     --------

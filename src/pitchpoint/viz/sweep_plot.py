@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Response over mesh frequency: upwards green, downwards red, jumps and contact loss marked."""
+"""Response of a speed sweep over mesh frequency: up green, down red, with jumps and contact loss."""
 
 from __future__ import annotations
 
@@ -25,17 +25,17 @@ def plot_sweep(
     quantity: str = "deflection",
     statistic: str = "rms",
 ) -> go.Figure:
-    """One statistic of one quantity along a sweep.
+    """Plot of one statistic of one quantity along a sweep.
 
     Parameters
     ----------
     points
-        Points in the order run: `direction`, `mesh_frequency` [Hz] and, under `quantity`, its statistics in
-        SI.
+        Points in the order of computation: `direction`, `mesh_frequency` [Hz] and, under `quantity`, its
+        statistics in SI.
     jumps
         `direction` and `mesh_frequency` [Hz] of each jump.
     quantity, statistic
-        What is drawn: `deflection`, `transmission_error`, `mesh_force`; `rms`, `min`, `max`, `mean`.
+        Plotted data: `deflection`, `transmission_error`, `mesh_force`; `rms`, `min`, `max`, `mean`.
     """
     branches = {d: branch(points, d, quantity, statistic) for d in theme.SWEEP}
     levels = np.concatenate([level for _, level in branches.values()])
@@ -63,7 +63,7 @@ def plot_sweep(
 
 
 def plot_contact_shares(points: Sequence[Mapping[str, Any]]) -> go.Figure:
-    """Shares of the time without contact and with contact on the back flank, along a sweep."""
+    """Plot of the shares of time without contact and with contact on the back flank, along a sweep."""
     all_frequencies = [float(p["mesh_frequency"]) for p in points]
     pitch = scale("Hz", all_frequencies)
     figure = theme.figure(pitch.title("mesh frequency"), "share of time [%]", height=300)
@@ -75,7 +75,7 @@ def plot_contact_shares(points: Sequence[Mapping[str, Any]]) -> go.Figure:
                 for p in points
                 if p["direction"] == direction and p.get(key) is not None
             ]
-            # a flank that never touches would only add a flat line and a legend entry
+            # back flanks without contact would only add a flat line and a legend entry
             if rows and (key == "contact_loss_share" or any(share > 0.0 for _, share in rows)):
                 x, y = zip(*rows, strict=True)
                 figure.add_scatter(
@@ -93,7 +93,7 @@ def plot_contact_shares(points: Sequence[Mapping[str, Any]]) -> go.Figure:
 
 
 def _padded(frequencies: Sequence[float] | np.ndarray, factor: float) -> list[float]:
-    """The same horizontal range for all plots of one sweep, so that they can be read below each other."""
+    """Set a common horizontal range for all plots of one sweep."""
     low, high = float(np.min(frequencies)) * factor, float(np.max(frequencies)) * factor
     room = 0.03 * (high - low) or 0.05 * abs(high) or 1.0
     return [low - room, high + room]
@@ -106,7 +106,7 @@ def _mark_jumps(
     x_factor: float,
     y_factor: float,
 ) -> None:
-    """An arrow from the old to the new level, the frequency above it, in the colour of the direction."""
+    """Draw an arrow from the old to the new level with the frequency, in the colour of the direction."""
     for jump in jumps:
         direction, middle = str(jump["direction"]), float(jump["mesh_frequency"])
         frequency, level = branches[direction]

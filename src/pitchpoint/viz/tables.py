@@ -11,7 +11,7 @@ from pitchpoint.core.nomenclature import Entry, lookup
 from pitchpoint.core.units import display_unit, in_unit
 from pitchpoint.viz.quantities import number, pretty
 
-# What a table shows, in this order; symbol, words and unit of each come from the nomenclature.
+# Rows of the tables in order; symbol, description and unit are those of the nomenclature.
 GEAR_ROWS = (
     "z",
     "m_n",
@@ -85,25 +85,25 @@ BEVEL_MESH_ROWS = (
 )
 MEASURES = (
     ("tip_thickness", "s_an", "length", "mm", "normal tip thickness"),
-    ("span_teeth", "k", "dimensionless", "", "teeth (internal: spaces) spanned"),
+    ("span_teeth", "k", "dimensionless", "", "number of teeth (internal: spaces) spanned"),
     ("span", "W_k", "length", "mm", "span"),
-    ("ball_diameter", "D_M", "length", "mm", "ball diameter, touches at d + 2 x mₙ"),
+    ("ball_diameter", "D_M", "length", "mm", "ball diameter, contact at d + 2 x mₙ"),
     ("dimension_over_balls", "M_dK", "length", "mm", "dimension over balls, internal gears: between"),
 )
-"""What is measured in the workshop: identifier, symbol, dimension, unit, words; not in the nomenclature."""
+"""Inspection dimensions, not in the nomenclature: identifier, symbol, dimension, unit, description."""
 MEASURE_ROWS = tuple(row[0] for row in MEASURES)
 MOST_COLUMNS = 6
-"""Gears or meshes side by side: more do not fit on paper and go into a table of their own."""
+"""Maximum number of gears or meshes per table; more would not fit on paper and continue in another table."""
 MOST_ROWS = 30
-"""Rows of statistics that are in view; more fold away."""
+"""Rows of statistics shown; further rows are collapsed."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
 
 
 def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> str:
-    """One row per quantity, one column per gear or mesh; rows that no one has are omitted.
+    """HTML table with one row per quantity and one column per gear or mesh; empty rows are omitted.
 
-    Rows of one letter (backlash j_bt, j_wt, j_bn) share the unit of the largest value among them, so that
-    rows and columns compare at a glance.
+    Rows with one letter (backlash j_bt, j_wt, j_bn) have a common unit, that of their largest value, so that
+    rows and columns can be compared.
 
     Parameters
     ----------
@@ -146,7 +146,7 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
 
 
 def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True) -> str:
-    """Table from ready rows; numbers are right-aligned from the third column on."""
+    """HTML table from complete rows; numbers are right-aligned from the third column."""
     cells = "".join(
         f'<th scope="col"{" class=num" if numbers and k > 1 else ""}>{escape(words)}</th>'
         for k, words in enumerate(head)
@@ -156,7 +156,7 @@ def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = Tru
 
 
 def symbol_html(symbol: str) -> str:
-    """Symbol with its index lowered.
+    """Symbol with its subscript.
 
     Examples
     --------
@@ -177,12 +177,12 @@ def symbol_html(symbol: str) -> str:
 
 
 def _group(key: str) -> tuple[str, str]:
-    """What shares a unit: letter and dimension of a quantity."""
+    """Key of rows with a common unit: letter and dimension of a quantity."""
     return key.partition("_")[0], _entry(key).dimension or "dimensionless"
 
 
 def _entry(key: str) -> Entry:
-    """Symbol, words and unit of an identifier."""
+    """Symbol, description and unit of an identifier."""
     for identifier, symbol, dimension, unit, words in MEASURES:
         if identifier == key:
             return Entry(identifier, symbol, "", "", dimension, unit, words, "ISO 21771")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Colours, fonts and layout of every picture: one meaning, one colour, in light and in dark.
+"""Colours, fonts and layout of all plots and drawings, for light and dark mode.
 
-Trace colours are of middle lightness, so that they stand out on white and on near-black alike; everything
-else (paper, ink, grid) comes in two sets, and a report switches between them with the reader's system.
+Trace colours have medium lightness, so that they are visible on white and near-black; all other colours
+(paper, ink, grid) exist in two sets, selected by the system setting of the reader.
 """
 
 from __future__ import annotations
@@ -18,14 +18,13 @@ BLUE, ORANGE, GREEN, RED = "#3a7fc4", "#d9782d", "#2f9e62", "#d2484f"
 PURPLE, TEAL, OCHRE, GREY = "#8a68c4", "#2296a0", "#a88a1e", "#8a8f98"
 MAGENTA, BROWN = "#b8429e", "#8f6248"
 
-# The three parts of a tooth force keep their colour in every plot, drawing and animation; the lines of other
-# quantities take theirs from a series that holds none of the three. Its first three differ most for readers
-# who cannot distinguish red from green or blue from yellow.
+# The three components of a tooth force have the same colours in all plots, drawings and animations; curves of
+# other quantities use a series without these colours. Its first three differ most for colour-blind readers
+# (red-green or blue-yellow).
 FORCE_PARTS = {"circumferential": BLUE, "radial": ORANGE, "axial": PURPLE}
 SERIES = (TEAL, OCHRE, RED, MAGENTA, BROWN, GREEN, GREY)
 
-# Sweeps: upwards green, downwards red; the symbols show the same to readers who cannot
-# distinguish these colours.
+# Sweeps: up green, down red; the symbols distinguish them for colour-blind readers.
 SWEEP = {"up": (GREEN, "triangle-up"), "down": (RED, "triangle-down")}
 
 LIGHT = {
@@ -47,21 +46,21 @@ DARK = {
     "edge": "#9aa9b8",
 }
 
-# Notebooks and sites have a theme of their own, which the system may contradict, and mark their pages with
-# it: JupyterLab and the pages of nbconvert, the editor of VS Code, sites made with Sphinx.
+# Notebooks and sites have themes that may differ from the system setting and mark their pages accordingly:
+# JupyterLab and nbconvert pages, VS Code, Sphinx sites.
 LIGHT_PAGE = ':is(body[data-jp-theme-light="true"],body.vscode-light,[data-theme="light"])'
 DARK_PAGE = (
     ':is(body[data-jp-theme-light="false"],body.vscode-dark,'
     'body.vscode-high-contrast:not(.vscode-high-contrast-light),[data-theme="dark"])'
 )
 
-# Maps: perceptually even, dark = little in both modes, so that a map reads the same on screen and on paper.
+# Maps: perceptually uniform, dark = low in both modes, so that screen and paper look the same.
 MAP_SCALE = "Cividis"
 MAP_RANGE_DB = 60.0
 
 
 def colour_of(name: str, index: int) -> str:
-    """Colour of a channel: that of its force part if its name reports this, else the next of the series.
+    """Colour of a channel: that of its force component, if any, else the next of the series.
 
     Examples
     --------
@@ -75,7 +74,7 @@ def colour_of(name: str, index: int) -> str:
 
 
 def axis(title: str, **more: Any) -> dict[str, Any]:
-    """Settings of one axis; `title` carries the unit."""
+    """Settings of one axis; `title` includes the unit."""
     look = {
         "title": {"text": title, "standoff": 8},
         "automargin": True,
@@ -85,7 +84,7 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
         "showline": True,
         "ticks": "outside",
         "tickcolor": LIGHT["soft"],
-        # units carry the prefix: 5000 rpm and 2 kHz, no powers of ten next to them
+        # units include the prefix: 5000 rpm and 2 kHz, no powers of ten
         "exponentformat": "none",
         "hoverformat": ".5g",
         "nticks": 8,
@@ -94,12 +93,12 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
 
 
 def figure(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> go.Figure:
-    """An empty figure with one pair of axes and a legend above it."""
+    """Empty figure with one pair of axes and a legend above it."""
     import plotly.graph_objects as go
 
     look: dict[str, Any] = {
         "font": {"family": FONT, "size": 13, "color": LIGHT["ink"]},
-        # a decimal point, nothing between thousands
+        # decimal point, no thousands separator
         "separators": ".",
         "paper_bgcolor": LIGHT["paper"],
         "plot_bgcolor": LIGHT["paper"],
@@ -119,6 +118,6 @@ def figure(x_title: str, y_title: str, *, height: int = 380, **more: Any) -> go.
 
 
 def title_above(text: str) -> dict[str, Any]:
-    """Title of a figure in small letters, above the left end of its axes."""
+    """Small figure title above the left end of the axes."""
     where = {"x": 0, "xref": "paper", "xanchor": "left", "y": 0.98, "yanchor": "top"}
     return {"text": text, "font": {"size": 13}, **where}

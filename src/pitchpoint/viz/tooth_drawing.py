@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A space of a gear with the tool that makes it, its circles by name and what of its flanks is active.
+"""Drawing of a tooth space with the generating tool, named circles and active flanks.
 
-The axis lies below, the space points upwards; an internal gear has its teeth downwards then.
+The axis is below, the space points upwards; the teeth of an internal gear then point downwards.
 """
 
 from __future__ import annotations
@@ -19,32 +19,32 @@ from pitchpoint.viz.quantities import number
 from pitchpoint.viz.svg import Array
 
 FIELD, COLUMN = 520.0, 300.0
-"""Width of the drawing and of the column of labels next to it."""
+"""Widths of the drawing and of the column of labels."""
 STEP = 19.0
 MARGIN = 0.5
-"""What is shown beyond tip and root, in modules."""
+"""Margin beyond tip and root, in modules."""
 PITCHES = 1.05
-"""Half of the width that is shown, in pitches."""
+"""Half of the visible width, in pitches."""
 
 
 def tooth_svg(gear: Any, *, name: str = "gear", meshes: Mapping[str, tuple[Any, int]] | None = None) -> str:
-    """Preview of the teeth of a gear.
+    """Drawing of the teeth of a gear.
 
     Parameters
     ----------
     gear
         A `CylindricalGear`.
     name
-        What to write above it.
+        Title of the drawing.
     meshes
-        For the name of each mesh, its `GearPair` and whether this gear is 1 or 2 in it: the active parts of
-        the flanks are drawn, the first mesh on the right side of the space.
+        By name of the mesh: its `GearPair`, and 1 or 2 for this gear in it, for the active parts of the
+        flanks; the first mesh is drawn on the right side of the space.
 
     Notes
     -----
-    A tool is drawn where one is known: the rack of an external gear, the cutter of an internal one. It is
-    placed where it makes the thickness allowance as well. Real teeth are drawn as they are, the tool is that
-    of the generated ones.
+    The tool, if known, is the rack of an external gear or the cutter of an internal one, in the position that
+    includes the thickness allowance. Measured teeth are drawn unchanged; the tool is that of the generated
+    teeth.
     """
     low, high = _window(gear)
     scale = FIELD / (high[0] - low[0])
@@ -76,7 +76,7 @@ def tooth_svg(gear: Any, *, name: str = "gear", meshes: Mapping[str, tuple[Any, 
 
 
 def _window(gear: Any) -> tuple[Array, Array]:
-    """Lower left and upper right corner of what is drawn [m]: a space and the teeth next to it."""
+    """Lower left and upper right corner of the visible field [m]: a space and the adjacent teeth."""
     r_a, r_f = 0.5 * abs(gear.d_a), 0.5 * abs(gear.d_fE)
     half = min(PITCHES * gear.p_t, 0.8 * 0.5 * abs(gear.d))
     inner, outer = min(r_a, r_f), max(r_a, r_f)
@@ -98,7 +98,7 @@ def _teeth(gear: Any, view: View, window: tuple[Array, Array]) -> str:
     turn = 0.5 * math.pi - math.pi / abs(gear.z)
     outline = gear_outline(gear, points_for(gear, CHORD / view.scale), rotation=turn)
     low, high = window
-    # cut beyond the edges, so that the cut is not seen as a line
+    # clipped beyond the edges, so that the clipping line is not visible
     more = 0.1 * (high - low)
     return body(
         gear, view, svg.clip(outline, low - more, high + more), "pp-gear", window=(low - more, high + more)
@@ -106,13 +106,13 @@ def _teeth(gear: Any, view: View, window: tuple[Array, Array]) -> str:
 
 
 def _tool(gear: Any, view: View) -> str:
-    """The tooth of the tool in the space and its neighbours, as one piece."""
+    """Outline of the tool tooth in the space and its neighbours."""
     from pitchpoint.geometry.tool_outline import RACK, tool_tooth
 
     tool = tool_tooth(gear)
     if tool is None:
         return ""
-    # on the x axis upwards is counter-clockwise: the next tooth comes first
+    # counter-clockwise order along the x axis: the next tooth comes first
     line = np.concatenate([tool.at(0.0, tooth) for tooth in (-1, 0, 1)])
     if tool.kind == RACK:
         far = complex(float(line.real.max()) + gear.m_n, 0.0)
@@ -138,7 +138,7 @@ def _tool_words(gear: Any) -> list[tuple[str, str]]:
 
 
 def _circles(gear: Any) -> list[tuple[float, str, str]]:
-    """Diameter [m], name and style of the circles; equal ones share a line."""
+    """Diameter [m], name and style of the circles; equal circles are merged."""
     named = [
         (abs(gear.d_a), "tip dₐ", "pp-thin"),
         (abs(gear.d_Fa), "tip form d_Fa", "pp-thin"),
@@ -160,7 +160,7 @@ def _circles(gear: Any) -> list[tuple[float, str, str]]:
 def _labels(
     gear: Any, view: View, circles: list[tuple[float, str, str]], top: float, height: float
 ) -> list[str]:
-    """Names and diameters in a column, joined to their circles at the edge of the drawing."""
+    """Names and diameters in a column, with leader lines to their circles at the edge of the drawing."""
     right = view.low[0] + FIELD / view.scale
     starts = []
     for diameter, _, _ in circles:
@@ -169,7 +169,7 @@ def _labels(
         bottom = view.low[1] + 0.02 * height / view.scale
         x = right
         if y < bottom:
-            # the circle leaves the drawing below: the last that is seen of it
+            # the circle leaves the drawing at the bottom: its last visible point
             y, x = bottom, math.sqrt(max(0.0, r * r - bottom * bottom))
         spot = view([x, y])
         starts.append((float(spot[0]), float(spot[1]) + top))
@@ -188,18 +188,18 @@ def _labels(
 
 
 def _active(gear: Any, view: View, pair: Any, which: int, count: int) -> str:
-    """The active part of the flank on one side of the space."""
+    """Active part of the flank on one side of the space."""
     from pitchpoint.geometry.tooth_form import tooth_form
 
     form = tooth_form(gear)
     r = 0.5 * np.linspace(*active_diameters(pair, which), 60)
-    # from the middle of the space; the first mesh on the right, as seen in the drawing
+    # from the middle of the space; the first mesh on the right in the drawing
     angle = (form.half_pitch_angle - form.involute_half_angle(r)) * (-1.0 if count == 0 else 1.0)
     return svg.polyline(view(_upwards(r * np.exp(1j * angle))), f"pp-active{count + 1}")
 
 
 def _active_words(gear: Any, mesh: str, pair: Any, which: int) -> str:
-    """Diameters and angles of roll between which flanks touch, from start to end of the active profile."""
+    """Diameters and roll angles at the start and end of the active profile, in words."""
     root, tip = active_diameters(pair, which)
     rolls = [math.degrees(math.sqrt(max(0.0, (d / gear.d_b) ** 2 - 1.0))) for d in (root, tip)]
     where = f"d {number(1e3 * root, 6)} (SAP) to {number(1e3 * tip, 6)} mm (EAP)"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Wavelets: levels one below the other, energies of packets, scalograms."""
+"""Plots of wavelet analyses: levels, packet energies, scalograms."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _WIDE = 8.0
-"""Ratio of highest to lowest frequency from which a scalogram has a logarithmic axis."""
+"""Ratio of highest to lowest frequency above which a scalogram has a logarithmic axis."""
 _POINTS = 4000
 _RANGE_DB = 40.0
-"""Range of maps whose wide lines leave little that is darker."""
+"""Dynamic range of maps with broad lines."""
 
 
 def plot_levels(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """The part of a signal in every level over time, with its band and its share of the energy.
+    """Plot of the components of a signal in all levels over time, with band and energy share.
 
     Parameters
     ----------
     result
         Result of `wavelet_levels` of one channel.
     channel
-        Its name; the page states it above the picture.
+        Name of the channel, shown above the plot.
     """
     unit = str(result["signals"].attrs["units"])
     parts = [
@@ -45,7 +45,7 @@ def plot_levels(result: xr.Dataset, channel: str) -> list[go.Figure]:
 
 
 def plot_packets(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """Shares of the energy over frequency, and the coefficients over time and frequency.
+    """Plots of the energy shares over frequency, and of the coefficients over time and frequency.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def plot_packets(result: xr.Dataset, channel: str) -> list[go.Figure]:
         hovertemplate="%{customdata}: %{y:.3g} %<extra></extra>",
     )
     moving = result["coefficients"].values.copy()
-    # a large mean would be all that the map shows
+    # a large mean would dominate the map
     moving[0] -= moving[0].mean()
     bars.update_xaxes(range=[0.0, band[-1, 1] * pitch.factor])
     times = amplitude_map(
@@ -84,7 +84,7 @@ def plot_packets(result: xr.Dataset, channel: str) -> list[go.Figure]:
 
 
 def plot_scalogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
-    """Amplitudes over time and frequency; dashed lines show how far the ends of the record reach.
+    """Map of amplitudes over time and frequency; dashed lines limit the edge effects.
 
     Parameters
     ----------
@@ -128,6 +128,6 @@ def plot_scalogram(result: xr.Dataset, channel: str) -> list[go.Figure]:
 
 
 def _bounds(frequency: Array) -> Array:
-    """Lowest and highest frequency, by half a row further."""
+    """Lowest and highest frequency, extended by half a row."""
     ratio = np.sqrt(frequency[1] / frequency[0]), np.sqrt(frequency[-1] / frequency[-2])
     return np.array([frequency[0] / ratio[0], frequency[-1] * ratio[1]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Accuracy of integrators against their processor time, one line per method and form."""
+"""Work-precision diagram: error of integrators over processor time, one line per method and form."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ DASHES = {"": "solid", "I3": "solid", "SI2": "dash", "SI1": "dot"}
 
 
 def plot_work_precision(rows: Sequence[Mapping[str, Any]], title: str = "") -> go.Figure:
-    """Error over processor time, both logarithmic: lower and further left is better.
+    """Plot of the error over processor time, both logarithmic: lower left is better.
 
     Parameters
     ----------
     rows
         Runs: `method`, `form`, `setting`, `value`, `cpu_s` [s], `error` (None or NaN: not drawn), `steps`.
     title
-        Heading.
+        Title.
     """
     figure = theme.figure(
         "processor time [ms]",
-        "error, share of the alternating part",
+        "error relative to the alternating part",
         height=560,
         margin={"t": 64},
         legend={"orientation": "v", "x": 1.02, "y": 1.0, "yanchor": "top"},

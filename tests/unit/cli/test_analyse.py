@@ -123,9 +123,9 @@ def test_orders_by_a_tacho(tmp_path, capsys):
     # edges fall between samples: at 26 turns/s one sample is 0.033 rad, a ninth of a period of order 21
     assert order[2 + np.argmax(amplitude[2:])] == 21.0 and amplitude.max() == pytest.approx(3.0, rel=0.05)
     assert found["angle"] == "angle[tacho]"
-    assert "belong together" in refusal([*arguments, "--tacho", "tacho"], capsys)
+    assert "and vice versa" in refusal([*arguments, "--tacho", "tacho"], capsys)
     both = ["--tacho", "tacho", "--pulses-per-revolution", "1", "--angle", "acc"]
-    assert "both name the shaft" in refusal([*arguments, *both], capsys)
+    assert "both define the shaft" in refusal([*arguments, *both], capsys)
     assert "angle: is not named" in refusal(arguments, capsys)
     assert "did you mean tacho?" in refusal(
         [*arguments, "--tacho", "tach", "--pulses-per-revolution", "1"], capsys

@@ -130,7 +130,7 @@ def test_a_period_is_found_or_not(tmp_path: Path, capsys: pytest.CaptureFixture[
     values = {name: v["values"] for name, v in found["variables"].items()}
     assert values["found"] is True and values["turns"] == 4
     assert values["period"] == pytest.approx(3.3833, abs=2.3e-3)
-    assert "rough score" in html.read_text(encoding="utf-8")
+    assert "approximate score" in html.read_text(encoding="utf-8")
     assert run_command(["analyse", rig, "find_period", "-c", "good", *search]) == 0
     assert "nothing found" in capsys.readouterr().out
     assert run_command(["analyse", rig, "period_evidence", "-c", "bad", "-O", "periods=3.3833,12"]) == 0
@@ -182,7 +182,7 @@ def test_a_period_that_cannot_be_judged_is_told_in_words(
     assert run_command(["analyse", rig, "period_evidence", "-c", "slow", "-O", "periods=15,1"]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert "nan" not in told
-    assert "chance in noise of 15 s not known 1 turn, 0 lines: too few to decide" in told
+    assert "probability in noise of 15 s not known 1 turn, 0 lines: too few to decide" in told
     # lines beside no sideband: a table of numbers, with none of round-off
     assert run_command(
         ["analyse", rig, "sideband_table", "-c", "fast", "-O", "mesh=135.6667", "-O", "spacing=20",

@@ -30,7 +30,7 @@ def test_people_get_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     file = written(tmp_path, TORSION)
     assert run_command(["check", file]) == 0
     captured = capsys.readouterr()
-    for text in ("no problems", "2 degrees of freedom", "150 mm", "0.0115 kg m^2", "Defaults that apply"):
+    for text in ("no problems", "2 degrees of freedom", "150 mm", "0.0115 kg m^2", "Defaults in effect"):
         assert text in captured.out
     assert captured.err == ""
     assert run_command(["check", file, "--quiet"]) == 0

@@ -104,11 +104,11 @@ def test_table_and_picture(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     root = ET.fromstring(picture.read_text(encoding="utf-8"))
     words = ["".join(e.itertext()) for e in root.iter("{http://www.w3.org/2000/svg}text")]
     assert "m1: sun / p1" in words and "3  tip of sun to root of p1" in words
-    assert any(w.startswith("0.5 mm, limit 0.2 mm: fine") for w in words)
+    assert any(w.startswith("0.5 mm, limit 0.2 mm: OK") for w in words)
     # written again, since it is ours; all meshes, and the neighbours in words
     assert run_command(["clearance", model, "-o", str(picture)]) == 0
     said = capsys.readouterr().out
-    assert "overlap" in said and "7 of the distances below their limits, 7 of them overlaps" in said
+    assert "overlap" in said and "7 distances below their limits, of which 7 overlap" in said
 
 
 def test_what_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

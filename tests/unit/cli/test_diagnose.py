@@ -37,7 +37,7 @@ def test_a_healthy_file_ends_with_nothing_found(tmp_path: Path, capsys: pytest.C
         (["--train", "32/95", "--speed", "11Hz"], "strongest lines at 320 Hz"),
         (["--train", "32-95", "--speed", "10Hz"], "is not a pair of tooth counts"),
         (["--train", "32/95", "--speed", "10Hz", "-c", "ac"], "no channel 'ac'; did you mean acc?"),
-        (["--train", "32/95", "--tacho", "acc"], "--tacho needs --pulses N"),
+        (["--train", "32/95", "--tacho", "acc"], "--tacho requires --pulses N"),
         (
             ["--train", "32/95", "--speed", "10Hz", "--bearing", "left:8"],
             "is not NAME:elements,d,D,angle@shaft",
@@ -57,7 +57,7 @@ def test_harmonics_that_the_sample_rate_loses_are_told(
     file = rig_file(tmp_path, 0.0, rate=1600.0)
     found = json_of(["diagnose", file, "--train", "32/95", "--speed", "10Hz", "--json"], capsys)
     assert any(
-        "lost, as they lie above half of it: harmonics 3, 4, 5 of mesh 1 (320 Hz)" in text
+        "above half of it, not testable: harmonics 3, 4, 5 of mesh 1 (320 Hz)" in text
         for text in found["remarks"]
     )
 

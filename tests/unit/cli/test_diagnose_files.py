@@ -217,7 +217,7 @@ def test_a_stage_that_does_not_show_has_no_gear_named(
         "shaft 1": ["Z1"],
         "shaft 2": [],
     }
-    assert "no gear of shaft 2 is named: no line of the mesh of Z3 is seen" in found["remarks"]
+    assert "no gear of shaft 2 is named: no mesh line of Z3 is visible" in found["remarks"]
     assert any(text.startswith("mesh 2: no mesh line at") for text in found["remarks"])
 
 
@@ -225,7 +225,7 @@ def test_planet_sets_are_refused_with_a_sentence(tmp_path: Path, capsys: pytest.
     model = written(tmp_path, grc("ring", "sun: 600 rpm"))
     file = csv_of(tmp_path, only(rig(), "acc"))
     said = told([file, "--model", model, "--speed", "sun=10Hz"], capsys)
-    assert "all go round with a carrier" in said
+    assert "all are on a rotating carrier" in said
     assert "pitchpoint frequencies" in said
 
 
@@ -239,7 +239,7 @@ def test_a_file_that_is_still_written_is_a_sentence(
     growing = Record(table["time"][:-100], {"acc": table["acc"]})
     monkeypatch.setattr(records, "read_record", lambda *_: growing)
     said = told([csv_of(tmp_path, only(table, "acc")), *TRAIN, "--speed", "10Hz"], capsys)
-    assert "if the run still continues, wait for its end" in said
+    assert "if the run has not ended, wait for it" in said
 
 
 def test_a_tacho_among_the_channels_is_no_vibration(
@@ -252,5 +252,5 @@ def test_a_tacho_among_the_channels_is_no_vibration(
     assert found["findings"] == []
     remarks = " ".join(found["remarks"])
     assert "channels: acc" in remarks
-    assert "tacho: looks like the pulses of a tacho, not like vibration; omitted" in remarks
+    assert "tacho: looks like tacho pulses, not vibration; omitted" in remarks
     assert "--tacho tacho --pulses N" in remarks

@@ -208,7 +208,7 @@ def test_people_get_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
     file = written(tmp_path, grc(more=f"rolling_bearings:\n  front: {bearing}"))
     assert run_command(["frequencies", file]) == 0
     out = capsys.readouterr().out
-    for words in ("shafts", "Meshes", "One tooth of a gear meets", "Planet sets", "Rolling bearings", "BPFO"):
+    for words in ("shafts", "Meshes", "Contacts of one tooth", "Planet sets", "Rolling bearings", "BPFO"):
         assert words in out
     assert "36.4485 Hz" in out  # 99 * 22.09/60
     assert "at rest" in out
@@ -221,7 +221,7 @@ def test_people_get_tables(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -
         (["--speed", "motor=3 kg"], "motor:"),
         (["--speed", "moter=3 rpm"], "did you mean motor?"),
         (["--speed", "motor=3 rpm", "--speed", "output=3 rpm"], "does not fit the ratio"),
-        (["--speed", "motor=0 rpm"], "nothing turns"),
+        (["--speed", "motor=0 rpm"], "nothing rotates"),
         (["--speed", "motor=3 rpm", "-s", "rated"], "replaces a scenario"),
         (["-s", "ratd"], "did you mean rated?"),
     ],

@@ -96,7 +96,7 @@ def test_bad_command_lines_exit_2(
         (KeyboardInterrupt(), 130, "interrupted"),
         (MemoryError(), 3, "not enough memory"),
         (PermissionError(13, "Permission denied", "x.h5"), 2, "x.h5: permission denied"),
-        (ZeroDivisionError("division by zero"), 1, "fault of pitchpoint"),
+        (ZeroDivisionError("division by zero"), 1, "bug in pitchpoint"),
         (click.UsageError("no"), 2, "no"),
     ],
 )

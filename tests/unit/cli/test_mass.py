@@ -58,7 +58,7 @@ def test_exported_solids_come_back_as_solids_of_the_model(tmp_path: Path, capsys
         assert word in out, word
     assert "wheel.stl in units of 1 mm, 7830 kg/m^3" in out
     assert run_command(["check", file]) == 0
-    assert "Masses known in several ways" in capsys.readouterr().out
+    assert "Masses from several sources" in capsys.readouterr().out
 
 
 def test_check_is_silent_where_there_is_only_one_way(tmp_path: Path, capsys) -> None:
@@ -79,7 +79,7 @@ def test_given_inertia_of_a_body_stands_beside_that_of_its_gears(tmp_path: Path,
     [
         (["--shaft", "axle"], "is for --export"),
         (["--shaft", "axel", "--export", "a.stl"], "did you mean axle?"),
-        (["--shaft", "axle", "--export", "a.svg"], "has no ending of a solid; use .stl, .step, .stp"),
+        (["--shaft", "axle", "--export", "a.svg"], "has no solid extension; use .stl, .step, .stp"),
         (["--shaft", "axle", "--gear", "wheel", "--export", "a.stl"], "cannot be combined with --gear"),
     ],
 )

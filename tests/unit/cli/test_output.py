@@ -125,7 +125,7 @@ def test_channels_that_are_zero_are_counted(capsys: pytest.CaptureFixture[str]) 
     channels["deflection[m]"] = {"unit": "m", "mean": 2e-6, "rms": 0.0, "min": 2e-6, "max": 2e-6}
     results.statistics_table("run", channels)
     lines = printed(capsys)
-    assert lines[-1] == "zero all the time, not shown: 3 of bearing_force"
+    assert lines[-1] == "zero throughout, not shown: 3 of bearing_force"
     assert lines[-2].split("  ")[-1].strip() == "2 µm"
     assert "0 µm" in lines[-2]
     assert sum("bearing_force" in line for line in lines) == 1

@@ -28,7 +28,7 @@ def test_people_get_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert run_command(["reduce", written(tmp_path, GEARBOX), "--limit", "100 Hz"]) == 0
     out = capsys.readouterr().out
     assert "of 19 coordinates: natural frequencies up to 100 Hz differ by up to" in out
-    assert "bodies that stay: driver, driven" in out
+    assert "retained bodies: driver, driven" in out
 
 
 def test_a_run_with_the_reduced_system(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -88,7 +88,7 @@ def test_small_negative_frequencies_are_printed_as_zero(
     [
         (["reduce", "FILE"], "--limit is needed"),
         (["reduce", "FILE", "--limit", "3 mm"], "--limit"),
-        (["reduce", "FILE", "--limit", "1 kHz", "--keep", "lid"], "nothing to keep is called lid"),
+        (["reduce", "FILE", "--limit", "1 kHz", "--keep", "lid"], "no body or element lid"),
         (["reduce", "FILE", "--limit", "1 kHz", "--keep", "hausing"], "did you mean housing? there are: "),
         (["run", "FILE", "--reduce", "1 kHz", "--vary", "meshes.stage.damping.ratio=0.1"], "--reduce"),
     ],

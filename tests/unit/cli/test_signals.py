@@ -83,7 +83,7 @@ def test_a_controller_that_fails(
     assert run_command(["run", str(file), "--allow-code", "-o", "out.h5"]) == 3
     error = capsys.readouterr().err
     assert said in error
-    assert "what was computed before is in out.h5" in error
+    assert "partial results are in out.h5" in error
     assert "Traceback" not in error
     header = read_header("out.h5")
     assert header["status"] == "failed"

@@ -101,7 +101,7 @@ def test_what_does_not_move_is_refused(result: Path, capsys: pytest.CaptureFixtu
     assert run_command(["frf", model, *response, "-o", str(still), "-q"]) == 0
     capsys.readouterr()
     assert run_command(["view", str(still), "-o", str(result.with_name("no.html"))]) == 2
-    assert "holds nothing that moves over time" in capsys.readouterr().err
+    assert "contains no motion over time" in capsys.readouterr().err
 
 
 def test_a_truncated_result_and_a_page_in_place_of_a_file(
@@ -136,7 +136,7 @@ def damaged(result: Path, out: Path, how: str) -> Path:
 
 @pytest.mark.parametrize(
     ("how", "says"),
-    [("no model", "model: is not kept in this result file"), ("no samples", "holds no sample")],
+    [("no model", "model: is not stored in this result file"), ("no samples", "holds no sample")],
 )
 def test_results_that_cannot_be_shown_are_refused(
     result: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], how: str, says: str

@@ -82,7 +82,7 @@ def test_a_dimension_that_was_deleted(name: str, run: Path) -> None:
     """HDF5's own way to the dimensions ends the process there (segmentation fault)."""
     with h5py.File(run, "r+") as file:
         del file[name]
-    with pytest.raises(ResultError, match="damaged or cut off"):
+    with pytest.raises(ResultError, match="damaged or incomplete"):
         open_result(run, "blocks" if "/" in name else None)
 
 
@@ -94,7 +94,7 @@ def test_a_sweep_without_one_of_its_variables(name: str, tmp_path: Path) -> None
     assert read_sweep(path)["points"] == []
     with h5py.File(path, "r+") as file:
         del file[name]
-    with pytest.raises(ResultError, match="damaged or cut off"):
+    with pytest.raises(ResultError, match="damaged or incomplete"):
         read_sweep(path)
 
 

@@ -205,7 +205,7 @@ def test_without_locks_the_one_whose_file_is_gone_says_so(
         finished(name)
     with pytest.raises(ResultError, match=HELD):
         early.begin()
-    with pytest.raises(ResultError, match="taken away or replaced while it was written; run again"):
+    with pytest.raises(ResultError, match="removed or replaced while it was written; rerun"):
         late.finish()
     assert forces(path) == forces(running) == [1.0] * 10
 

@@ -18,9 +18,9 @@ def _evidence(*, found: bool, explained: str = "") -> Evidence:
 @pytest.mark.parametrize(
     ("beyond", "words"),
     [
-        (0, "none of 5 tests exceeds its limit (a healthy record does so with 1 %)"),
-        (1, "of 5 tests 1 exceeds its limit, but not as damage does: what stands out is listed below"),
-        (3, "of 5 tests 3 exceed their limits, but not as damage does: what stands out is listed below"),
+        (0, "none of 5 tests exceeds its limit (probability for a healthy record: 1 %)"),
+        (1, "of 5 tests 1 exceeds its limit, but not in the pattern of damage; listed below"),
+        (3, "of 5 tests 3 exceed their limits, but not in the pattern of damage; listed below"),
     ],
 )
 def test_limits_that_are_exceeded_are_not_denied(beyond: int, words: str) -> None:

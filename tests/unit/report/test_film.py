@@ -21,27 +21,27 @@ from tests.support.scene_data import gears, page_of, texts_of
 
 
 def test_endings_and_files_that_are_there_are_refused(tmp_path: Path) -> None:
-    with pytest.raises(PitchpointError, match=r"film.avi has no ending of a film; use .mp4, .webm, .gif"):
+    with pytest.raises(PitchpointError, match=r"film.avi has no video extension; use .mp4, .webm, .gif"):
         films.film_maker(tmp_path / "film.avi")
     (tmp_path / "mine.mp4").write_bytes(b"mine")
-    with pytest.raises(PitchpointError, match="is there already, and a film replaces no file"):
+    with pytest.raises(PitchpointError, match="exists, and a video does not replace files"):
         films.film_maker(tmp_path / "mine.mp4")
     assert (tmp_path / "mine.mp4").read_bytes() == b"mine"
 
 
 def test_missing_programs_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shutil, "which", lambda name: None)
-    with pytest.raises(PitchpointError, match="needs chromium and ffmpeg, which are not installed"):
+    with pytest.raises(PitchpointError, match="requires chromium and ffmpeg, which are not installed"):
         films.film_maker(tmp_path / "film.mp4")
     monkeypatch.setattr(shutil, "which", lambda name: "/bin/true" if name == "chromium" else None)
-    with pytest.raises(PitchpointError, match="needs ffmpeg, which is not installed.*apt install ffmpeg"):
+    with pytest.raises(PitchpointError, match="requires ffmpeg, which is not installed.*apt install ffmpeg"):
         films.film_maker(tmp_path / "film.mp4")
 
 
 def test_missing_playwright_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shutil, "which", lambda name: "/bin/true")
     monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    with pytest.raises(PitchpointError, match=r"needs Playwright.*pip install 'pitchpoint\[film\]'"):
+    with pytest.raises(PitchpointError, match=r"requires Playwright.*pip install 'pitchpoint\[film\]'"):
         films.film_maker(tmp_path / "film.mp4")
 
 
@@ -49,7 +49,7 @@ def test_a_browser_that_fails_is_a_sentence(tmp_path: Path) -> None:
     page = tmp_path / "page.html"
     page.write_text("", encoding="utf-8")
     maker = films.FilmMaker(tmp_path / "film.mp4", "/bin/false", "/bin/true", "mpeg4")
-    with pytest.raises(PitchpointError, match=r"the browser \(/bin/false\) fails: .+"):
+    with pytest.raises(PitchpointError, match=r"the browser \(/bin/false\) failed: .+"):
         films.film(page, maker)
     assert not maker.target.exists()
 
@@ -63,7 +63,10 @@ def test_an_ffmpeg_without_the_encoder_is_told_and_what_it_can_write(
     )
     program.chmod(0o755)
     monkeypatch.setattr(shutil, "which", lambda name: str(program))
-    with pytest.raises(PitchpointError, match=r"no .mp4, it has no libx264 or .*; it writes .webm, .gif"):
+    with pytest.raises(
+        PitchpointError,
+        match=r"cannot write .mp4 files, it lacks the encoder libx264 or .*; it writes .webm, .gif",
+    ):
         films.film_maker(tmp_path / "film.mp4")
     assert films.film_maker(tmp_path / "film.webm").encoder == "libvpx"
 
@@ -75,7 +78,7 @@ def test_what_is_missing_is_told_before_a_page_is_made(
     model.write_text(TORSIONAL_PAIR, encoding="utf-8")
     monkeypatch.setattr(shutil, "which", lambda name: None)
     assert run_command(["view", str(model), "-o", str(page), "--film", str(tmp_path / "film.gif")]) == 2
-    assert "needs chromium and ffmpeg" in capsys.readouterr().err
+    assert "requires chromium and ffmpeg" in capsys.readouterr().err
     assert not page.exists()
 
 

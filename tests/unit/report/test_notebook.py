@@ -153,12 +153,12 @@ def test_a_result_in_memory_keeps_its_model(result: xr.Dataset, tmp_path: Any) -
 
 def test_what_cannot_be_drawn_is_said(result: xr.Dataset) -> None:
     bare = result.assign_attrs(model_text="")
-    assert "no scene: this result does not keep its model" in dataset_html(bare)
+    assert "no scene: this result does not contain its model" in dataset_html(bare)
     broken = dataset_html(result.assign_attrs(model_text="gears: 3"))
     assert "<iframe" not in broken and "no scene: " in broken and "mesh force, stage" in broken
     gears_only = SHORT.partition("bodies:")[0]
     text = model_html(loads_model(gears_only))
-    assert "<table" in text and "no scene: the model holds no body" in text
+    assert "<table" in text and "no scene: the model has no body" in text
     stopped = result.assign_attrs(status=-7, status_text="the step <became> too small")
     assert "not finished, status -7: the step &lt;became&gt; too small" in dataset_html(stopped)
 

@@ -162,7 +162,7 @@ def test_planets_hand_their_power_to_the_carrier() -> None:
 
 def test_a_result_without_the_channels_says_what_is_missing(channels: dict[str, np.ndarray]) -> None:
     del (few := dict(channels))["speed[second]"]
-    with pytest.raises(PitchpointError, match=r"does not hold speed\[second\]"):
+    with pytest.raises(PitchpointError, match=r"does not contain speed\[second\]"):
         flow_of(few)
 
 

@@ -203,7 +203,7 @@ def test_laws_without_pairs_carry_no_loads(tmp_path):
     scene, _, _ = seen(TORSIONAL_PAIR.replace("duration: 0.5 s", "duration: 0.01 s"), "steady")
     (contact,) = scene.header["contacts"]
     assert "loads" not in contact["flanks"][0]
-    assert any("knows no single tooth pairs" in note for note in scene.header["notes"])
+    assert any("has no single tooth pairs" in note for note in scene.header["notes"])
     # what is known without pairs is there: where lines would be, and the gap
     assert len(scene.array(contact["flanks"][0]["travel"])) == len(scene.times)
     assert contact["base_pitch"] == pytest.approx(math.pi * 3e-3 * math.cos(math.radians(20.0)))
@@ -235,5 +235,5 @@ def test_rings_of_rolling_bearings_push_where_they_are():
 def test_a_result_of_another_state_of_the_model_says_so(pair):
     _, system, result = pair
     changed: xr.Dataset = result.assign_attrs(model_hash="another")
-    assert any("another state" in note for note in scene_of(system.model, changed).notes)
-    assert not any("another state" in note for note in scene_of(system.model, result).notes)
+    assert any("different version" in note for note in scene_of(system.model, changed).notes)
+    assert not any("different version" in note for note in scene_of(system.model, result).notes)

@@ -151,6 +151,6 @@ def test_what_is_not_drawn_is_told():
         "  crack: {type: root_crack, tooth: 3, flank: left, depth: 2 mm}"
     )
     notes = " | ".join(found.header["notes"])
-    assert "wear of a (worn, 20 µm at most) is in the forces, not drawn" in notes
-    assert "root crack of a, tooth 3 (crack, 2 mm) is marked, not open" in notes
+    assert "wear of a (worn, 20 µm at most) is included in the forces, but not drawn" in notes
+    assert "root crack of a, tooth 3 (crack, 2 mm) is marked, not drawn" in notes
     assert fault(found, "tooth 3: crack (root crack)")

@@ -122,7 +122,7 @@ def test_of_many_impacts_the_strongest_are_kept():
 
 def test_too_coarse_a_record_says_so():
     """A mesh frequency of 1 kHz: 0.2 pairs from sample to sample at 5 kHz, 1.1 at 900 Hz."""
-    for rate, words in ((5e3, []), (900.0, ["1.1 tooth pairs go by from sample to sample"])):
+    for rate, words in ((5e3, []), (900.0, ["1.1 tooth pairs per sample interval"])):
         time = np.arange(0.0, 0.1, 1.0 / rate)
         steady = result(time, np.full_like(time, 3e-5))
         _, notes = scene_marks(MODEL, steady, [contact(10.0 * time)], time)
@@ -130,7 +130,7 @@ def test_too_coarse_a_record_says_so():
     time = np.arange(0.0, 0.1, 1.0 / 5e3)
     steady = result(time, np.full_like(time, 3e-5))
     _, notes = scene_marks(MODEL, steady, [contact(10.0 * time[::6])], time[::6])
-    assert "1.2 tooth pairs go by from frame to frame" in notes[0]
+    assert "1.2 tooth pairs per frame interval" in notes[0]
 
 
 @pytest.mark.parametrize("helix", [0.0, 0.25])

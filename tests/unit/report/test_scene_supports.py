@@ -145,4 +145,4 @@ def test_curves_and_surfaces_of_contacts_lie_where_they_touch():
     assert coil[:, 1].max() == pytest.approx(84e-3, abs=2e-3) and coil[:, 1].min() == pytest.approx(
         0, abs=2e-3
     )
-    assert any("whose shape the model does not give" in note for note in scene.header["notes"])
+    assert any("without a shape in the model" in note for note in scene.header["notes"])

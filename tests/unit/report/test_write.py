@@ -174,7 +174,7 @@ def test_designers_find_modifications_measures_and_sliding(tmp_path: Path) -> No
     ]
     text = pp.write_report(model, tmp_path / "x.html").read_text(encoding="utf-8")
     for words in (
-        "<p>2 faults of gears have severity 0 and change nothing.</p>",
+        "<p>2 gear faults have severity 0 and no effect.</p>",
         "parabolic, over 2 mm",
         "span",
         "dimension over balls",
@@ -228,7 +228,7 @@ def test_a_run_that_failed_is_shown_as_far_as_its_numbers_go(file: Path) -> None
     assert shown.scene is not None
     assert shown.run == "r"
     assert shown.scene.times[-1] < float(run["time"][end])
-    assert f"no longer finite, at {float(run['time'][end]):.6g} s" in shown.words
+    assert f"It ends at {float(run['time'][end]):.6g} s" in shown.words
     (flow,) = power_part(model, {"r": TimeRun(data=run)}).values()
     assert flow.span[1] < float(run["time"][end])
 
@@ -237,7 +237,7 @@ def test_a_model_without_shapes_says_so() -> None:
     bare = loads_model("bodies:\n  disc: {motion: torsion, inertia: 1 kg m^2, position: [0, 0, 0]}\n")
     shown = scene_part(bare, {})
     assert shown.scene is not None
-    assert any("whose shape the model does not give" in note for note in shown.scene.notes)
+    assert any("without a shape in the model" in note for note in shown.scene.notes)
     gear = "number_of_teeth: 20, normal_module: 2 mm, face_width: 20 mm, profile_shift_coefficient: 0"
     alone = scene_part(loads_model(f"gears:\n  a: {{{gear}}}\n"), {})
     assert alone.scene is None

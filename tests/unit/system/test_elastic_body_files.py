@@ -363,7 +363,7 @@ def test_check_tells_of_elastic_bodies(tmp_path, capsys):
     crank_with(tmp_path)
     assert run_command(["check", str(tmp_path / "crank.yaml")]) == 0
     told = " ".join(capsys.readouterr().out.split())
-    assert "rod, unsupported, swings in 6 modes of 1" in told
+    assert "rod, unsupported: 6 natural frequencies, 1" in told
     assert "8 coordinates without the modes of rod - 10 constraints" in told
     assert run_command(["check", str(tmp_path / "crank.yaml"), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)

@@ -89,7 +89,7 @@ def test_show_and_save(tmp_path: Any) -> None:
     picture.save(tmp_path / "pair.html")
     assert (tmp_path / "pair.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
     assert show(cycle()).data
-    with pytest.raises(PitchpointError, match="has no picture"):
+    with pytest.raises(PitchpointError, match="no picture available"):
         show(3)
 
 

@@ -57,7 +57,7 @@ def test_longer_curves_are_drawn_once() -> None:
 
 def test_load_sharing_in_per_cent() -> None:
     figure = plot_load_sharing([0.0, 0.5, 1.5], [0.5, 1.0, 0.5])
-    assert titles(figure)[1] == "share in the load [%]"
+    assert titles(figure)[1] == "load share [%]"
     assert list(figure.data[0].y) == [50.0, 100.0, 50.0]
 
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measured files: one small file per format, one door (`reading.read_measured`) to all of them.
+"""Measured files: one module per format, with the common entry point `reading.read_measured`.
 
-A format gives a `record.Record`, the contents of the file and nothing more; `assembly` checks it and makes
-the dataset.
+A format module returns the contents of the file as a `record.Record`; `assembly` checks it and creates the
+dataset.
 """

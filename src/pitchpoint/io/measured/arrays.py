@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files of named arrays (MAT, HDF5): which array is a channel, which the time, which a sample rate.
+"""Files of named arrays (MAT, HDF5): identification of channels, time axis and sample rate.
 
-Vectors are channels, and so are the columns of matrices. A vector called `time` or `t` is the time axis, a
-single number called `sample_rate`, `fs`, `dt` or the like gives the sample rate; nothing else is taken for
-either. Other single numbers and texts become attributes.
+Vectors and columns of matrices are channels. A vector named `time` or `t` is the time axis, a single number
+named `sample_rate`, `fs`, `dt` or similar gives the sample rate; no other arrays are used for these. Other
+single numbers and texts become attributes.
 """
 
 from __future__ import annotations
@@ -43,11 +43,11 @@ class Found:
     Attributes
     ----------
     name
-        Name with its owners, `bearing.gs` or `group/force`.
+        Full name, `bearing.gs` or `group/force`.
     values
-        The numbers, or a function that reads them.
+        Numbers, or a function that reads them.
     shape
-        Shape of the array; omitted where `values` are there.
+        Shape of the array; omitted if `values` are given.
     unit, long_name, scale
         As in `record.Column`.
     rate, start
@@ -65,12 +65,12 @@ class Found:
 
     @property
     def extent(self) -> tuple[int, ...]:
-        """Lengths of the dimensions that are longer than one."""
+        """Lengths of the dimensions longer than one."""
         shape = self.values.shape if isinstance(self.values, np.ndarray) else self.shape or ()
         return tuple(int(n) for n in shape if n != 1)
 
     def read(self) -> NDArray[Any]:
-        """The numbers without dimensions of length one."""
+        """Numbers without dimensions of length one."""
         values = self.values if isinstance(self.values, np.ndarray) else self.values()
         return values.reshape(self.extent)
 
@@ -97,7 +97,7 @@ class Arrays:
         self._attributes: dict[str, str | float | int] = {}
 
     def add(self, found: Found) -> None:
-        """Take an array; single numbers are kept as sample rate or attribute."""
+        """Add an array; single numbers become sample rate or attribute."""
         if not found.extent:
             self.number(found.name, float(as_floats(found.read()).reshape(())), found.unit)
         elif 0 in found.extent:
@@ -108,7 +108,7 @@ class Arrays:
             self._found.append(found)
 
     def number(self, name: str, value: float, unit: str = "") -> None:
-        """Take a single number: a sample rate if it is called so, else an attribute."""
+        """Add a single number: a sample rate if it has such a name, else an attribute."""
         rate = stated_rate(self._path, name, value, unit)
         if rate is None:
             self._attributes[name] = value
@@ -116,16 +116,16 @@ class Arrays:
             self._rate = rate
 
     def text(self, name: str, value: str) -> None:
-        """Take a text as attribute."""
+        """Add a text as attribute."""
         if value.strip():
             self._attributes[name] = value[:_TEXT]
 
     def skip(self, name: str, why: str) -> None:
-        """Remember what is omitted."""
+        """Record an omitted array."""
         self._skipped.setdefault(why, []).append(name)
 
     def record(self, wanted: Wanted) -> Record:
-        """Make the record of the channels that are wanted."""
+        """Record of the requested channels."""
         times = [f for f in self._found if key_of(f.name) in TIME_NAMES and len(f.extent) == 1]
         others = [f for f in self._found if f not in times]
         for f in others:
@@ -188,7 +188,7 @@ class Arrays:
         )
 
     def _one_time(self, times: list[Found], chosen: list[Found]) -> Found | None:
-        """The time axis of these channels: the one next to them."""
+        """Time axis of these channels: the one in the same group."""
         if len(times) > 1:
             owners = {_owner(f.name) for f in chosen}
             times = [t for t in times if _owner(t.name) in owners] or times
@@ -201,7 +201,7 @@ class Arrays:
 
 
 def stated_rate(path: Path, name: str, value: float, unit: str = "") -> float | None:
-    """Sample rate [Hz] that a number of this name states, None for other names."""
+    """Sample rate [Hz] given by a number of this name, None for other names."""
     from pitchpoint.io.measured.units import to_si
 
     key = key_of(name)
@@ -219,7 +219,7 @@ def _owner(name: str) -> str:
 
 
 def _split(found: Found, length: int | None) -> list[tuple[str, Any]]:
-    """Names of the channels of an array, and their places in it; samples run along the time axis."""
+    """Names of the channels of an array, and their indices; samples are along the time axis."""
     if len(found.extent) == 1:
         return [(found.name, slice(None))]
     n, m = found.extent

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From the contents of a file to a dataset: every check that does not depend on the format."""
+"""Dataset from the contents of a file, with all checks that do not depend on the format."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 UNIFORM = 1e-6
-"""Part of a step by which the times of a uniform record may be off its grid, as in `analysis.sampled`."""
+"""Tolerance of the times of a uniform record, relative to the step, as in `analysis.sampled`."""
 _AGREE = 1e-3
 _SHOWN = 12
 
@@ -34,7 +34,7 @@ def assemble(
     units: Mapping[str, str],
     digest: str,
 ) -> xr.Dataset:
-    """Check a record and make its dataset with the dimension `time` [s].
+    """Check a record and create its dataset with the dimension `time` [s].
 
     Parameters
     ----------
@@ -43,11 +43,11 @@ def assemble(
     record
         Contents of the file.
     sample_rate
-        Sample rate that the user states [Hz], or None.
+        Sample rate given by the user [Hz], or None.
     channels
-        Channels that the user wants, in this order, or None for all of the file.
+        Channels requested by the user, in this order, or None for all.
     units
-        Units that the user states, by channel.
+        Units given by the user, by channel.
     digest
         SHA-256 of the file.
     """
@@ -95,7 +95,7 @@ def assemble(
 
 
 def _chosen(path: Path, record: Record, channels: Sequence[str] | None) -> list[Column]:
-    """Channels in the requested order, each name once."""
+    """Requested channels in order, each name once."""
     names = [c.name for c in record.columns]
     twice = [name for name, count in Counter(names).items() if count > 1]
     if twice:
@@ -119,19 +119,19 @@ def _chosen(path: Path, record: Record, channels: Sequence[str] | None) -> list[
 
 
 def _columns_of(name: str, names: Sequence[str]) -> list[str]:
-    """A channel, or all columns of a matrix of this name."""
+    """Channel, or all columns of a matrix, of this name."""
     return [name] if name in names else [n for n in names if n.startswith(f"{name}[")]
 
 
 def unknown_channels(path: Path, asked: Sequence[str], names: Sequence[str]) -> None:
-    """Refuse names of channels that the file does not have, with the nearest ones.
+    """Reject unknown channel names, with the closest names.
 
     Parameters
     ----------
     path
         File, for the message.
     asked
-        Names that the user gives.
+        Names given by the user.
     names
         Channels of the file.
     """
@@ -167,7 +167,7 @@ def _one_length(path: Path, columns: Sequence[Column], record: Record) -> int:
 
 
 def _finite(path: Path, columns: Sequence[Column]) -> None:
-    """Refuse samples that are NaN or infinite, all channels at once."""
+    """Reject samples that are NaN or infinite; all channels are reported together."""
     problems = []
     for c in columns:
         bad = np.flatnonzero(~np.isfinite(c.values))
@@ -226,7 +226,7 @@ def _agree(path: Path, given: float, stated: float) -> None:
 def _stored_axis(
     path: Path, record: Record, rate: float | None
 ) -> tuple[NDArray[np.float64], float | None, list[str]]:
-    """Time axis of the file; rounded times are put back on their grid."""
+    """Time axis of the file; rounded times are moved to an even grid."""
     assert record.time is not None
     unit, factor, known = to_si(record.time.unit)
     if unit not in ("", "s") or not known:
@@ -243,7 +243,7 @@ def _stored_axis(
     if step > 0.0 and off > exact and off <= 1.001 * resolution and resolution <= 0.25 * step:
         found = rate if rate is not None else 1.0 / step
         _agree(path, found, 1.0 / step)
-        note = f"times are written to {resolution:g} s and were put back on an even grid"
+        note = f"times are rounded to {resolution:g} s and were moved to an even grid"
         return time[0] + np.arange(time.size) / found, found, [note]
     back = np.flatnonzero(steps <= 0.0)
     if back.size:
@@ -260,7 +260,7 @@ def _stored_axis(
         if rate is not None:
             _agree(path, rate, 1.0 / step)
         return time, 1.0 / step, []
-    if own:  # adaptive solvers store their own steps; what needs even ones reports it
+    if own:  # adaptive solvers store variable steps; functions that require even steps report it
         return time, None, ["times are not evenly spaced"]
     usual = float(np.median(steps))
     k = int(np.argmax(np.abs(steps - usual)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""HDF5 files: those of pitchpoint, MAT files of version 7.3, netCDF-4, and any other with vectors in it."""
+"""HDF5 files: results of pitchpoint, MAT files of version 7.3, netCDF-4, and other files with vectors."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 _MOST_OBJECTS = 20_000
 _PACKED = 1100
-"""How many times smaller than its contents a packed array can be (deflate packs 1032 to 1 at most)."""
+"""Maximum compression ratio of an array (deflate: 1032)."""
 _SMALL = 1 << 24
 _WIDEST = 8
 """Bytes of a number in double precision: the numbers of a file that is not packed take that many times its
@@ -48,10 +48,10 @@ _UNIT_NAMES, _WORD_NAMES = ("units", "unit"), ("long_name", "description", "titl
 
 
 def is_own(path: Path, data: bytes) -> bool:
-    """Whether this is a result file of pitchpoint; refuses files on which HDF5 would not end, or crash.
+    """Whether this is a result file of pitchpoint; rejects files on which HDF5 would hang or crash.
 
-    Our files carry check sums wherever HDF5 knows them; what it does with other damaged files is tried in a
-    process of its own.
+    Files of pitchpoint have checksums wherever HDF5 supports them; other files are read in a separate process
+    first.
     """
     remedy = "copy it again from where it was recorded"
     if not heaps_end(data):
@@ -64,7 +64,7 @@ def is_own(path: Path, data: bytes) -> bool:
 
 
 def _survives(path: Path, size: int) -> bool:
-    """Whether a process that reads this file lives on; what it finds does not matter."""
+    """Whether a process that reads this file survives."""
     code = (
         "import sys, pathlib\nfrom pitchpoint.io.measured.hdf5 import read_hdf5\n"
         "from pitchpoint.io.measured.record import Wanted\nread_hdf5(pathlib.Path(sys.argv[1]), Wanted())"
@@ -83,7 +83,7 @@ def _survives(path: Path, size: int) -> bool:
     except subprocess.TimeoutExpired:
         return False
     except OSError:
-        return True  # where no process can be started, HDF5 is trusted
+        return True  # if no process can be started, HDF5 is trusted
     return trial.returncode in (0, 1)
 
 
@@ -108,7 +108,7 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
 
 
 def _datasets(path: Path, file: h5py.File) -> Iterator[tuple[str, h5py.Dataset]]:
-    """Arrays of a file in the order of their names, without those that only describe others."""
+    """Arrays of a file in the order of their names, without those that describe others."""
     import h5py
 
     stack: list[tuple[str, Any]] = [("", file)]
@@ -167,7 +167,7 @@ def _take_attribute(found: Arrays, name: str, value: Any) -> None:
 
 
 def _take(path: Path, found: Arrays, name: str, dataset: h5py.Dataset) -> None:
-    """Take one array with its unit, its words and its own sample rate."""
+    """Add one array with its unit, description and sample rate."""
     attributes = _attributes(dataset)
     kind = dataset.dtype.kind
     if attributes.get("MATLAB_class") == "char" and dataset.size <= 1000 and not is_elsewhere(dataset):
@@ -218,7 +218,7 @@ def _bare(dataset: h5py.Dataset) -> bool:
 
 
 def _numbers(path: Path, name: str, dataset: h5py.Dataset, scale: tuple[float, float] | None) -> np.ndarray:
-    """Numbers of an array that lies in the file and does not promise more than that can hold."""
+    """Numbers of an array, if it is stored in the file and consistent with the file size."""
     if is_elsewhere(dataset):
         remedy = "store its numbers in this file, or choose other channels"
         raise refused(path, name, "", "is stored in another file, which is not read", None, remedy)
@@ -237,10 +237,10 @@ def _numbers(path: Path, name: str, dataset: h5py.Dataset, scale: tuple[float, f
 
 
 def read_own(path: Path, wanted: Wanted) -> Record:
-    """Read the time signals of a result file of pitchpoint, as far as it is written.
+    """Read the time signals of a result file of pitchpoint, up to the last written sample.
 
-    Opened without the mode for files that grow: in it HDF5 waits a long time for a damaged file to become
-    whole.
+    The file is opened without SWMR: in this mode HDF5 waits a long time for a damaged file to become
+    consistent.
     """
     import h5py
 
@@ -280,7 +280,7 @@ def _own_column(path: Path, dataset: h5py.Dataset, name: str, count: int) -> Col
 
 
 def _damaged(path: Path, error: Exception, remedy: str) -> MeasuredError:
-    """Make the error of a file that contradicts itself; the message of the library is repeated."""
+    """Error for an inconsistent file, with the message of the library."""
     reason = ""
     if isinstance(error, OSError | RuntimeError):
         reason = str(error).partition("(")[0].strip().rstrip(":")[:120]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """MAT files of version 5 to 7: arrays of numbers, also inside structures and cells.
 
-They are decoded here, one element after the other, because the readers at hand reserve what the header of an
-array promises before they look whether it is there; `scipy.io` is the oracle of the tests. Files of version
+They are decoded here, element by element, because available readers allocate the size given in the header of
+an array without checking the data; `scipy.io` is the reference of the tests. Files of version
 7.3 are HDF5 (`hdf5.read_hdf5`).
 
 References
@@ -77,7 +77,7 @@ def _damaged(path: Path, what: str) -> MeasuredError:
 
 
 def _elements(path: Path, data: memoryview, order: str) -> Iterator[tuple[int, memoryview]]:
-    """Data elements one after the other: type and contents; small ones hold up to 4 bytes in their tag."""
+    """Data elements in sequence: type and contents; small ones contain up to 4 bytes in their tag."""
     at = 0
     while at + 8 <= len(data):
         kind, size = np.frombuffer(data, f"{order}u4", 2, at).tolist()
@@ -97,7 +97,7 @@ def _elements(path: Path, data: memoryview, order: str) -> Iterator[tuple[int, m
 
 
 def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays, depth: int) -> None:
-    """One array with its name; parts of structures and cells are named after their owner."""
+    """Add one array with its name; parts of structures and cells are named after their parent."""
     parts = list(_limited(path, _elements(path, data, order)))
     if len(parts) < 3 or len(parts[0][1]) < 8 or parts[1][0] != 5:
         return  # empty arrays, and objects that have a form of their own

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The one door to signals on disk: measured files of several formats, and results of pitchpoint."""
+"""Common entry point for signals in files: measured files of several formats, and results of pitchpoint."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _EXPECTED = {
     ".csv": ("text",),
     ".tsv": ("text",),
 }
-"""Required contents of a file of this ending; with other endings the contents decide."""
+"""Required contents of files with this extension; for other extensions the contents decide."""
 
 
 def read_measured(
@@ -41,21 +41,21 @@ def read_measured(
 ) -> xr.Dataset:
     """Read a measured file: CSV, TSV, MAT, HDF5, WAV, UFF data set 58, or a result of pitchpoint.
 
-    Nothing is guessed: a file without a time axis (a channel called `time` or `t`) and without a sample rate
-    is refused.
+    A file without a time axis (a channel named `time` or `t`) and without a sample rate is rejected; no
+    assumptions are made.
 
     Parameters
     ----------
     path
         File; its contents decide the format.
     sample_rate
-        Sample rate [Hz] or a text such as "25.6 kHz", where the file has none; it must not contradict a time
+        Sample rate [Hz] or a text such as "25.6 kHz", if the file has none; it must not contradict a time
         axis.
     channels
         Names of the channels to read, in this order; default: all of them.
     units
-        Unit of a channel, where the file states none or a wrong one: "m/s^2", or the value of a 1
-        of the file: "50 m/s^2".
+        Unit of a channel, if the file has none or a wrong one: "m/s^2", or the quantity that a value of 1 in
+        the file represents: "50 m/s^2".
 
     Returns
     -------
@@ -91,7 +91,7 @@ def read_measured(
     except MemoryError:
         remedy = "choose fewer channels=, or cut it into shorter records"
         raise refused(place, "", "", "requires more memory than there is", None, remedy) from None
-    del data  # long records need the room
+    del data  # release memory for long records
     return assemble(
         place,
         record,
@@ -117,7 +117,7 @@ def _record(
 
 
 def _contents(path: Path) -> bytes:
-    """All bytes of an ordinary file; pipes and devices, which may never end, are refused."""
+    """All bytes of a regular file; pipes and devices, which may never end, are rejected."""
     try:
         if not path.exists():
             raise refused(path, "", "", "there is no such file", None, "check the path")
@@ -146,7 +146,7 @@ def _contents(path: Path) -> bytes:
 
 
 def _form(path: Path, data: bytes) -> str:
-    """Format by contents; an ending of another format is an error."""
+    """Format by contents; an extension of another format is an error."""
     if data.startswith(_HDF5) or data[512:520] == _HDF5:
         form = "HDF5"
     elif data[:4] in (b"RIFF", b"RIFX", b"RF64"):
@@ -174,7 +174,7 @@ def _form(path: Path, data: bytes) -> str:
 
 
 def _reader(path: Path, data: bytes, form: str) -> Callable[[Wanted], Record]:
-    """The function that reads this format."""
+    """Function that reads this format."""
     if form == "HDF5":
         from pitchpoint.io.measured.hdf5 import is_own, read_hdf5, read_own
 

@@ -18,7 +18,7 @@ TIME_NAMES = ("time", "t", "zeit", "temps", "tiempo", "timestamp")
 RATE_NAMES = ("sample_rate", "samplerate", "sampling_rate", "samplingrate", "fs", "f_s", "sr",
               "sample_frequency", "sampling_frequency", "samplingfrequency", "abtastrate")  # fmt: skip
 STEP_NAMES = ("dt", "delta_t", "time_step", "sample_interval", "sampling_interval", "wf_increment")
-"""Names by which files call a time axis, a sample rate [Hz] and its inverse [s]; spaces count as `_`."""
+"""Common names of a time axis, a sample rate [Hz] and its inverse [s]; spaces count as `_`."""
 
 
 class MeasuredError(PitchpointError, ValueError):
@@ -27,7 +27,7 @@ class MeasuredError(PitchpointError, ValueError):
 
 @dataclass(frozen=True)
 class Column:
-    """One row of numbers of a file.
+    """One channel of a file.
 
     Attributes
     ----------
@@ -36,11 +36,11 @@ class Column:
     values
         Shape (n,), as in the file.
     unit
-        Text of the unit, empty if the file states none.
+        Text of the unit, empty if not given.
     long_name
         Description, if the file has one.
     scale
-        How numbers of the file have become `values`, if not by copying.
+        Conversion of the numbers in the file to `values`, if any.
     """
 
     name: str
@@ -63,11 +63,11 @@ class Record:
     time
         Time axis with its unit, None if the file has none.
     resolution
-        Smallest difference of two times that the file can write, in the unit of `time`.
+        Resolution of the times in the file, in the unit of `time`.
     rate, start
-        Sample rate [Hz] and time of the first sample [s] that the file states, or None.
+        Sample rate [Hz] and time of the first sample [s] given in the file, or None.
     notes
-        What the reader should know, such as columns that were omitted.
+        Remarks, such as omitted columns.
     attributes
         Other metadata of the file.
     """
@@ -84,7 +84,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a user requests: names of channels, or None for all of them."""
+    """Requested channels: names, or None for all."""
 
     channels: tuple[str, ...] | None = None
 
@@ -103,13 +103,13 @@ def refused(
     *,
     line: int | None = None,
 ) -> MeasuredError:
-    """Make the error with place, value, limit and remedy."""
+    """Error with place, value, limit and remedy."""
     place = f"{path}: {where}" if where else str(path)
     return MeasuredError(str(Message(place, message, value or None, limit, remedy, line)))
 
 
 def truncated(path: Path, promised: int, there: int, what: str = "bytes") -> MeasuredError:
-    """Make the error of a file that ends before what its header promises."""
+    """Error for a file that ends before the size given in its header."""
     return refused(
         path,
         "",
@@ -121,13 +121,13 @@ def truncated(path: Path, promised: int, there: int, what: str = "bytes") -> Mea
 
 
 def as_floats(values: NDArray[Any]) -> NDArray[np.float64]:
-    """Numbers in double precision; bit patterns that are none become NaN without a warning."""
+    """Numbers in double precision; invalid bit patterns become NaN without a warning."""
     with np.errstate(all="ignore"):
         return np.ascontiguousarray(values, np.float64)
 
 
 def key_of(name: str) -> str:
-    """Name without case, spaces and hyphens, to be compared with the lists above.
+    """Normalised name without case, spaces and hyphens, for comparison with the lists above.
 
     Examples
     --------

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Measured text files: CSV, TSV and their kin, with decimal points or commas.
+"""Measured text files: CSV, TSV and similar, with decimal points or commas.
 
-Separator and decimal sign are read from the file: tabs and semicolons separate wherever they are; a comma
-separates unless the header has one name only. What could be either is refused. Lines that begin with
-`#`, `%` or `//` are remarks; among them `sample_rate: 25.6 kHz` counts.
+Separator and decimal sign are detected: tabs and semicolons always separate; a comma separates unless the
+header has only one name. Ambiguous files are rejected. Lines that begin with `#`, `%` or `//` are comments;
+a comment such as `sample_rate: 25.6 kHz` is evaluated.
 """
 
 from __future__ import annotations
@@ -42,17 +42,17 @@ _WORDS = re.compile(r"[^\s\[]+(?:\s*\[[^\]]*\])?")
 _KEY_VALUE = re.compile(r"\s*([\w .\-]{1,40}?)\s*[:=]\s*(.{1,100})")
 _CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 _PROBE = 20
-"""Rows by which numbers are distinguished from texts."""
+"""Number of rows used to distinguish numbers from text."""
 _CLOCK = 200
-"""Rows by which the resolution of a time axis is found."""
+"""Number of rows used to find the resolution of a time axis."""
 _MOST_REMARKS = 1000
 _BLOCK = 1 << 23
-"""Size of the blocks that are read at once [bytes]; a block takes some ten times as much memory."""
+"""Block size for reading [bytes]; a block requires about ten times as much memory."""
 
 
 @dataclass(frozen=True)
 class _Layout:
-    """How the lines of a file are to be cut, and where its numbers begin (index of the line)."""
+    """Layout of a file: separator, decimal sign, and index of the first line with numbers."""
 
     separator: str
     comma: bool
@@ -63,20 +63,20 @@ class _Layout:
 
 @dataclass(frozen=True)
 class _Text:
-    """Lines of a file, decoded in blocks of whole lines: a long record is never in memory as text."""
+    """Lines of a file, decoded in blocks of complete lines: a long record is never in memory as text."""
 
     data: bytes
     code: str
     blocks: list[tuple[int, int, int]]
     """Begin and end of every block [bytes], and the number of lines before it."""
     head: list[tuple[int, str]]
-    """First rows with their lines, counted from 0: neither empty lines nor remarks."""
+    """First rows with line indices from 0, without empty lines and comments."""
     last: tuple[int, str]
-    """The last row."""
+    """Last row."""
     remarks: list[tuple[int, str]]
 
     def rows(self, first: int) -> Iterator[tuple[list[int], list[str]]]:
-        """Rows from a line on, by blocks, with their lines."""
+        """Rows from a line on, in blocks, with their line indices."""
         for begin, end, before in self.blocks:
             lines = self.data[begin:end].decode(self.code).splitlines()
             found = [k for k, line in enumerate(lines) if before + k >= first and _is_row(line)]
@@ -129,7 +129,7 @@ def read_text(path: Path, data: bytes, wanted: Wanted) -> Record:
 
 
 def _is_row(line: str) -> bool:
-    """Whether a line is neither empty nor a remark."""
+    """Whether a line is neither empty nor a comment."""
     plain = line.lstrip()
     return bool(plain) and not plain.startswith(_REMARK)
 
@@ -150,7 +150,7 @@ def _decoded(path: Path, data: bytes) -> tuple[_Text, list[str]]:
 
 
 def _text(path: Path, data: bytes, code: str) -> _Text | None:
-    """Look through a file in blocks; None if it holds characters that are not text."""
+    """Scan a file in blocks; None if it contains characters that are not text."""
     blocks: list[tuple[int, int, int]] = []
     head: list[tuple[int, str]] = []
     remarks: list[tuple[int, str]] = []
@@ -214,7 +214,7 @@ def _layout(path: Path, text: _Text) -> _Layout:
 
 
 def _comma_or_decimal(path: Path, head: str, body: Sequence[str], line: int) -> str:
-    """Distinguish a comma between columns from one inside numbers, or refuse."""
+    """Decide whether a comma separates columns or is a decimal sign, or raise."""
     if "," in head and not all(_is_number(cell.strip(), comma=True) for cell in head.split()):
         pieces = head.split(",")
         if not all(_is_number(p.strip(), comma=False) for p in pieces):
@@ -242,7 +242,7 @@ def _comma_or_decimal(path: Path, head: str, body: Sequence[str], line: int) -> 
 
 
 def _cut(line: str, layout: _Layout) -> list[str]:
-    """Cells of a line without spaces around them."""
+    """Cells of a line without surrounding spaces."""
     if layout.separator == "\n":
         return [line.strip()]
     if layout.separator == " ":
@@ -256,7 +256,7 @@ def _cut(line: str, layout: _Layout) -> list[str]:
 
 
 def _names(path: Path, layout: _Layout, first: Sequence[str], line: int) -> list[str]:
-    """Names of the columns; without a header they are counted."""
+    """Names of the columns; numbered without a header."""
     if not layout.names:
         return [f"channel {j + 1}" for j in range(len(first))]
     filled = len(first)
@@ -285,7 +285,7 @@ def _same_width(path: Path, cells: dict[int, list[str]], count: int) -> None:
 
 
 def _time_place(names: Sequence[str], units: Sequence[str], numeric: Sequence[int]) -> int | None:
-    """Which column is the time: the one of that name."""
+    """Index of the time column by its name."""
     return next((j for j in numeric if key_of(names[j]) in TIME_NAMES), None)
 
 
@@ -296,14 +296,14 @@ def _is_number(cell: str, comma: bool) -> bool:
 def _numbers(
     path: Path, text: _Text, chosen: Sequence[int], layout: _Layout, names: Sequence[str]
 ) -> NDArray[np.float64]:
-    """Columns of numbers, shape (n_chosen, n_row); the fast way first, the careful one if it fails."""
+    """Columns of numbers, shape (n_chosen, n_row); by the fast parser, else by the strict one."""
     parts = []
     for lines, rows in text.rows(layout.first):
         table = _fast(rows, chosen, layout)
         parts.append(_careful(path, lines, rows, chosen, layout, names) if table is None else table.T)
     whole = np.empty((len(chosen), sum(part.shape[1] for part in parts)))
     at = whole.shape[1]
-    while parts:  # the last one first, so that each is released
+    while parts:  # from the last, so that each is released
         part = parts.pop()
         whole[:, at - part.shape[1] : at] = part
         at -= part.shape[1]
@@ -311,7 +311,7 @@ def _numbers(
 
 
 def _fast(rows: Sequence[str], chosen: Sequence[int], layout: _Layout) -> NDArray[np.float64] | None:
-    """Columns of plain numbers, shape (n_row, n_chosen); None where the careful way is needed."""
+    """Columns of plain numbers, shape (n_row, n_chosen); None if the strict parser is required."""
     if not chosen:
         return np.empty((len(rows), 0))
     text = "\n".join(rows)
@@ -324,7 +324,7 @@ def _fast(rows: Sequence[str], chosen: Sequence[int], layout: _Layout) -> NDArra
             io.StringIO(text), delimiter=separator, usecols=list(chosen), ndmin=2, comments=None
         )
     except ValueError:
-        return None  # the careful way finds the line
+        return None  # the strict parser finds the line
 
 
 def _careful(
@@ -359,7 +359,7 @@ def _no_number(path: Path, name: str, cell: str, line: int) -> MeasuredError:
 
 
 def _resolution(cells: Sequence[str]) -> float:
-    """Value of the last digit of the largest time as it is written: no clock is read more finely.
+    """Value of the last digit of the largest time in the file.
 
     Examples
     --------
@@ -377,7 +377,7 @@ def _resolution(cells: Sequence[str]) -> float:
 
 
 def _stated_rate(path: Path, remarks: Sequence[tuple[int, str]]) -> float | None:
-    """Sample rate that a remark states [Hz]; numbers without unit are in Hz, steps in s."""
+    """Sample rate given in a comment [Hz]; numbers without unit are in Hz, steps in s."""
     for k, line in remarks:
         found = _KEY_VALUE.fullmatch(line.lstrip("#%/ \t").strip())
         name = key_of(split_name(found[1])[0]) if found else ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Universal files: time responses of data set 58, in letters or binary, through pyuff (extra `uff`)."""
+"""Universal files: time responses of data set 58, ASCII or binary, through pyuff (extra `uff`)."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pitchpoint.io.measured.record import Column, MeasuredError, Record, Wanted,
 _TIME_RESPONSE = 1
 _TIME, _EVEN = 17, 1
 _MARK = re.compile(rb"    -1(?=[\r\n]| {74}|\Z)")
-"""Begins and ends every data set; behind binary numbers it follows without a new line."""
+"""Delimiter of data sets; after binary numbers it follows without a new line."""
 _DIRECTIONS = {
     sign * (k + 1): f"{'+' if sign > 0 else '-'}{axis}"
     for k, axis in enumerate(("x", "y", "z", "rx", "ry", "rz"))
@@ -75,7 +75,7 @@ def read_uff(path: Path, data: bytes, wanted: Wanted) -> Record:
 
 
 def _sets(path: Path) -> list[dict[str, Any]]:
-    """Data sets of the file; the library raises whatever happens inside it."""
+    """Data sets of the file; the library may raise any exception."""
     try:
         import pyuff
     except ImportError as error:
@@ -93,7 +93,7 @@ def _sets(path: Path) -> list[dict[str, Any]]:
 
 
 def _names(sets: list[dict[str, Any]]) -> list[str]:
-    """Node and direction of each response, or its first line of words; equal ones are an error later."""
+    """Node and direction of each response, or its first text line; duplicates are rejected later."""
     nodes = [f"{s.get('rsp_node', 0)}{_DIRECTIONS.get(s.get('rsp_dir', 0), '')}" for s in sets]
     words = [str(s.get("rsp_ent_name", "")).strip() for s in sets]
     named = [f"{w}:{n}" if w and w.upper() != "NONE" else n for w, n in zip(words, nodes, strict=True)]

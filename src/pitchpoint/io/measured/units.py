@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Units of measured channels: known ones become SI, all others stay as they are, with their numbers."""
+"""Units of measured channels: known units are converted to SI, all others remain unchanged."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ _PREFERRED = """
 """.split()
 _PLAIN = ("", "1", "-", "–", "none", "dimensionless")
 _AMBIGUOUS = ("g", "G", "C", "F", "U", "r", "h", "t")
-"""Texts that mean one thing in a table of units, another next to a sensor: g is mostly 9.80665 m/s^2."""
+"""Ambiguous units: g of a sensor mostly means 9.80665 m/s^2, not gram."""
 _ENERGY = re.compile(r"(?:^|[^a-zA-Z])[kMmµu]?J\b|W\s*[·*]?\s*s\b")
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)\s*((?!/).*)", re.DOTALL)
 
 
 @lru_cache(maxsize=512)
 def is_unit(text: str) -> bool:
-    """Whether a text in brackets is a unit and not part of a name.
+    """Whether a text in brackets is a unit instead of a part of the name.
 
     Examples
     --------
@@ -41,11 +41,11 @@ def is_unit(text: str) -> bool:
 
 @lru_cache(maxsize=512)
 def to_si(text: str) -> tuple[str, float, bool]:
-    """SI unit, factor to it, and whether the unit is known; the numbers of unknown units are left alone.
+    """SI unit, factor to it, and whether the unit is known; unknown units have the factor 1.
 
-    A number in front counts too: `50 m/s^2` is the value of a 1 of the file. Temperatures, decibels and
-    volts are not converted, and neither is what has two meanings: g may be a gram or the acceleration of
-    gravity (write 9.80665 m/s^2), 1/min counts anything (write rpm).
+    A leading number is a factor: `50 m/s^2` is the quantity for a value of 1 in the file. Temperatures,
+    decibels and volts are not converted, nor are ambiguous units: g may be a gram or the acceleration of
+    gravity (write 9.80665 m/s^2), 1/min may count any events (write rpm).
 
     Examples
     --------
@@ -72,7 +72,7 @@ def to_si(text: str) -> tuple[str, float, bool]:
 
 
 def _name(unit: Unit, text: str) -> str:
-    """SI unit of these exponents, as `DIMENSIONS` writes it."""
+    """SI unit for these exponents, in the notation of `DIMENSIONS`."""
     base, turns = (unit.m, unit.kg, unit.s, unit.K), unit.rad + unit.rev
     if base == (2, 1, -2, 0) and _ENERGY.search(text):
         return "J"

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""WAV files: integer samples as parts of full scale, floating-point samples as they are.
+"""WAV files: integer samples relative to full scale, floating-point samples unchanged.
 
-The chunks are read here and not by a library, because a header may promise more than the file holds, and
-readers reserve what is promised.
+The chunks are read here and not by a library, because libraries allocate the size given in the header without
+checking the data.
 
 References
 ----------
@@ -83,13 +83,13 @@ def _chunks(path: Path, data: bytes, order: str) -> tuple[bytes, bytes]:
 
 
 def _decoded(path: Path, samples: bytes, code: int, bits: int, order: str) -> tuple[NDArray[Any], str]:
-    """Numbers of all channels one after the other, and how they came about."""
+    """Interleaved numbers of all channels, and their scaling in words."""
     if code == _FLOAT and bits in (32, 64):
         return np.frombuffer(samples, f"{order}f{bits // 8}"), "as stored, floating point"
     if code == _PCM and bits in (8, 16, 24, 32):
         full = float(2 ** (bits - 1))
         scale = f"1 is full scale, {full:.0f} counts of {bits} bits"
-        if bits == 8:  # the only one without a sign
+        if bits == 8:  # the only unsigned format
             return (np.frombuffer(samples, np.uint8) - 128.0) / full, scale
         if bits == 24:
             raw = np.frombuffer(samples, np.uint8).reshape(-1, 3).astype(np.int32)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The diagnosis of a record: file and machine, findings in words, and its page."""
+"""Diagnosis of a record: reading of file and machine, findings in words, HTML page."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where everything comes from that a diagnosis knows of file and machine."""
+"""Origin of the data of a diagnosis: file, speed, machine, noise, assumptions."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ Row = tuple[str, str, str]
 
 
 def origin(request: Request, record: Record, found: Study, noise: Sequence[str]) -> tuple[Row, ...]:
-    """Quantity, its value, and its origin.
+    """Rows of the table of origins: quantity, value, origin.
 
     Parameters
     ----------
     request
-        What was asked.
+        Options of the command.
     record
-        The part of the file that counts.
+        Evaluated part of the file.
     found
         The study.
     noise
-        Sentences about noise that was added.
+        Sentences about added noise.
     """
     time, count = record.time, record.time.size
     length = float(time[-1] - time[0])
@@ -46,11 +46,11 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
     ]
     rows += [("bearing", text, "--bearing") for text in request.bearings]
     if any(bearing.name not in _given(request) for bearing in found.parts.bearings):
-        rows.append(("bearings", "all others" if request.bearings else "all", "the model"))
+        rows.append(("bearings", "all others" if request.bearings else "all", "model"))
     chosen = (
         "--channel"
         if request.channels
-        else "sensors before insides of the machine"
+        else "sensors first, then internal quantities"
         if record.model_text
         else "all"
     )
@@ -61,16 +61,16 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
     given = "default" if request.false_alarm == type(request).false_alarm else "--false-alarm"
     rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of healthy records", given))
     notes = record.about.get("notes", "")
-    rows += [("note of the file", note, "file") for note in notes.split("; ") if note]
-    granted = "shafts with fixed axes; teeth of equal pitch"
-    slip = "; bearings slip less than 1 %" if found.parts.bearings else ""
-    rows.append(("taken for granted", granted + slip, "–"))
+    rows += [("note in the file", note, "file") for note in notes.split("; ") if note]
+    assumed = "shafts with fixed axes; teeth of equal pitch"
+    slip = "; bearing slip below 1 %" if found.parts.bearings else ""
+    rows.append(("assumptions", assumed + slip, "–"))
     return tuple(rows)
 
 
 def _cut(record: Record) -> str:
     if record.settle_time:
-        return f"file, without the first {record.settle_time:g} s (settle_time of the scenario)"
+        return f"file, less the first {record.settle_time:g} s (settle_time of the scenario)"
     return "file"
 
 
@@ -79,7 +79,7 @@ def _machine(request: Request) -> tuple[str, str]:
         return f"train of gears {request.train}", "--train"
     if request.model is not None:
         return request.model, "--model"
-    return "the model that the file keeps", "file"
+    return "model stored in the file", "file"
 
 
 def _speed(found: Study) -> str:
@@ -87,7 +87,7 @@ def _speed(found: Study) -> str:
     shaft = next((s.name for s in found.parts.shafts if s.order == 1), "the input")
     hertz = found.over.frequency
     if hertz != hertz:
-        return f"{shaft}: changes"
+        return f"{shaft}: variable"
     return f"{shaft}: {hertz:.6g} Hz ({60.0 * hertz:.6g} rpm)"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A diagnosis as one HTML page: the answer, what it rests on, and pictures of the evidence."""
+"""HTML page of a diagnosis: result, data used, plots of the evidence, all tests, detection limits."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from pitchpoint.viz.report.page import Section, page
 
 MOST_CHANNELS = 3
 NOT_HEALTHY = (
-    "This does not state that the machine is healthy: a fault that is smaller than the limits below stays "
-    "unseen. The pictures show what comes nearest to a finding."
+    "This does not prove that the machine is healthy: a fault below the detection limits given below is not "
+    "detected. The plots show the evidence that is closest to a finding."
 )
 
 
 def diagnosis_page(study: Study) -> str:
-    """The page about one study, as HTML; the same study gives the same characters.
+    """HTML page of one study; the same study gives the same text.
 
     Parameters
     ----------
     study
-        What `diagnose_file` found.
+        Result of `diagnose_file`.
     """
     sections = [_answer(study), _assumed(study)]
     for number, channel in enumerate(shown_channels(study)):
@@ -46,7 +46,7 @@ def diagnosis_page(study: Study) -> str:
 
 
 def shown_channels(study: Study) -> list[str]:
-    """Channels with findings, the most certain first; the one that comes nearest to a finding if none has."""
+    """Channels with findings, the most certain first; without findings the channel closest to one."""
     found = dict.fromkeys(finding.channel for finding in study.diagnosis.findings)
     if found:
         return list(found)[:MOST_CHANNELS]
@@ -55,8 +55,8 @@ def shown_channels(study: Study) -> list[str]:
 
 
 def _answer(study: Study) -> Section:
-    """Findings in sentences, with the tooth where one stands out."""
-    section = Section("answer", "Answer")
+    """Findings in sentences, with the tooth if one stands out."""
+    section = Section("answer", "Result")
     places = study.place_sentences or ("",) * len(study.sentences)
     for number, words in enumerate(study.sentences):
         section.add(f"<p><b>{escape(_capital(words))}.</b></p>")
@@ -66,8 +66,8 @@ def _answer(study: Study) -> Section:
         section.add(f"<p>{NOT_HEALTHY}</p>")
     found = study.diagnosis
     for words, texts in (
-        ("Stands out, but is not a finding:", found.unreported),
-        ("Not tested, so that nothing is known of it:", found.untested),
+        ("Above the limit, but not a finding:", found.unreported),
+        ("Not tested:", found.untested),
     ):
         items = "".join(f"<li>{escape(text)}</li>" for text in texts)
         section.add(f'<p>{words}</p><ul class="notes">{items}</ul>' if texts else "")
@@ -75,10 +75,10 @@ def _answer(study: Study) -> Section:
 
 
 def _assumed(study: Study) -> Section:
-    """Where each number comes from, and what turns how often."""
-    section = Section("machine", "What was taken, and from where")
+    """Origin of the data, and the rotating parts with their rates."""
+    section = Section("machine", "Data used")
     section.add(tables.origin_table(study))
-    section.add("<h3>What turns</h3>")
+    section.add("<h3>Rotating parts</h3>")
     section.add(tables.shaft_table(study))
     section.add(tables.mesh_table(study))
     section.add(tables.bearing_table(study))
@@ -88,26 +88,26 @@ def _assumed(study: Study) -> Section:
 def _tests(study: Study) -> Section:
     section = Section("tests", "All tests")
     section.add(
-        f"<p>{study.diagnosis.tests} tests share the false alarms: "
+        f"<p>The limits of the {study.diagnosis.tests} tests are set so that "
         f"{percent(study.diagnosis.false_alarm)} of healthy records have a finding. “By chance” is the "
-        "probability that any of the tests of a healthy record shows as much. A comb is given in standard "
-        "deviations of a rank test, lines in decibels over what lies next to them.</p>"
+        "probability that any test of a healthy record reaches this value. Combs are rated in standard "
+        "deviations of a rank test, lines in decibels above the adjacent spectrum.</p>"
     )
     section.add(tables.test_table(study))
     return section
 
 
 def _limits(study: Study) -> Section:
-    """What a fault would have to be like; only where there is none."""
-    section = Section("limits", "What would have been found")
+    """Detection limits, for a record without findings."""
+    section = Section("limits", "Detection limits")
     if study.diagnosis.findings:
         return section
     (channel,) = shown_channels(study)
     section.add(
-        f"<p>{escape(channel)}: faults are reported from these limits on. Lines below 1 % of the rms of the "
-        "channel, and sidebands below 3 % of their mesh line, are never reported: every machine has "
-        "them. A local fault must raise the orders of its shaft together, and strike at one place of the "
-        "mean turn: the kurtosis of its residual must exceed 3 and the limit in the table of indicators.</p>"
+        f"<p>{escape(channel)}: faults above these limits are reported. Lines below 1 % of the rms of the "
+        "channel and sidebands below 3 % of their mesh line are never reported, because every machine has "
+        "them. A local fault must raise all orders of its shaft and act at one angle of the synchronous "
+        "average: the kurtosis of its residual must exceed 3 and the limit in the table of indicators.</p>"
     )
     section.add(tables.limit_table(study, channel))
     return section

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures of one channel of a diagnosis: spectrum, lines of the part in question, mean turn, envelope."""
+"""Plots of one channel of a diagnosis: spectrum, lines of the suspected part, mean turn, envelope."""
 
 from __future__ import annotations
 
@@ -26,20 +26,21 @@ from pitchpoint.viz.quantities import amount, number, span
 from pitchpoint.viz.report.page import Section
 
 SIDEBANDS, BEARING_HARMONICS = 6, 3
-"""Orders of a shaft on either side of a line, and harmonics of a part of a bearing, that are marked."""
+"""Number of marked shaft orders on each side of a line, and of marked harmonics of a bearing part."""
 PARTS = {"outer ring": "○", "inner ring": "◇", "rolling element": "□", "cage": "△"}
-"""Parts of bearings in the order of the symbols that pictures have, and these in words."""
+"""Symbol of each bearing part, in the order of the plot symbols."""
 ABOUT_INDICATORS = (
-    "rms of the mean turn, and of its residual, which is without mesh harmonics and the two lowest orders; "
-    "crest, kurtosis and tooth energy are those of the residual, FM4, M6A and M8A of the difference signal. "
-    "Tooth energy is the largest part in the angle of one tooth. In brackets: what 1\N{NO-BREAK SPACE}% of "
-    "signals of the same spectrum exceed that are alike all around, and the energy of a tooth if it is "
-    "spread evenly. Bold: exceeded, which one healthy number in a hundred does; the tests below decide."
+    "rms: of the mean turn and of its residual (without mesh harmonics and the two lowest orders). Crest "
+    "factor, kurtosis and tooth energy: of the residual; FM4, M6A and M8A: of the difference signal. Tooth "
+    "energy: largest share of the energy within the angle of one tooth. In brackets: value exceeded by "
+    "1\N{NO-BREAK SPACE}% of stationary signals with the same spectrum; for the tooth energy the share of "
+    "an even distribution. Bold: limit exceeded, as by 1\N{NO-BREAK SPACE}% of healthy values; the tests "
+    "below decide."
 )
 
 
 def add_channel(section: Section, study: Study, channel: str) -> None:
-    """Everything that is shown of one channel."""
+    """Add the text, plots and tables of one channel to a section."""
     unit, over = study.units.get(channel, ""), study.over
     spectrum = in_hertz(fine_spectrum(over.signals[channel], over.samples_per_turn), over.frequency)
     section.add(f"<p>{escape(_level(study, channel, unit))}</p>")
@@ -48,7 +49,7 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
         f"Spectrum of {channel}, with the mesh lines of all gears and their harmonics up to {HARMONICS}.",
     )
     turns = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
-    # a mean of one or two turns still holds what all other shafts do
+    # an average of one or two turns still contains the vibration of all other shafts
     rows = [row for row in turns if row.turn.averages >= FEWEST_TURNS]
     for evidence in questions(study, channel):
         for view in _views(study, spectrum, evidence):
@@ -63,7 +64,7 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
 
 
 def questions(study: Study, channel: str) -> list[Evidence]:
-    """For each shaft with a finding in a channel its strongest evidence; without findings the nearest one."""
+    """Strongest evidence for each shaft with a finding in a channel; without findings the closest one."""
     mine = [e for e in study.diagnosis.evidence if e.channel == channel and e.kind != "bearing"]
     mine.sort(key=lambda e: (e.probability, e.threshold - e.value))
     found = study.diagnosis.findings
@@ -74,11 +75,11 @@ def questions(study: Study, channel: str) -> list[Evidence]:
 
 
 def _level(study: Study, channel: str, unit: str) -> str:
-    """Level and shape of the whole channel."""
+    """rms, kurtosis and crest factor of the whole channel, in words."""
     from scipy.stats import norm
 
     found, size = signal_indicators(study.over.signals[channel]), study.over.signals[channel].size
-    # the largest magnitude of so many independent Gaussian samples, by its median
+    # median of the largest magnitude of `size` independent Gaussian samples
     peak = float(norm.isf(-0.5 * np.expm1(np.log(0.5) / size)))
     return (
         f"Alternating part of the whole record: rms {amount(found.rms, unit)}, "
@@ -92,7 +93,7 @@ def _axis(study: Study) -> str:
 
 
 def _rate(study: Study, order: float) -> float:
-    """An order as frequency [Hz], if the speed is known."""
+    """Frequency [Hz] of an order if the speed is known, else the order."""
     return order * study.over.frequency if math.isfinite(study.over.frequency) else order
 
 
@@ -102,7 +103,7 @@ def _named(study: Study, name: str, order: float) -> str:
 
 
 def _meshes(study: Study, spectrum: FineSpectrum) -> list[Lines]:
-    """Mesh lines and their harmonics."""
+    """Mesh lines with their harmonics."""
     found = []
     for look, mesh in enumerate(study.parts.meshes, start=1):
         order = study.parts.mesh_order(mesh)
@@ -113,7 +114,7 @@ def _meshes(study: Study, spectrum: FineSpectrum) -> list[Lines]:
 
 @dataclass(frozen=True)
 class _View:
-    """Part of the spectrum: order of the shaft in its middle, the one numbers count from, and the caption."""
+    """Detail of the spectrum: shaft order in the middle, order from which labels count, caption."""
 
     middle: int
     counted: int
@@ -121,7 +122,7 @@ class _View:
 
 
 def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
-    """What of the spectrum is drawn for a piece of evidence: with a comb the sidebands of a mesh as well."""
+    """Details of the spectrum drawn for a piece of evidence; for a comb also the sidebands of a mesh."""
     shaft = study.parts.shaft(e.shaft)
     if e.kind == "low order":
         words = f"The lowest orders of {shaft.name}. Numbers are orders of the shaft."
@@ -129,31 +130,31 @@ def _views(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[_View]:
     found = []
     for mesh, teeth, harmonic in _sidebands(study, spectrum, e)[:1]:
         words = (
-            f"About harmonic {harmonic} of {mesh}. Numbers are those of its sidebands at the turns of "
-            f"{shaft.name}: what changes slowly over a turn raises the first of them, a local fault all."
+            f"Harmonic {harmonic} of {mesh} with its sidebands at the rotation frequency of {shaft.name}, "
+            "numbered: slow modulation over a turn raises the first sidebands, a local fault all of them."
         )
         found.append(_View(harmonic * teeth, harmonic * teeth, words))
     if e.kind == "comb":
         middle = _clearest(spectrum, _rate(study, float(shaft.order)))
         words = (
-            f"Where {2 * SIDEBANDS + 1} orders of {shaft.name} stand out most: a local fault raises all of "
-            "them above what lies between. Numbers are orders of the shaft."
+            f"The {2 * SIDEBANDS + 1} consecutive orders of {shaft.name} that stand out most: a local fault "
+            "raises all of them above the spectrum between them. Numbers are orders of the shaft."
         )
-        # where both would lie in one picture, it is that of the sidebands
+        # one plot, that of the sidebands, if both details overlap
         if not found or abs(middle - found[0].middle) > SIDEBANDS:
             found.insert(0, _View(middle, 0, words))
     return found
 
 
 def _sidebands(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[tuple[str, int, int]]:
-    """Meshes of the gears in question with tooth count and harmonic, the clearest first."""
+    """Meshes of the suspected gears with tooth count and harmonic, the clearest first."""
     gears, same = _gears(study, e), (e.channel, e.shaft, "sidebands")
     tests = [o for o in study.diagnosis.evidence if (o.channel, o.shaft, o.kind) == same and o.gear in gears]
     found = []
     for test in sorted(tests, key=lambda other: other.probability):
         mesh, teeth = study.parts.gears_of(e.shaft)[test.gear]
         found.append((mesh.name, teeth, max(round(test.order / study.parts.mesh_order(mesh)), 1)))
-    # what was not tested is shown nevertheless, if the record holds it
+    # meshes without a test are shown too, if the spectrum covers them
     for gear, (mesh, teeth) in study.parts.gears_of(e.shaft).items():
         if gear in gears and _rate(study, study.parts.mesh_order(mesh)) < spectrum.highest:
             found.append((mesh.name, teeth, 1))
@@ -161,7 +162,7 @@ def _sidebands(study: Study, spectrum: FineSpectrum, e: Evidence) -> list[tuple[
 
 
 def _clearest(spectrum: FineSpectrum, step: float) -> int:
-    """Order in the middle of those that stand out most above the points half-way between them."""
+    """Middle of the orders that stand out most above the points half-way between orders."""
     count = int(0.9 * spectrum.highest / step)
     number = np.arange(1, count + 1)
     width = min(2 * SIDEBANDS + 1, count)
@@ -172,7 +173,7 @@ def _clearest(spectrum: FineSpectrum, step: float) -> int:
 
 
 def _gears(study: Study, e: Evidence) -> tuple[str, ...]:
-    """Gears in question: those of the finding, else that of the test, else all of the shaft."""
+    """Suspected gears: those of the finding, else that of the test, else all of the shaft."""
     found = [f.gears for f in study.diagnosis.findings if f.shaft == e.shaft and f.kind != "bearing"]
     if found and found[0]:
         return found[0]
@@ -182,7 +183,7 @@ def _gears(study: Study, e: Evidence) -> tuple[str, ...]:
 def _add_orders(
     section: Section, study: Study, spectrum: FineSpectrum, shaft: Shaft, view: _View, unit: str
 ) -> None:
-    """Part of the spectrum with the orders of a shaft and mesh lines."""
+    """Add a detail of the spectrum with the orders of a shaft and mesh lines."""
     step = _rate(study, float(shaft.order))
     low = max((view.middle - SIDEBANDS - 0.6) * step, 0.3 * step)
     high = min((view.middle + SIDEBANDS + 0.6) * step, spectrum.highest)
@@ -196,14 +197,14 @@ def _add_orders(
 
 
 def _order_label(k: int, sideband: bool) -> str:
-    """Number of an order, or of a sideband; none for the mesh line itself."""
+    """Label of an order or a sideband; empty for the mesh line itself."""
     if not sideband:
         return str(k)
     return f"{k:+d}".replace("-", "−") if k else ""
 
 
 def _add_turn(section: Section, study: Study, rows: list[GearTurn], e: Evidence, unit: str) -> None:
-    """Mean turn over the teeth of the gear, or over degrees where it is not known which gear it is."""
+    """Add the mean turn over the teeth of the gear, or over degrees if the gear is not identified."""
     gears = _gears(study, e)
     turns = [row for row in rows if row.shaft == e.shaft and set(row.gears) & set(gears)]
     if not turns:
@@ -222,12 +223,12 @@ def _add_turn(section: Section, study: Study, rows: list[GearTurn], e: Evidence,
     )
     words = f"Mean of {turn.turn.averages} turns of {e.shaft}"
     words += f", over the teeth of {' or '.join(turn.gears)}" if known else ""
-    shaded = "; shaded: the angle of one tooth with most energy of the residual" if marked else ""
-    section.add_figure(figure, f"{words}, counted in its sense of rotation from {turn.since}{shaded}.")
+    shaded = "; shaded: angle of one tooth with the most energy of the residual" if marked else ""
+    section.add_figure(figure, f"{words}, in its sense of rotation from {turn.since}{shaded}.")
 
 
 def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> None:
-    """Spectrum of the squared envelope, as the tests of bearings see it."""
+    """Add the spectrum of the squared envelope, as used by the bearing tests."""
     over, parts = study.over, study.parts
     try:
         rest = without_healthy_lines(over.signals[channel], over.samples_per_turn, parts)
@@ -263,7 +264,7 @@ def _add_envelope(section: Section, study: Study, channel: str, unit: str) -> No
     )
     section.add_figure(
         figure,
-        f"Spectrum of the squared envelope of {channel} without mesh lines, band {band}, with the parts of "
-        f"the bearings and their harmonics up to {BEARING_HARMONICS}: "
+        f"Spectrum of the squared envelope of {channel} without mesh lines, band {band}, with the "
+        f"frequencies of the bearing parts and their harmonics up to {BEARING_HARMONICS}: "
         f"{', '.join(shown)}.",
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""From a file to a record over time, and from there to channels over the angle of a shaft."""
+"""Read a record over time from a file and resample its channels over the angle of a shaft."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pitchpoint.analysis.turning_parts import TurningParts
 Array = NDArray[np.float64]
 
 SPEED_REACH = 0.01
-"""How far a given speed may be off, as a part of it: so far the mesh lines are looked for."""
+"""Relative error of a given speed within which the mesh lines are searched."""
 HARMONICS = 3
 STEADY = 1e-3
 """Relative spread of the speed within which frequencies are given in Hz."""
@@ -25,7 +25,7 @@ STEADY = 1e-3
 
 @dataclass
 class Record:
-    """Channels over time as a file has them.
+    """Channels over time as stored in a file.
 
     Attributes
     ----------
@@ -34,13 +34,13 @@ class Record:
     channels
         Values by channel, shape (n,) each.
     model_text
-        Model that the file keeps; empty if none.
+        Model stored in the file; empty if none.
     scenario
         Scenario of a result.
     settle_time
-        Time that does not count [s].
+        Settling time that is not evaluated [s].
     units
-        Unit of each channel, where it is known.
+        Unit of each channel, if known.
     about
         Format, fingerprint and notes of the file, by name.
     """
@@ -63,20 +63,20 @@ class OverAngle:
     signals
         Values by channel, shape (n,) each.
     samples_per_turn
-        Samples in one turn [-].
+        Samples per turn [-].
     frequency
-        Turns per second [Hz]; NaN if the speed changes.
+        Rotation frequency [Hz]; NaN if the speed varies.
     sampled_per_turn
-        Samples in one turn with which the record was taken [-].
+        Samples per turn of the original record [-].
     remarks
-        What was done.
+        Remarks on the processing.
     zeros
-        By shaft: the angle that it has gone at the first sample, in its sense of rotation [rad], and since
-        what; a shaft that is not listed has gone nothing since `began`.
+        By shaft: its angle at the first sample, in its sense of rotation [rad], and the zero of this angle in
+        words; a shaft that is not listed has angle 0 at `began`.
     began
-        Words for the first sample.
+        First sample in words.
     source
-        What the speed comes from.
+        Source of the speed.
     """
 
     signals: dict[str, Array]
@@ -90,7 +90,7 @@ class OverAngle:
 
 
 def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverAngle:
-    """Channels at equal steps of an angle [rad] that was recorded with them."""
+    """Resample channels at equal steps of an angle [rad] recorded with them."""
     from pitchpoint.analysis.orders import resample_over_angle
 
     clock = as_increasing(time)
@@ -108,7 +108,7 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
         []
         if steady
         else [
-            f"the speed goes from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders "
+            f"the speed varies from {_rpm(speed.min()):.4g} to {_rpm(speed.max()):.4g} rpm: orders "
             f"instead of frequencies"
         ]
     )
@@ -119,12 +119,12 @@ def over_angle(signals: Mapping[str, Array], time: Array, angle: Array) -> OverA
 def at_speed(
     signals: Mapping[str, Array], sample_rate: float, parts: TurningParts, frequency: float
 ) -> OverAngle:
-    """Channels at a steady speed [Hz] that is known to 1 %: the mesh lines give the exact value.
+    """Channels at a constant speed [Hz] known to 1 %; the mesh lines give the exact value.
 
     Raises
     ------
     SignalError
-        If the record is shorter than a turn.
+        If the record is shorter than one turn.
     """
     length = next(iter(signals.values())).size / sample_rate
     if length * frequency < 1.0:
@@ -137,7 +137,7 @@ def at_speed(
     remarks = []
     if abs(found / frequency - 1.0) > 1e-6:
         remarks.append(
-            f"speed by the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) in place of {frequency:.6g} Hz"
+            f"speed from the mesh lines: {found:.6g} Hz ({found * 60:.6g} rpm) instead of {frequency:.6g} Hz"
         )
     return OverAngle(dict(signals), sample_rate / found, found, sample_rate / found, tuple(remarks))
 
@@ -163,7 +163,7 @@ def _best_speed(spectra: list[FineSpectrum], parts: TurningParts, frequency: flo
             power = one.power(order * tried)
             gain += np.log(np.maximum(power, 1e-300)) - np.log(max(float(np.median(power)), 1e-300))
     best = int(np.argmax(gain))
-    # as much as a line of 20 dB in one channel, and more where many speeds were tried
+    # equivalent to a line of 20 dB in one channel, more if many speeds were tried
     return float(tried[best]) if gain[best] > np.log(100.0) + np.log(tried.size) else frequency
 
 
@@ -182,7 +182,7 @@ def strongest_lines(values: Array, samples_per_turn: float, count: int = 4) -> l
 
 
 class ResultChannels(Mapping[str, Array]):
-    """Channels of a result file, each read when it is requested: a large machine has hundreds."""
+    """Channels of a result file, each read on access: a large machine has hundreds."""
 
     def __init__(self, path: str) -> None:
         from pitchpoint.io.reading import list_channels
@@ -208,14 +208,14 @@ class ResultChannels(Mapping[str, Array]):
 
 
 def read_record(path: str, sample_rate: float | None = None) -> Record:
-    """Read the channels of a time response, or of a measured file.
+    """Read the channels of a time response or a measured file.
 
     Raises
     ------
     MeasuredError
-        If the file is not a result and cannot be read as a measured one.
+        If the file is neither a result nor a readable measured file.
     SignalError
-        If it holds no time series.
+        If it contains no time series.
     """
     from pitchpoint.io.container import ResultError
     from pitchpoint.io.reading import read_channel, read_header, read_units
@@ -226,7 +226,7 @@ def read_record(path: str, sample_rate: float | None = None) -> Record:
         return _measured(path, sample_rate)
     if header.get("kind") != "time":
         raise SignalError(
-            f"{path}: holds {header.get('kind')} results (limit: a time response); run one first"
+            f"{path}: contains {header.get('kind')} results (limit: a time response); compute one first"
         )
     channels = ResultChannels(path)
     if not channels:

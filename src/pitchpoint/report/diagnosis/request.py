@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What `pitchpoint diagnose` is asked: file, machine, speed and channels, assembled and checked."""
+"""Options of `pitchpoint diagnose`: file, machine, speed and channels, read and checked."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ _BEARING = re.compile(r"([^:@]+):([^@]+)@(.+)")
 
 @dataclass(frozen=True)
 class Request:
-    """Options of the command, as they were written."""
+    """Options of the command as given."""
 
     file: str
     model: str | None = None
@@ -51,7 +51,7 @@ class Request:
 
 @dataclass(frozen=True)
 class _Machine:
-    """What turns, the shaft whose turns count, its speed if it is known [Hz], other names of shafts."""
+    """Rotating parts, reference shaft, its rotation frequency if known [Hz], other names of shafts."""
 
     parts: TurningParts
     reference: str
@@ -61,7 +61,7 @@ class _Machine:
 
 
 def diagnose_file(request: Request) -> Study:
-    """Read a file, put the machine next to it and diagnose it.
+    """Read a file and its machine, and run the diagnosis.
 
     Raises
     ------
@@ -97,17 +97,17 @@ def diagnose_file(request: Request) -> Study:
 
 
 def _complete(request: Request, record: Record, chosen: Mapping[str, Array]) -> None:
-    """Refuse a file that grows while it is read: a run that is still continuing."""
+    """Reject a file that grows while it is read: its run has not ended."""
     for name, values in chosen.items():
         if values.size != record.time.size:
             raise SignalError(
-                f"{request.file}: {name} has {values.size} samples for {record.time.size} times (limit: as "
-                "many); if the run still continues, wait for its end"
+                f"{request.file}: {name} has {values.size} samples for {record.time.size} times (limit: "
+                "equal numbers); if the run has not ended, wait for it"
             )
 
 
 class _Part(Mapping[str, Array]):
-    """The part of all channels that counts."""
+    """Evaluated part of the channels."""
 
     def __init__(self, channels: Mapping[str, Array], part: slice) -> None:
         self._channels, self._part = channels, part
@@ -123,7 +123,7 @@ class _Part(Mapping[str, Array]):
 
 
 def _noisy(request: Request, record: Record, signals: dict[str, Array]) -> tuple[dict[str, Array], list[str]]:
-    """Simulations get the noise of a sensor: without any, meshes that change each other look like a fault."""
+    """Add sensor noise to simulations: without it, meshes that modulate each other look like a fault."""
     from pitchpoint.analysis.noise import with_white_noise
 
     level = request.noise
@@ -138,7 +138,7 @@ def _noisy(request: Request, record: Record, signals: dict[str, Array]) -> tuple
 
 
 def _machine(request: Request, record: Record) -> _Machine:
-    """Parts of the machine from tooth counts or a model."""
+    """Rotating parts from tooth counts or a model."""
     if request.train is not None:
         return _of_train(request)
     model = _model(request, record)
@@ -179,13 +179,13 @@ def _of_train(request: Request) -> _Machine:
 
 
 def _counted_from(parts: TurningParts, reference: str) -> TurningParts:
-    """The same with the orders of another shaft."""
+    """The same machine with another reference shaft."""
     base = parts.shaft(reference).order
     return replace(parts, shafts=tuple(replace(shaft, order=shaft.order / base) for shaft in parts.shafts))
 
 
 def _model(request: Request, record: Record) -> Model | None:
-    """The model that is named, else the one that the file keeps."""
+    """The given model, else the model stored in the file."""
     from pitchpoint.io.yaml_model import load_model, loads_model
 
     if request.model is not None:
@@ -196,7 +196,7 @@ def _model(request: Request, record: Record) -> Model | None:
 
 
 def _of_model(request: Request, record: Record, model: Model) -> _Machine:
-    """Parts of a model: speeds from options or a scenario, else any: an angle channel gives the speed."""
+    """Rotating parts of a model; speeds from options or a scenario, arbitrary with an angle channel."""
     from pitchpoint.report.frequencies import turning_speeds
     from pitchpoint.report.machine_parts import parts_of
 
@@ -226,7 +226,7 @@ def _of_model(request: Request, record: Record, model: Model) -> _Machine:
 
 
 def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, float], list[str]]:
-    """Speeds of all bodies [rad/s] from options or a scenario; nothing if neither gives any."""
+    """Speeds of all bodies [rad/s] from options or a scenario; empty if neither gives any."""
     from pitchpoint.report.frequencies import scenario_speeds, turning_speeds
 
     given = {}
@@ -254,7 +254,7 @@ def _spins(request: Request, record: Record, model: Model) -> tuple[dict[str, fl
 
 
 def _chosen(request: Request, record: Record) -> dict[str, Array]:
-    """Channels to look at."""
+    """Channels to diagnose."""
     used = {text.partition("@")[0] for text in (request.tacho, request.angle) if text}
     for name in [*request.channels, *used]:
         if name not in record.channels:
@@ -265,12 +265,12 @@ def _chosen(request: Request, record: Record) -> dict[str, Array]:
         names = preferred(kept) if record.model_text else kept
     if not names:
         listed = ", ".join(list(record.channels)[:12])
-        raise SignalError(f"{request.file}: no channel to look at; choose with -c; there are: {listed}")
+        raise SignalError(f"{request.file}: no channel to diagnose; choose with -c; there are: {listed}")
     return {name: record.channels[name] for name in names}
 
 
 def _over_angle(request: Request, record: Record, machine: _Machine, signals: dict[str, Array]) -> OverAngle:
-    """Channels over the angle of the reference shaft: from an angle, a tacho or a steady speed."""
+    """Channels over the angle of the reference shaft, from an angle, a tacho or a constant speed."""
     from pitchpoint.analysis.sampled import sample_rate_of
     from pitchpoint.analysis.tacho import angle_channel, tacho_angle
 
@@ -279,7 +279,7 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
     own = f"angle[{machine.reference}]"
     if request.tacho is not None:
         name = request.tacho.partition("@")[0]
-        source, zero = f"tacho {name}, {request.pulses} pulses in one turn", f"the first pulse of {name}"
+        source, zero = f"tacho {name}, {request.pulses} pulses per turn", f"the first pulse of {name}"
         shaft = tacho_angle(
             record.channels[name],
             time,
@@ -297,7 +297,7 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
     else:
         source = ", ".join(f"--speed {text}" for text in request.speeds) or "scenario of the model"
         over = at_speed(cut, sample_rate_of(time), machine.parts, machine.frequency)
-        refined = ", then the mesh lines" if over.remarks else ""
+        refined = ", refined by the mesh lines" if over.remarks else ""
         return replace(over, source=source + refined, began=_began(record, 0))
     first, count = shaft.first_sample, shaft.angle.size
     cut = {name: values[first : first + count] for name, values in cut.items()}
@@ -307,7 +307,7 @@ def _over_angle(request: Request, record: Record, machine: _Machine, signals: di
 
 
 def _began(record: Record, first: int) -> str:
-    """Words for the first sample that is used."""
+    """First evaluated sample in words."""
     if first == 0 and not record.settle_time:
         return "the start of the record"
     return f"t = {float(record.time[first]):.6g} s"
@@ -316,12 +316,12 @@ def _began(record: Record, first: int) -> str:
 def _zeros(
     record: Record, machine: _Machine, first: int, zero: str, angle: Array
 ) -> dict[str, tuple[float, str]]:
-    """Angles of shafts at the first sample, where a channel gives them."""
+    """Angles of shafts at the first sample, if a channel gives them."""
     found = {}
     own = machine.names.get(machine.reference, machine.reference)
     for shaft in machine.parts.shafts:
         name = f"angle[{shaft.name}]"
-        # shafts that turn equally fast are one here, and have two angles
+        # shafts of equal speed are merged and have two angles
         if shaft.name == own and own == machine.reference:
             turned, words = angle, zero
         elif name in record.channels:
@@ -334,7 +334,7 @@ def _zeros(
 
 
 def _shaft_of(where: str, names: dict[str, str]) -> str:
-    """Shaft of CHANNEL@SHAFT, or of an angle channel that has its name."""
+    """Shaft of CHANNEL@SHAFT, or the shaft in the name of an angle channel."""
     channel, at, shaft = where.partition("@")
     if at:
         if shaft not in names:
@@ -344,7 +344,7 @@ def _shaft_of(where: str, names: dict[str, str]) -> str:
 
 
 def _owner(channel: str, quantity: str) -> str:
-    """Body of `angle[body]`; empty for other channels."""
+    """Name of the body in `angle[body]`; empty for other channels."""
     found = re.fullmatch(rf"{quantity}\[([^\]]+)\]", channel)
     return found[1] if found else ""
 
@@ -365,13 +365,13 @@ def _speed(text: str) -> tuple[str, float]:
 
 
 def _with_bearings(parts: TurningParts, request: Request, names: dict[str, str]) -> TurningParts:
-    """Bearings of the options in addition to those of the model."""
+    """Add the bearings of the options to those of the model."""
     found = [_bearing(text, parts, names) for text in request.bearings]
     return replace(parts, bearings=(*parts.bearings, *found))
 
 
 def _bearing(text: str, parts: TurningParts, names: dict[str, str]) -> Bearing:
-    """Bearing of NAME:elements,d,D,angle@shaft."""
+    """Bearing from NAME:elements,d,D,angle@shaft."""
     from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
     from pitchpoint.core.units import parse_quantity
     from pitchpoint.report.machine_parts import BEARING_PARTS

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A record and a machine in, findings in words out."""
+"""Diagnosis of a record of a known machine, with findings in words."""
 
 from __future__ import annotations
 
@@ -28,36 +28,36 @@ PREFERRED = (
     ("bearing_force", "support_force"),
     ("transmission_error", "mesh_force"),
 )
-"""Quantities of result files in which damage is looked for if no one states where: sensors before insides."""
+"""Quantities of result files tested by default: sensors first, then internal quantities."""
 MOST = 6
 
 
 @dataclass(frozen=True)
 class Study:
-    """What the command shows.
+    """Result of a diagnosis.
 
     Attributes
     ----------
     diagnosis
-        Findings and every test.
+        Findings and all tests.
     over
-        The channels that they come from, over the angle.
+        Channels over the angle.
     parts
-        What turns.
+        Rotating parts.
     sentences
-        One per finding, or that nothing was found.
+        One per finding, or one stating that nothing was found.
     remarks
-        What is to be known.
+        Remarks.
     places
-        For each finding that is a local fault the mean turns of the gears in question.
+        For each local fault the mean turns of the suspected gears.
     place_sentences
-        Their statements, for each finding; empty for those without.
+        One sentence about these per finding; empty for findings without mean turns.
     file
-        The file.
+        Name of the file.
     origin
-        Quantity, its value, its origin.
+        Rows of quantity, value, origin.
     units
-        Unit of each channel, where it is known.
+        Unit of each channel, if known.
     """
 
     diagnosis: Diagnosis
@@ -72,7 +72,7 @@ class Study:
     units: Mapping[str, str] = field(default_factory=dict)
 
     def as_data(self) -> dict[str, Any]:
-        """All of it as plain data."""
+        """Complete result as plain data."""
         hertz = self.over.frequency
         found = self.diagnosis
         return {
@@ -123,13 +123,13 @@ class Study:
 
 
 def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: Sequence[str] = ()) -> Study:
-    """Diagnose channels over an angle and describe the result in words.
+    """Diagnose channels over an angle and describe the findings in words.
 
     Raises
     ------
     SignalError
-        If no mesh shows itself although the record could hold it: then tooth counts or speed are wrong, and
-        whatever was found would be about another machine.
+        If no mesh line is visible although the record covers it: tooth counts or speed are wrong, and
+        findings would be meaningless.
     """
     found = diagnose(
         over.signals,
@@ -161,25 +161,23 @@ def study(over: OverAngle, parts: TurningParts, *, false_alarm: float, remarks: 
 
 
 def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]:
-    """Findings without gears whose mesh does not show: their tooth counts are not confirmed."""
+    """Remove gears without a visible mesh line from findings: their tooth counts are not confirmed."""
     seen = {row.mesh for rows in found.meshes.values() for row in rows if row.seen}
     shown = {gear for mesh in parts.meshes if mesh.name in seen for gear in mesh.gears}
     findings, remarks = [], []
     for one in found.findings:
         unseen = [gear for gear in one.gears if one.kind != "bearing" and gear not in shown]
         if unseen:
-            # one of several by its name alone would be a guess as well
-            remarks.append(
-                f"no gear of {one.shaft} is named: no line of the mesh of {', '.join(unseen)} is seen"
-            )
+            # naming one of several gears would be a guess, too
+            remarks.append(f"no gear of {one.shaft} is named: no mesh line of {', '.join(unseen)} is visible")
         findings.append(replace(one, gears=()) if unseen else one)
     return replace(found, findings=tuple(findings)), remarks
 
 
 def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[dict[str, Array], list[str]]:
-    """Channels that change and are finite, and sentences about the others.
+    """Varying, finite channels, and remarks on the omitted ones.
 
-    With `time` [s], tacho channels are omitted too: their harmonics are not vibration.
+    With `time` [s], tacho channels are omitted, too: their harmonics are not vibration.
     """
     kept, remarks = {}, []
     for name, values in channels.items():
@@ -195,8 +193,8 @@ def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[di
         if time is not None and is_pulse_train(x, time):
             word = quote(name)
             remarks.append(
-                f"{name}: looks like the pulses of a tacho, not like vibration; omitted; --tacho {word} "
-                f"--pulses N takes the speed from it, -c {word} looks at it all the same"
+                f"{name}: looks like tacho pulses, not vibration; omitted; --tacho {word} "
+                f"--pulses N takes the speed from it, -c {word} includes it in the diagnosis"
             )
             continue
         kept[name] = x
@@ -204,7 +202,7 @@ def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[di
 
 
 def preferred(names: Sequence[str]) -> list[str]:
-    """Channels of a result in which damage is looked for unless somebody chooses others.
+    """Default channels of a result for a diagnosis.
 
     Examples
     --------
@@ -214,21 +212,21 @@ def preferred(names: Sequence[str]) -> list[str]:
     for group in PREFERRED:
         found = [name for quantity in group for name in names if name.partition("[")[0] == quantity]
         if found:
-            # spread over the list: the first ones often belong to one shaft
+            # spread over the list, because neighbours are often from one shaft
             count = min(MOST, len(found))
             return [found[k * len(found) // count] for k in range(count)]
     return []
 
 
 def _whole_ratios(parts: TurningParts) -> list[str]:
-    """Shafts that no averaging distinguishes."""
+    """Remarks on shafts with integer speed ratios, whose synchronous averages mix."""
     why = (
-        "whole ratios: {}; averaging cannot distinguish the gears of such shafts, and equal faults at "
-        "equal angles on the slower shaft look like one on the faster"
+        "integer speed ratios: {}; synchronous averaging cannot separate the gears of these shafts, and "
+        "equal faults at equal angles on the slower shaft look like one fault on the faster shaft"
     )
     pairs = [(fast, slow) for fast in parts.shafts for slow in parts.shafts if fast.order > slow.order]
     return grouped(
-        Note(why, f"{fast.name} turns {fast.order / slow.order} times as fast as {slow.name}")
+        Note(why, f"{fast.name} rotates {fast.order / slow.order} times as fast as {slow.name}")
         for fast, slow in pairs
         if (fast.order / slow.order).denominator == 1
     )

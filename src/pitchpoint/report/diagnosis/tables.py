@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables of the page of a diagnosis."""
+"""Tables of the diagnosis page."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ HARMONICS = 5
 
 
 def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:
-    """Rows of a table: the first columns are words, the others numbers; `**` in front makes a cell bold."""
+    """HTML rows of a table: `words` columns of text, then numbers; a leading `**` gives bold type."""
     made = []
     for row in rows:
         cells = []
@@ -33,12 +33,12 @@ def rows_html(rows: Iterable[Sequence[str]], words: int) -> list[str]:
 
 
 def origin_table(study: Study) -> str:
-    """Quantity, its value, its origin."""
-    return plain_table(("what", "value", "from"), rows_html(study.origin, 3), numbers=False)
+    """Table of quantity, value, origin."""
+    return plain_table(("quantity", "value", "source"), rows_html(study.origin, 3), numbers=False)
 
 
 def shaft_table(study: Study) -> str:
-    """Shafts with gears, ratio, speed and turns in the record."""
+    """Table of shafts with gears, ratio, speed and turns in the record."""
     hertz, turns = study.over.frequency, study.diagnosis.turns
     rows = []
     for shaft in study.parts.shafts:
@@ -65,7 +65,7 @@ def shaft_table(study: Study) -> str:
 
 
 def mesh_table(study: Study) -> str:
-    """Meshes with frequency and the harmonics that the record cannot hold."""
+    """Table of meshes with frequency and the harmonics above half the sample rate."""
     first = next(iter(study.diagnosis.meshes.values()), ())
     rows = []
     for mesh, line in zip(study.parts.meshes, first, strict=True):
@@ -87,14 +87,14 @@ def mesh_table(study: Study) -> str:
         "teeth",
         "order",
         "[Hz]",
-        "seen",
-        f"lost of {HARMONICS} harmonics",
+        "visible",
+        f"aliased of {HARMONICS} harmonics",
     )
     return plain_table(head, rows_html(rows, 2)) if rows else ""
 
 
 def bearing_table(study: Study) -> str:
-    """Bearings with the rates of their parts."""
+    """Table of bearings with the frequencies of their parts."""
     rows = [
         (bearing.name, part, number(order, 5), _rates(order, study.over.frequency)[0])
         for bearing in alike(study.parts.bearings)
@@ -104,7 +104,7 @@ def bearing_table(study: Study) -> str:
 
 
 def test_table(study: Study) -> str:
-    """Every test, channel by channel."""
+    """Table of all tests by channel."""
     where = "at [Hz]" if math.isfinite(study.over.frequency) else "at order"
     head = ("shaft or bearing", "test", where, "value", "limit", "by chance", "result")
     body = []
@@ -117,7 +117,7 @@ def test_table(study: Study) -> str:
 
 
 def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
-    """One test in cells."""
+    """Table cells of one test."""
     return (
         e.shaft if e.kind != "bearing" else e.gear,
         e.shaft if e.kind == "bearing" else what_is_tested(e),
@@ -130,7 +130,7 @@ def _test_row(e: Evidence, hertz: float) -> tuple[str, ...]:
 
 
 def limit_table(study: Study, channel: str) -> str:
-    """Values of one channel, and the limits from which a fault is reported."""
+    """Table of the values of one channel and the limits above which a fault is reported."""
     unit = study.units.get(channel, "")
     rms = signal_indicators(study.over.signals[channel]).rms
     rows = []
@@ -149,12 +149,12 @@ def limit_table(study: Study, channel: str) -> str:
                 needed,
             )
         )
-    head = ("part", "to be found as", "value", "limit", "strongest line", "line at the limit")
+    head = ("part", "detected as", "value", "limit", "strongest line", "line at the limit")
     return plain_table(head, rows_html(rows, 2))
 
 
 def indicator_tables(turns: Sequence[GearTurn], unit: str) -> str:
-    """Indicators of mean turns, with what 1 % of noise of the same spectrum exceeds in brackets."""
+    """Table of indicators of mean turns; in brackets the value exceeded by 1 % of noise of equal spectrum."""
     if not turns:
         return ""
     best = scale(unit, [float(row.turn.average.std()) for row in turns])
@@ -185,12 +185,12 @@ def indicator_tables(turns: Sequence[GearTurn], unit: str) -> str:
 
 
 def _against(value: float, limit: float, part: float) -> str:
-    """An indicator with its limit in brackets, bold where it is exceeded."""
+    """Indicator with its limit in brackets, bold if exceeded."""
     return f"{'**' if part < 0.01 else ''}{number(value, 3)} ({number(limit, 3)})"
 
 
 def _amplitudes(e: Evidence, rms: float, unit: str) -> tuple[str, str]:
-    """Amplitude of the strongest line, and the one at the limit; dashes where there is no line."""
+    """Amplitudes of the strongest line and of a line at the limit; dashes if there is no line."""
     if e.kind not in ("low order", "sidebands") or e.value < NEVER or e.amplitude <= 0.0:
         return "–", "–"
     needed = max(e.amplitude * 10.0 ** ((e.threshold - e.value) / 20.0), 0.01 * rms)
@@ -199,18 +199,16 @@ def _amplitudes(e: Evidence, rms: float, unit: str) -> tuple[str, str]:
 
 
 def _fault(e: Evidence) -> str:
-    """What kind of damage a test sees."""
+    """Kind of damage that a test detects."""
     if e.kind == "bearing":
-        return "impacts of the bearing, in the envelope"
+        return "bearing impacts in the envelope"
     if e.kind == "sidebands":
-        return f"change of the mesh of {e.gear} over the turn"
-    return {"comb": "one impact in a turn: all orders together", "low order": "unbalance, misalignment"}[
-        e.kind
-    ]
+        return f"modulation of the mesh of {e.gear} over a turn"
+    return {"comb": "one impact per turn: all orders", "low order": "unbalance, misalignment"}[e.kind]
 
 
 def _rates(order: float, hertz: float) -> tuple[str, str]:
-    """Hz and rpm of an order; dashes where the speed changes."""
+    """Hz and rpm of an order; dashes if the speed varies."""
     if not math.isfinite(hertz):
         return "–", "–"
     return number(order * hertz, 5), number(60.0 * order * hertz, 5)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where on a gear a finding sits: mean turn, indicators and the tooth that stands out, if one does."""
+"""Locate a local fault on a gear: mean turn, indicators, and the tooth that stands out, if any."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from pitchpoint.report.diagnosis.words import percent
 from pitchpoint.viz.quantities import number
 
 INDICATORS = {"kurtosis": "kurtosis", "fm4": "FM4", "m6a": "M6A", "m8a": "M8A"}
-"""What tables call the indicators of a mean turn."""
+"""Labels of the indicators of a mean turn."""
 GAUSSIAN = {"kurtosis": 3.0, "fm4": 3.0, "m6a": 15.0, "m8a": 105.0}
-"""What they are for Gaussian noise [-]."""
+"""Values of the indicators for Gaussian noise [-]."""
 
 
 @dataclass(frozen=True)
 class GearTurn:
-    """Mean turn of a shaft as one of its gears sees it.
+    """Mean turn of a shaft, evaluated for the gears of one tooth count.
 
     Attributes
     ----------
@@ -34,11 +34,11 @@ class GearTurn:
     teeth
         Tooth count [-].
     turn
-        Mean turn with indicators and the energy of its teeth.
+        Mean turn with indicators and tooth energy.
     zero, since
-        Angle that the shaft has gone at the first sample [rad], and since what.
+        Angle of the shaft at the first sample [rad], and the zero of this angle in words.
     fm0
-        FM0 [-]; NaN where the mean turn holds no harmonic of the gear.
+        FM0 [-]; NaN if the mean turn contains no mesh harmonic.
     """
 
     channel: str
@@ -52,16 +52,16 @@ class GearTurn:
 
     @property
     def angle(self) -> float:
-        """Middle of the angle of one tooth with most energy [rad], counted from `since`."""
+        """Middle of the tooth angle with the most energy [rad], from `since`."""
         return (self.turn.energy.angle + self.zero) % math.tau
 
     @property
     def tooth(self) -> float:
-        """The same in pitches of the gear [-]."""
+        """`angle` in pitches of the gear [-]."""
         return self.angle / math.tau * self.teeth
 
     def stands_out(self, false_alarm: float) -> bool:
-        """Whether the energy in the angle of one tooth is more than chance gives."""
+        """Whether the energy within the angle of one tooth is significant."""
         return self.turn.energy.probability < false_alarm
 
     def as_data(self, false_alarm: float, one_gear: bool) -> dict[str, Any]:
@@ -93,7 +93,7 @@ class GearTurn:
 
 
 def gear_turns(channel: str, shaft: str, over: OverAngle, parts: TurningParts) -> tuple[GearTurn, ...]:
-    """Mean turns of a shaft in one channel, one for each tooth count on it, where the record has one."""
+    """Mean turns of a shaft in one channel, one per tooth count on it, if the record is long enough."""
     by_count: dict[int, list[str]] = {}
     for gear, (_, teeth) in parts.gears_of(shaft).items():
         by_count.setdefault(teeth, []).append(gear)
@@ -115,7 +115,7 @@ def gear_turns(channel: str, shaft: str, over: OverAngle, parts: TurningParts) -
 def local_turns(
     diagnosis: Diagnosis, over: OverAngle, parts: TurningParts
 ) -> tuple[tuple[GearTurn, ...], ...]:
-    """For each finding that is a local fault the mean turns of the gears that come into question."""
+    """For each local fault the mean turns of the suspected gears; empty for other findings."""
     return tuple(
         tuple(
             row
@@ -129,12 +129,12 @@ def local_turns(
 
 
 def one_gear(finding: Finding, turns: tuple[GearTurn, ...]) -> bool:
-    """Whether all gears in question have one tooth count, so that teeth can be counted."""
+    """Whether all suspected gears have one tooth count, so that teeth can be numbered."""
     return bool(finding.gears) and not finding.bearings and len(turns) == 1
 
 
 def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: float) -> str:
-    """Mean turn of a local fault in words; empty if there is none."""
+    """Sentence about the mean turn of a local fault; empty without mean turns."""
     if not turns:
         return ""
     best = min(turns, key=lambda row: row.turn.energy.probability)
@@ -146,10 +146,10 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
     )
     text = f"mean of {best.turn.averages} turns of {finding.shaft}: {shape}"
     degrees = f"{math.degrees(best.angle):.0f}°"
-    # a finding that names no gear has no tooth of it either
+    # a finding without a gear has no tooth
     where = f"one tooth of {' or '.join(best.gears)}" if finding.gears else f"a turn over {best.teeth}"
     share = (
-        f"{100.0 * energy.share:.0f} % of the energy of its residual lies in the angle of {where} "
+        f"{100.0 * energy.share:.0f} % of the energy of its residual is within the angle of {where} "
         f"({100.0 / best.teeth:.2g} % if spread evenly; by chance: {percent(energy.probability)})"
     )
     if not best.stands_out(false_alarm):
@@ -163,6 +163,6 @@ def place_sentence(finding: Finding, turns: tuple[GearTurn, ...], false_alarm: f
 
 
 def crest(turn: MeanTurn) -> float:
-    """Largest magnitude of the residual by its rms [-]."""
+    """Crest factor of the residual [-]."""
     rms = float((turn.residual**2).mean() ** 0.5)
     return float(abs(turn.residual).max()) / rms if rms > 0.0 else math.nan

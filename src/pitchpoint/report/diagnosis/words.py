@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sentences about findings: what was seen where, and no more than that."""
+"""Sentences about findings: evidence and channel, without interpretation beyond them."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ BEARING_WORDS = {
 }
 
 NEVER = -100.0
-"""Level [dB] below which a line is none at all."""
-LOST = "sample rate: lost, as they lie above half of it: {}"
+"""Level [dB] below which a line counts as absent."""
+LOST = "sample rate: above half of it, not testable: {}"
 
 
 def nothing_found(diagnosis: Diagnosis) -> str:
@@ -31,10 +31,10 @@ def nothing_found(diagnosis: Diagnosis) -> str:
     beyond = sum(e.found or bool(e.explained) for e in diagnosis.evidence)
     if beyond:
         which = "1 exceeds its limit" if beyond == 1 else f"{beyond} exceed their limits"
-        return f"nothing found: of {tests} {which}, but not as damage does: what stands out is listed below"
+        return f"nothing found: of {tests} {which}, but not in the pattern of damage; listed below"
     return (
         f"nothing found: none of {tests} exceeds its limit "
-        f"(a healthy record does so with {percent(diagnosis.false_alarm)})"
+        f"(probability for a healthy record: {percent(diagnosis.false_alarm)})"
     )
 
 
@@ -46,11 +46,11 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
     finding
         The finding.
     diagnosis
-        What it is part of.
+        Diagnosis with the finding.
     parts
-        What turns.
+        Rotating parts.
     frequency
-        Turns of the reference shaft per second [Hz]; NaN if they change.
+        Rotation frequency of the reference shaft [Hz]; NaN if it varies.
     """
     mine = evidence_of(finding, diagnosis)
     seen = "; ".join(dict.fromkeys(_seen(e, parts, frequency) for e in _same_lines(mine)[:3]))
@@ -68,17 +68,17 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
         return f"{text} ({chance}){_cannot_tell(finding)}"
     if finding.kind == "modulation":
         return (
-            f"the mesh of {gears or 'its gear'} changes over the turn of {shaft} ({turning}), as with "
-            f"eccentricity or misalignment, and not like one damaged tooth: seen {where} as {seen} ({chance})"
+            f"the mesh of {gears or 'its gear'} is modulated once per turn of {shaft} ({turning}), as with "
+            f"eccentricity or misalignment, not with one damaged tooth: seen {where} as {seen} ({chance})"
         )
     return (
-        f"{shaft} ({turning}) shows itself at its lowest orders, as with unbalance, misalignment or a "
+        f"{shaft} ({turning}) has raised lowest orders, as with unbalance, misalignment or a "
         f"bent shaft: seen {where} as {seen} ({chance})"
     )
 
 
 def evidence_of(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
-    """What supports a finding, in the channel that shows it best first."""
+    """Evidence that supports a finding, in the channel of the finding, strongest kind first."""
     mine = [
         e
         for e in diagnosis.evidence
@@ -96,7 +96,7 @@ def evidence_of(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
 def mesh_remarks(
     diagnosis: Diagnosis, parts: TurningParts, frequency: float, strongest: Mapping[str, Sequence[float]]
 ) -> tuple[list[str], bool]:
-    """Sentences about meshes that do not show, and whether none shows although some could."""
+    """Remarks on meshes without a visible line; whether none is visible although the record covers some."""
     lost, remarks, seen, held = [], [], False, False
     for k, mesh in enumerate(parts.meshes):
         lines = [rows[k] for rows in diagnosis.meshes.values()]
@@ -114,7 +114,7 @@ def mesh_remarks(
         listed = strongest[next(iter(diagnosis.meshes))]
         found = ", ".join(_rate(order, frequency) for order in listed)
         remarks.append(
-            f"{mesh.name}: no mesh line at {_rate(first.order, frequency)} or its harmonics that stands out; "
+            f"{mesh.name}: no mesh line at {_rate(first.order, frequency)} or its harmonics stands out; "
             f"strongest lines at {found}; check tooth counts and speed"
         )
     return [*grouped(lost), *remarks], held and not seen
@@ -134,7 +134,7 @@ def percent(probability: float) -> str:
 
 
 def evidence_rows(diagnosis: Diagnosis, frequency: float) -> list[dict[str, Any]]:
-    """Every test as plain data, in Hz where the speed is known."""
+    """All tests as plain data, in Hz if the speed is known."""
     return [
         {
             "channel": e.channel,
@@ -168,12 +168,12 @@ def unit_of(kind: str) -> str:
 
 
 def outcome(e: Evidence) -> str:
-    """Word for what came out of a test; empty if nothing did."""
+    """Result of a test in one word; empty if the limit is not exceeded."""
     return "found" if e.found else "explained" if e.explained else ""
 
 
 def what_is_tested(e: Evidence) -> str:
-    """A test in a few words."""
+    """Name of a test."""
     if e.kind == "bearing":
         return f"{e.shaft} of {e.gear}"
     if e.kind == "sidebands":
@@ -186,19 +186,19 @@ def _seen(e: Evidence, parts: TurningParts, frequency: float) -> str:
         turning = _rate(float(parts.shaft(e.shaft).order), frequency)
         return (
             f"a comb of lines at multiples of {turning} about {_rate(e.order, frequency)}, "
-            f"{e.value:.1f} standard deviations above what lies between (limit {e.threshold:.1f})"
+            f"{e.value:.1f} standard deviations above the spectrum between them (limit {e.threshold:.1f})"
         )
     line = f"a line at {_rate(e.order, frequency)}, {e.value:.0f} dB above its surroundings"
     limit = f"(limit {e.threshold:.0f} dB)"
     if e.kind == "sidebands":
         return f"{line} {limit}, sideband {e.sideband:+d} of the mesh of {e.gear}"
     if e.kind == "bearing":
-        return f"{line} {limit}, in the spectrum of the envelope"
+        return f"{line} {limit}, in the envelope spectrum"
     return f"{line} {limit}"
 
 
 def _same_lines(evidence: Sequence[Evidence]) -> list[Evidence]:
-    """Sidebands that are one line, as meshes of whole ratios have, once with all their gears."""
+    """Merge sidebands of several meshes that coincide in one line, as with integer ratios."""
     found: dict[tuple[str, float, int], Evidence] = {}
     for number, e in enumerate(evidence):
         key = (e.kind, e.order, e.sideband) if e.kind == "sidebands" else (e.kind, 0.0, number)
@@ -208,16 +208,16 @@ def _same_lines(evidence: Sequence[Evidence]) -> list[Evidence]:
 
 
 def _cannot_tell(finding: Finding) -> str:
-    """Why more than one gear is named, and bearings that may be meant as well."""
+    """Alternatives that the record does not distinguish: bearings, and other gears of the shaft."""
     others = ""
     if finding.bearings:
         others = (
-            f"; or a local fault of a bearing: {' or '.join(finding.bearings)}, which strikes a whole "
-            "number of times in a turn: this record cannot distinguishes them"
+            f"; or a local fault of a bearing: {' or '.join(finding.bearings)}, which has a whole number of "
+            "impacts per turn: this record cannot distinguish them"
         )
     if len(finding.gears) < 2:
         return others
-    return f"{others}; gears of one shaft turn together, and a fault of one shakes the meshes of all"
+    return f"{others}; gears on one shaft rotate together, and a fault of one excites the meshes of all"
 
 
 def _gears(gears: tuple[str, ...]) -> str:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The 3-D scene of a model or a result: what there is to draw, where it is, and what acts on it."""
+"""3-D scene of a model or a result: solids, motion, forces, contacts, curves."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bevel gears of a scene: one tooth in several finenesses, and the angles of its copies."""
+"""Bevel gears of a scene: one tooth in several levels of detail, and the angles of its copies."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 
 def bevel_axes(gear: BevelGear, angle: float) -> Array:
-    """Frame of a bevel gear in that of its body, columns: third axis into the gear, tooth 0 on the first.
+    """Frame of a bevel gear on its body as columns: third axis into the gear, tooth 0 on the first axis.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ def bevel_axes(gear: BevelGear, angle: float) -> Array:
 
 
 def bevel_part(model: Model, name: str, seat: tuple[int, Array, Array], thinner: float) -> SceneSolid:
-    """A bevel gear with its teeth.
+    """Bevel gear with its teeth.
 
     Parameters
     ----------
@@ -47,14 +47,14 @@ def bevel_part(model: Model, name: str, seat: tuple[int, Array, Array], thinner:
     name
         Name of the gear.
     seat
-        Number of its body in the scene, its apex [m] and the axes of its body in the frame of that.
+        Index of its body in the scene, its apex [m] and the axes of its body in the frame of the scene body.
     thinner
-        Normal thickness that its teeth lack in the middle of the face for the backlash of its meshes [m].
+        Reduction of the normal tooth thickness at mid-face for the backlash of its meshes [m].
 
     Raises
     ------
     GeometryError
-        If there is no such tooth or body.
+        If teeth or body are impossible.
     """
     gear = model.bevel_gears[name]
     shape = gear.geometry
@@ -72,7 +72,7 @@ def bevel_part(model: Model, name: str, seat: tuple[int, Array, Array], thinner:
 
 
 def _pieces(gear: BevelGear, shape: Shape) -> list[ScenePiece]:
-    """Teeth at their positions and the bodies behind them, and every broken tooth with its faults."""
+    """Teeth at their positions with the gear body, and every broken tooth with its faults."""
     pitches: Array = 2.0 * math.pi / shape.z * np.arange(shape.z, dtype=np.float64)
     turns = pitches.copy()
     broken: dict[int, list[str]] = {}
@@ -100,10 +100,10 @@ def _pieces(gear: BevelGear, shape: Shape) -> list[ScenePiece]:
 def _levels(
     gear: BevelGear, shape: Shape, whole: tuple[float, float] | None = None
 ) -> tuple[list[SceneLevel], list[SceneLevel]]:
-    """A tooth, and the body behind it, from coarse to fine; chords as those of cylindrical gears.
+    """Tooth and body behind it, from coarse to fine, with chords as for cylindrical gears.
 
-    They are apart because a back cone that is nearly flat would look round where it ends. `whole`: cone
-    distances between which the tooth is complete [m].
+    They are separate surfaces, because a nearly flat back cone would be shaded as round at its edge. `whole`:
+    cone distances between which the tooth is complete [m].
     """
     teeth, body = [], []
     coarse = [e * shape.m_mn for e in ERRORS]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Brings together the scene of a model, or of a result and the model that it keeps."""
+"""Assemble the scene of a model, or of a result and its stored model."""
 
 from __future__ import annotations
 
@@ -37,37 +37,37 @@ Array = NDArray[np.float64]
 
 MOST_FRAMES = 2000
 NUMBERS = 8e5
-"""Most numbers of all tracks: with more bodies there are fewer frames."""
+"""Maximum count of numbers of all tracks: more bodies have fewer frames."""
 PIECES = (500, 200)
-"""Pieces of a record that a curve is drawn from, most and least."""
+"""Maximum and minimum number of segments of a curve."""
 CURVES = 1e5
-"""Most pieces of all curves: with more of them each has fewer."""
+"""Maximum number of segments of all curves together."""
 FIRST = ("normal_force", "transmission_error")
-"""Quantities that are drawn without asking."""
+"""Quantities with curves shown by default."""
 SECOND = ("contact_force", "tension", "reaction_force", "torque", "speed", "displacement")
-"""Those of which the first that changes is drawn where there is none of these."""
+"""Fallback quantities: the first varying channel is shown if none of these exists."""
 
 
 def scene_of(
     model: Model, result: xr.Dataset | None = None, scenario: str | None = None, modes: int = 0
 ) -> Scene:
-    """The scene of a model at rest, or of a result over time.
+    """Scene of a model at rest, or of a result over time.
 
     Parameters
     ----------
     model
-        The model; of a result the one that it keeps.
+        Model; for a result the stored model.
     result
         Result of a time run, or of modes.
     scenario
-        Scenario of the result; that which it names, if omitted.
+        Scenario of the result; default: the scenario named in it.
     modes
-        How many of the lowest modes are computed for it.
+        Number of lowest modes to compute.
 
     Raises
     ------
     PitchpointError
-        If the model cannot be compiled, or the result holds no place of the bodies.
+        If the model cannot be compiled, or the result contains no positions of the bodies.
     """
     from pitchpoint.system.compile import compile_model
 
@@ -91,8 +91,7 @@ def scene_of(
     solids, notes = solids + bending, notes + remarks
     if result is not None and whole is not None and result.sizes["time"] < whole.sizes["time"]:
         notes.append(
-            f"shown up to {float(result['time'][-1]):.6g} s: after that the result holds numbers that are "
-            "not finite"
+            f"shown up to {float(result['time'][-1]):.6g} s: later values of the result are not finite"
         )
     if result is not None and moved.unknown:
         notes.append("not in the result, drawn at rest: " + ", ".join(moved.unknown))
@@ -130,7 +129,7 @@ def scene_of(
 
 
 def _known(result: xr.Dataset) -> xr.Dataset:
-    """A result up to the first sample at which a body has no place: a run that failed may end so."""
+    """Result up to the first sample with a non-finite position, as at the end of a failed run."""
     moving = [n for n in result.data_vars if str(n).startswith(("angle[", "displacement["))]
     known = np.isfinite(result["time"].values)
     for name in moving:
@@ -138,23 +137,23 @@ def _known(result: xr.Dataset) -> xr.Dataset:
             known = known & np.isfinite(result[name].values)
     count = int(known.size if known.all() else np.argmin(known))
     if count == 0:
-        raise PitchpointError("the result holds no sample at which all bodies have a place; run it again")
+        raise PitchpointError("the result contains no sample with finite positions of all bodies; rerun it")
     return result if count == known.size else result.isel(time=slice(0, count))
 
 
 def _another_state(model: Model, result: xr.Dataset) -> list[str]:
-    """A sentence where the result was computed with other values than the model has."""
+    """Remark if the result was computed with other values than those of the model."""
     known = str(result.attrs.get("model_hash", ""))
     if known in ("", content_hash(model)):
         return []
     return [
-        "computed with another state of the model than the one that is kept; teeth, faults and scenario are "
-        "those of the latter, forces and motion those of the run"
+        "computed with a different version of the model than the stored one; teeth, faults and scenario are "
+        "those of the stored model, forces and motion those of the run"
     ]
 
 
 def _up(model: Model) -> tuple[float, float, float]:
-    """Against gravity; y where there is none."""
+    """Upward direction, opposite to gravity; y without gravity."""
     size = math.hypot(*(model.gravity or ()))
     if model.gravity is None or size == 0.0:
         return (0.0, 1.0, 0.0)
@@ -163,13 +162,13 @@ def _up(model: Model) -> tuple[float, float, float]:
 
 
 def _settle_time(model: Model, scenario: str | None) -> float:
-    """Time that a scenario lets pass before it measures [s]."""
+    """Settling time of a scenario [s]."""
     found = model.scenarios.get(scenario or "")
     return float(getattr(found, "settle_time", None) or 0.0)
 
 
 def _subtitle(result: xr.Dataset) -> str:
-    """Scenario and span of a result in words."""
+    """Scenario and time span of a result in words."""
     span = float(result["time"][-1] - result["time"][0])
     name = result.attrs.get("scenario")
     return f"scenario {name}, {span:.4g} s" if name else f"{span:.4g} s"
@@ -177,7 +176,7 @@ def _subtitle(result: xr.Dataset) -> str:
 
 @dataclass(frozen=True)
 class _Record:
-    """A result and the samples of it that become frames."""
+    """Result and the samples used as frames."""
 
     result: xr.Dataset | None
     samples: NDArray[np.int64]
@@ -185,7 +184,7 @@ class _Record:
 
     @classmethod
     def of(cls, result: xr.Dataset | None, bodies: int) -> _Record:
-        """Choose frames: fewer where there are many bodies; one, at rest, without a result."""
+        """Select frames: fewer for many bodies; one, at rest, without a result."""
         if result is None:
             return cls(None, np.zeros(1, np.int64), np.zeros(1))
         time = np.asarray(result["time"].values, dtype=np.float64)
@@ -195,7 +194,7 @@ class _Record:
         return cls(result, samples, time[samples])
 
     def at_frames(self, name: str) -> Array | None:
-        """A channel at the frames; None where the result does not hold it, or no numbers."""
+        """Channel at the frames; None if the result does not contain it as numbers."""
         if self.result is None:
             return np.zeros(1)
         if name not in self.result:
@@ -204,7 +203,7 @@ class _Record:
         return values if np.isfinite(values).all() else None
 
     def curves(self) -> Sequence[SceneChannel]:
-        """Every channel over time, decimated to least and most of each piece."""
+        """All channels over time, decimated to the minimum and maximum of each segment."""
         if self.result is None:
             return []
         time = np.asarray(self.result["time"].values, dtype=np.float64)
@@ -236,7 +235,7 @@ class _Record:
             order = {quantity: k for k, quantity in enumerate(SECOND)}
 
             def rank(k: int) -> tuple[bool, int]:
-                """What changes comes before what is at rest, round-off apart; then what people look at."""
+                """Sort key: varying channels before constant ones, main quantities first."""
                 least, most = float(found[k].least.min()), float(found[k].most.max())
                 level = most - least <= 1e-9 * max(abs(least), abs(most))
                 return level, order.get(found[k].name.split("[")[0], len(order))

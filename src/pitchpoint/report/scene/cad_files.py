@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Surfaces of solids from files of CAD programs, as coarse as a drawing can be."""
+"""Surfaces of solids from CAD files, simplified for the scene."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
 MOST = 50_000
-"""Triangles of one drawn solid: more make a page large and slow, and no one sees them."""
+"""Maximum number of triangles of a solid: more make a page large and slow without visible benefit."""
 _CELLS, _COARSER = 512, 0.75
-"""Cells along a solid in which corners become one, and by how much fewer there are at every try."""
+"""Initial number of grid cells along a solid for merging corners, and its reduction per attempt."""
 
 
 def surface_of(reference: SolidReference, most: int = MOST) -> tuple[Array, Indices]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What joins bodies in a scene: plain bearings, bushings, couplings, clutches and brakes, springs about axes.
+"""Connections in a scene: plain bearings, bushings, couplings, clutches, brakes, torsional springs.
 
-They are where the model has them and move with the bodies that they join; their size is made up, except for
-the clearance of plain bearings, which is the true one.
+They are at their positions in the model and move with the connected bodies; their size is symbolic, except
+for the clearance of plain bearings, which is to scale.
 """
 
 from __future__ import annotations
@@ -32,20 +32,20 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 BUSH = 1.35
-"""Outer radius of the bush of a plain bearing over that of its bore."""
+"""Outer radius of the bush of a plain bearing relative to its bore radius."""
 FLANGE, DISC = 1.9, 2.6
-"""Radii of the halves of a coupling and of the discs of a clutch over that of what turns."""
+"""Radii of coupling halves and clutch discs relative to the radius of the rotating part."""
 SMALLEST = 0.035
-"""Radius of such a half at least, as a part of the size of the machine."""
+"""Minimum radius of a half, relative to the size of the machine."""
 THICK = 0.3
-"""Thickness of a half over its radius."""
+"""Thickness of a half relative to its radius."""
 SAME_LINE = 1e-6
-"""Distance of two axes below which they are one, as a part of the size of the machine."""
+"""Distance below which two axes count as one, relative to the size of the machine."""
 WINDINGS = 4
 
 
 def joining_parts(model: Model, at: Places) -> list[SceneSolid]:
-    """Everything that joins two bodies and has no shape of its own.
+    """Solids of all connections between bodies without a given shape.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def drawn_sections(model: Model) -> list[tuple[str, str]]:
 
 
 def _radius(model: Model, at: Places, end: str, place: Array) -> float | None:
-    """Radius of what turns at a place in the world [m]; none if unknown."""
+    """Radius of the rotating part at a position in the world [m]; None if unknown."""
     body = split(end)[0]
     if body not in model.bodies:
         return None
@@ -82,15 +82,15 @@ def _radius(model: Model, at: Places, end: str, place: Array) -> float | None:
 
 
 def _round(clearance: float, radius: float) -> int:
-    """Corners of a circle whose chords are off by less than a sixteenth of a clearance."""
+    """Number of corners of a circle with a chord error below 1/16 of a clearance."""
     return int(np.clip(math.pi / math.sqrt(clearance / (8.0 * radius)), 48, 360))
 
 
 def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """Journal and bush, apart by the clearance, each on the body of its end."""
+    """Journal and bush, separated by the clearance, each on its body."""
     place = place_of(at.model, part.ends[0])
     known = None if place is None else _radius(at.model, at, part.ends[0], place)
-    # a thousandth more than the shaft: two surfaces in one place flicker
+    # 0.1 % larger than the shaft, because coincident surfaces flicker
     radius = max(1.001 * (known or LEAST * at.size), part.clearance)
     bore = radius + 0.5 * part.clearance
     sides = _round(part.clearance, radius)
@@ -103,7 +103,7 @@ def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
 
 
 def _bushing(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A sleeve on the first end and a ring around it on the second; on ground where the other end is."""
+    """Sleeve on the first end and a ring around it on the second; ground is at the other end."""
     model, ends = at.model, part.ends
     marks = [other if end == GROUND else end for end, other in zip(ends, ends[::-1], strict=True)]
     places = [place_of(model, end) for end in marks]
@@ -123,24 +123,24 @@ def _bushing(at: Places, name: str, part: Any) -> list[SceneSolid]:
 
 
 class _Axis(NamedTuple):
-    """Line about which two bodies turn, and where they are on it: the ends that face each other."""
+    """Common axis of rotation of two bodies, and their facing ends along it."""
 
     origin: Array
     direction: Array
     near: float
     far: float
     other_origin: Array | None
-    """Place of the second body where it has another axis [m]; none where both have one."""
+    """Position of the second body on a different axis [m]; None if both have the same axis."""
 
 
 def _spin_line(at: Places, body: str) -> tuple[Array, Array]:
-    """A point of the axis that a body spins about [m], and its direction."""
+    """Point on the spin axis of a body [m], and its direction."""
     place, axes = seat_frame(at.model, at.model.mechanism.seats[body])
     return place, axes[:, 2]
 
 
 def _stretch(at: Places, body: str, origin: Array, direction: Array) -> tuple[float, float]:
-    """From where to where a body reaches along a line, by its gears, sections, markers and joints [m]."""
+    """Extent of a body along a line, by its gears, sections, markers and joints [m]."""
     model, part = at.model, at.model.bodies[body]
     found = [float((at.origin(body) - origin) @ direction)]
     found += [float((p - origin) @ direction) for p in at.anchors(body)]
@@ -155,7 +155,7 @@ def _stretch(at: Places, body: str, origin: Array, direction: Array) -> tuple[fl
 
 
 def _axis(at: Places, bodies: tuple[str, ...]) -> _Axis:
-    """Where one body turns against another, or against ground."""
+    """Position at which a body rotates relative to another body or ground."""
     first, *others = bodies
     origin, direction = _spin_line(at, first)
     low, high = _stretch(at, first, origin, direction)
@@ -171,16 +171,16 @@ def _axis(at: Places, bodies: tuple[str, ...]) -> _Axis:
         return _Axis(origin, direction, high, start, None)
     if end <= low:
         return _Axis(origin, direction, low, end, None)
-    # they overlap: next to both
+    # overlapping: placed next to both
     return _Axis(origin, direction, max(high, end), max(high, end), None)
 
 
 def _halves(
     at: Places, name: str, bodies: tuple[str, ...], large: float, height: float | None = None
 ) -> list[SceneSolid]:
-    """A disc on each of two bodies that face each other, with a neck to where the body is.
+    """Discs of two bodies that face each other, with a neck to each body.
 
-    The second of a brake is a pair of pads on ground; on two axes there is a bar between the two.
+    The second part of a brake is a pair of pads on ground; parts on two axes are connected by a bar.
     """
     model, line = at.model, _axis(at, bodies)
     if line.other_origin is not None:
@@ -211,7 +211,7 @@ def _halves(
 
 
 def _pads(radius: float, thick: float) -> list[shapes.Surface]:
-    """What clasps the rim of the first disc of a brake."""
+    """Pads at the rim of the disc of a brake."""
     long, middle = 0.5 * radius, -0.55 * thick
     pad = (long, 0.7 * radius, 0.4 * thick)
     back = (0.25 * radius, 0.7 * radius, 1.9 * thick)
@@ -223,7 +223,7 @@ def _pads(radius: float, thick: float) -> list[shapes.Surface]:
 
 
 def _coil(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A coil between two bodies on one axis, a flat spiral where they lie over each other, else a bar."""
+    """Coil between two bodies on one axis, flat spiral for overlapping bodies, else a bar."""
     bodies = part.bodies
     line = _axis(at, bodies)
     if line.other_origin is not None:
@@ -248,7 +248,7 @@ def _spiral(radius: float) -> Iterator[tuple[float, float, float]]:
 
 
 def _across(at: Places, name: str, kind: str, bodies: tuple[str, ...], line: _Axis) -> list[SceneSolid]:
-    """A bar, or coil, between the axes of two bodies."""
+    """Bar or coil between the axes of two bodies."""
     assert line.other_origin is not None
     thin = 0.4 * BAR * at.size
     bar = shapes.turned_profile([(0.0, 0.0), (thin, 0.0), (thin, 1.0), (0.0, 1.0)], 12)
@@ -259,26 +259,26 @@ def _across(at: Places, name: str, kind: str, bodies: tuple[str, ...], line: _Ax
 
 
 def _spring(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A coil between two points; without stiffness a piston in its cylinder."""
+    """Coil between two points; without stiffness a piston in its cylinder."""
     stiff = part.stiffness > 0.0
     surface = shapes.coil(0.022 * at.size, 0.004 * at.size) if stiff else piston(at)
     return [link(at, name, part.ends, "spring", surface)]
 
 
 def _rod(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A bar between two points."""
+    """Bar between two points."""
     return [link(at, name, part.ends, "body", bar(at))]
 
 
 def _flanges(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """A flange on each of two bodies on one axis."""
+    """Flanges on two bodies with a common axis."""
     position = getattr(part, "position", None)
     height = None if position is None else position[2]
     return _halves(at, f"coupling {name}", part.bodies, FLANGE, height)
 
 
 def _discs(at: Places, name: str, part: Any) -> list[SceneSolid]:
-    """Discs that rub on each other, or one that pads on ground hold."""
+    """Friction discs, or a brake disc with pads on ground."""
     word = "clutch" if len(part.bodies) == 2 else "brake"
     return _halves(at, f"{word} {name}", part.bodies, DISC)
 
@@ -292,5 +292,5 @@ SCHEMATICS: dict[str, Callable[[Places, str, Any], list[SceneSolid]]] = {
     "rod": _rod,
     "spring": _spring,
 }
-"""Symbol of a component, by the name that its kind gives (`elements.kind.Kind.sections`). A coil, discs
-and flanges need a component with the key `bodies`, all others one with `ends`."""
+"""Symbol of a component, by the name in its kind (`elements.kind.Kind.sections`). Coils, discs and flanges
+require a component with the key `bodies`, all others one with `ends`."""

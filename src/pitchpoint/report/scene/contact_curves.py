@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Curves and surfaces of contacts in a scene: cams, rollers, balls, planes, in the axes of their markers."""
+"""Curves and surfaces of contacts in a scene: cams, rollers, balls, planes, in the marker frames."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Part = tuple[str, str, shapes.Surface]
-"""Name of a solid, the end that it sits on (BODY or BODY.MARKER), and its surface in the axes there."""
+"""Name of a solid, its end (BODY or BODY.MARKER), and its surface in the frame of the end."""
 
 POINTS, MOST = 6, 96
-"""Points of a piece of a curve at least, and of a whole curve of few pieces."""
+"""Minimum number of points of a segment of a curve, and of a whole curve."""
 
 
 def contact_parts(model: Model, size: float) -> tuple[list[Part], list[str]]:
-    """Surfaces of all contacts, and what is not drawn.
+    """Surfaces of all contacts, and remarks on omitted ones.
 
     Parameters
     ----------
     model
         The model.
     size
-        Size of the machine [m]: what has no width or end of its own gets a part of it.
+        Size of the machine [m], which defines dimensions that are not given.
     """
     found: list[Part] = []
     notes: list[str] = []
@@ -58,7 +58,7 @@ def contact_parts(model: Model, size: float) -> tuple[list[Part], list[str]]:
 def _curve(
     found: list[Part], notes: list[str], where: tuple[str, str], part: ContactCurve, width: float
 ) -> None:
-    """Add a curve as a plate, or as a strip if it is open or bounds a hole."""
+    """Add a curve as a plate, or as a strip if it is open or the boundary of a hole."""
     from pitchpoint.system.rules.contact import curve_of
 
     try:
@@ -73,20 +73,20 @@ def _curve(
 
 
 def curve_points(curve: Curve) -> tuple[Array, bool]:
-    """Points along a curve, shape (n, 2) [m], and whether the last is joined to the first."""
+    """Points along a curve, shape (n, 2) [m], and whether it is closed."""
     from pitchpoint.contact.curve_point import point_of
 
     share = np.linspace(0.0, 1.0, max(POINTS, MOST // len(curve.rows)) + 1)
     rows = np.ascontiguousarray(curve.rows)
     line = np.array([point_of(rows, k, t)[:2] for k in range(len(rows)) for t in share])
-    # pieces meet in one point
+    # adjacent segments share a point
     apart = np.hypot(*np.diff(line, axis=0).T) > 1e-9 * np.abs(line).max()
     line = line[np.append(True, apart)]
     return (line[:-1], True) if curve.closed else (line, False)
 
 
 def _surface(part: ContactSurface, size: float) -> shapes.Surface:
-    """A surface; those without end are as large as a part of the machine."""
+    """Surface of a contact; unbounded surfaces are sized relative to the machine."""
     if part.shape == "triangles":
         from pitchpoint.geometry.triangle_file import join_corners, placed_triangles, read_triangles
 

@@ -29,18 +29,18 @@ Array = NDArray[np.float64]
 Read = Callable[[str], Array | None]
 
 STATIONS = 9
-"""Places along a contact line at which its load is kept."""
+"""Number of stations along a contact line with stored loads."""
 
 
 class ContactLines:
-    """Contact lines of all meshes, frame by frame, while a motion goes through them.
+    """Contact lines of all meshes, evaluated frame by frame during a motion.
 
     Parameters
     ----------
     system
         The machine.
     read
-        Gives a channel of the result at the frames, or None.
+        Function that returns a channel of the result at the frames, or None.
     n
         Number of frames.
 
@@ -64,7 +64,7 @@ class ContactLines:
         Raises
         ------
         SolverError
-            If the core refuses.
+            If the evaluation fails.
         """
         for mesh in self.meshes.values():
             mesh.look(frame, self.system.workspace.at)
@@ -76,24 +76,24 @@ class MeshLines:
     Parameters
     ----------
     record
-        Its record in the system, shape (1,).
+        Record of the mesh in the system, shape (1,).
     n
         Number of frames.
     deflection
-        Travel of the gears that the result keeps, (n,) [m]; None: that of the record.
+        Travel of the gears in the result, (n,) [m]; None: that of the record.
 
     Attributes
     ----------
     forces, loads
-        Of front and back flanks and slots, (n, 2, p) [N], and per width at the places, (n, 2, p, s) [N/m].
+        By front and back flank and slot, (n, 2, p) [N], and per width at the stations, (n, 2, p, s) [N/m].
     travel
-        Place of the line of pair 0 in the middle of the face, (n, 2) [m].
+        Position of the line of pair 0 at mid-face, (n, 2) [m].
     deflection
         Travel of the gears, (n,) [m].
     line
         Path from A to E and face [m], pressure angle and backlash, (n, 6).
     first
-        The record in the first frame.
+        Record in the first frame.
     """
 
     cone: tuple[float, float] | None = None
@@ -114,7 +114,7 @@ class MeshLines:
         self._questions["flank"] = (1, -1)
 
     def look(self, frame: int, at: int) -> None:
-        """Evaluate the mesh and keep its contact lines; `at` is the address of the control record."""
+        """Evaluate the mesh and store its contact lines; `at` is the address of the control record."""
         b = self.record[0]
         now = b["now"]
         self.deflection[frame] = now["u"] - now["e_t"] if self._kept is None else self._kept[frame]
@@ -136,12 +136,12 @@ class MeshLines:
         return answer
 
     def face(self) -> tuple[float, float]:
-        """Ends of the shared face, from the pitch point [m]."""
+        """Ends of the common face width, from the pitch point [m]."""
         now = self.record[0]["now"]
         return now["z_lo"], now["z_hi"]
 
     def placed(self, width: Array, path: Array, normal: Array) -> Array:
-        """Places of the plane of action in the first frame, over width and line of action `normal` [m]."""
+        """Points of the plane of action in the first frame, over width and line of action `normal` [m]."""
         now = self.first["now"]
         return np.asarray(now["P"] + width[..., None] * now["m"] + path[..., None] * normal)
 
@@ -167,7 +167,7 @@ class BevelLines(MeshLines):
         return float(b["R_m"]), math.acos(float(now["axis"][1] @ now["m"]))
 
     def look(self, frame: int, at: int) -> None:
-        """Evaluate the mesh and keep its contact lines."""
+        """Evaluate the mesh and store its contact lines."""
         super().look(frame, at)
         now = self.record[0]["now"]
         self.axes[frame] = np.column_stack([now["e"], now["t"], now["m"]])
@@ -179,13 +179,13 @@ class BevelLines(MeshLines):
         return answer
 
     def face(self) -> tuple[float, float]:
-        """Ends of the shared face in ζ, from R_m [m]."""
+        """Ends of the common face width in ζ, from R_m [m]."""
         b = self.record[0]
         R = b["R_m"]
         return R * math.log1p(b["z_lo"] / R), R * math.log1p(b["z_hi"] / R)
 
     def placed(self, width: Array, path: Array, normal: Array) -> Array:
-        """Places of the plane of action in the first frame, at ζ and x on the line of action `normal` [m]."""
+        """Points of the plane of action in the first frame, at ζ and x on the line of action `normal` [m]."""
         b, R_m = self.first, float(self.first["R_m"])
         R, sigma = R_m * np.exp(width / R_m), path / R_m
         along, across = R * np.cos(sigma) - R_m, R * np.sin(sigma)

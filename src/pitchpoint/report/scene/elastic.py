@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What bends in a scene: beams between bodies, and elastic bodies as bars between their nodes."""
+"""Deformable solids of a scene: beams between bodies, and elastic bodies as bars between their nodes."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Read = Callable[[str], "Array | None"]
-"""Channel of a result at the frames, none where it has none."""
+"""Function that returns a channel of a result at the frames, None if not available."""
 
 RINGS = 4
-"""Rings of corners along every piece of a beam."""
+"""Number of rings of corners along every segment of a beam."""
 MOST_NODES = 300
 BAR = 0.008
-"""Half the side of the bars between nodes, as a part of the size of the machine."""
+"""Half width of the bars between nodes, relative to the size of the machine."""
 
 
 def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid], list[str]]:
-    """Solids of beams and elastic bodies, and what is not drawn.
+    """Solids of beams and elastic bodies, and remarks on omitted ones.
 
     Parameters
     ----------
@@ -42,7 +42,7 @@ def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid
     at
         Where things sit in the scene.
     read
-        Gives channels of the result at the frames.
+        Function that returns channels of the result at the frames.
     """
     found = [_beam(model, name, part, at) for name, part in model.beams.items()]
     notes: list[str] = []
@@ -57,7 +57,7 @@ def elastic_parts(model: Model, at: Places, read: Read) -> tuple[list[SceneSolid
 
 
 def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
-    """A beam with its section, which follows its ends and its stations."""
+    """Beam with its cross section, which follows its ends and stations."""
     root, tip = (place_of(model, end) for end in part.ends)
     assert root is not None and tip is not None
     z = unit(tip - root)
@@ -72,7 +72,7 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
     n = len(outline)
     stations = [at.names.get(label) for label in station_names(name, part.pieces)[1:]]
     between = [number for number in stations if number is not None]
-    # a scene at rest knows no stations of beams
+    # a scene at rest has no stations of beams
     pieces = len(between) + 1 if len(between) == len(stations) else 1
     first = np.minimum((share * pieces + 1e-9).astype(np.int64), pieces - 1)
     weight = share * pieces - first
@@ -90,7 +90,7 @@ def _beam(model: Model, name: str, part: Beam, at: Places) -> SceneSolid:
 
 
 def _section(part: Beam) -> Array:
-    """Corners of the section of a beam along its axes 1 and 2, (n, 2) [m]; a circle where it is unknown."""
+    """Corners of the cross section of a beam along its axes 1 and 2, (n, 2) [m]; a circle if unknown."""
     section = part.section
     if section.width is not None and section.height is not None:
         w, h = 0.5 * section.width, 0.5 * section.height
@@ -101,7 +101,7 @@ def _section(part: Beam) -> Array:
 
 
 def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
-    """Bars between neighbouring nodes, which go with the modal coordinates."""
+    """Bars between neighbouring nodes, which follow the modal coordinates."""
     from scipy.sparse.csgraph import minimum_spanning_tree
     from scipy.spatial.distance import cdist
 
@@ -110,7 +110,7 @@ def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
     places, shape = file_nodes(model, name)
     kept = np.arange(0, len(places), -(-len(places) // MOST_NODES))
     places, shape = places[kept], shape[kept]
-    # a length of zero would be no edge
+    # a length of zero would not define an edge
     edges = np.argwhere(minimum_spanning_tree(cdist(places, places) + 1e-9).toarray())
     half = BAR * at.size
     points: list[Array] = []
@@ -120,7 +120,7 @@ def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
     k, after = np.arange(4), (np.arange(4) + 1) % 4
     for i, j in edges:
         if np.linalg.norm(places[j] - places[i]) < 1e-6 * at.size:
-            continue  # nodes in one place
+            continue  # coincident nodes
         z = unit(places[j] - places[i])
         x = unit(np.cross(np.eye(3)[int(np.argmin(np.abs(z)))], z))
         ring = corner[:, :1] * x + corner[:, 1:] * np.cross(z, x)

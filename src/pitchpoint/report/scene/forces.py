@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Forces of a scene as arrows: of meshes on their second gears, of bearings on what runs in them."""
+"""Forces of a scene as arrows: mesh forces on the second gears, bearing forces on the supported bodies."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ Read = Callable[[str], Array | None]
 
 PARTS = ("circumferential", "radial", "axial")
 NOTHING = 1e-6
-"""Part of a bearing's largest force below which it carries nothing axially."""
+"""Axial force relative to the largest force of a bearing below which it counts as zero."""
 
 
 class Forces:
-    """Forces over the frames: from the channels, or what the kernels find for bodies at rest in these places.
+    """Forces over the frames: from the channels, or from the kernels for bodies at rest in these positions.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class Forces:
         self.without_damping: list[str] = []
 
     def of(self, *names: str) -> Array | None:
-        """Several channels side by side, shape (n, k); None where there are none and bodies are not known."""
+        """Several channels as columns, shape (n, k); None if not available and not computable."""
         kept = [self.read(name) for name in names]
         if all(one is not None for one in kept):
             return np.stack([np.asarray(one) for one in kept], axis=1)
@@ -57,7 +57,7 @@ class Forces:
 
 
 def force_arrows(system: System, moved: Motion, read: Read) -> tuple[list[SceneArrow], list[str]]:
-    """Arrows of all meshes and bearings, and what is to be reported about them.
+    """Arrows of all meshes and bearings, and remarks on them.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def force_arrows(system: System, moved: Motion, read: Read) -> tuple[list[SceneA
     notes = []
     if forces.without_damping:
         what = ", ".join(name.split("[")[1].split("]")[0].split(".")[0] for name in forces.without_damping)
-        notes.append(f"forces not kept by the result, drawn as the places give them, without damping: {what}")
+        notes.append(f"forces not in the result, computed from the positions without damping: {what}")
     return arrows, notes
 
 
@@ -101,13 +101,13 @@ def _mesh_arrows(system: System, moved: Motion, forces: Forces) -> list[SceneArr
 
 
 def _steadied(place: Array) -> Array:
-    """One row of places where they stay within a thousandth of their distance from the origin."""
+    """Positions reduced to one row if they vary by less than 0.1 % of their distance from the origin."""
     steady = np.ptp(place, axis=0).max() <= 1e-3 * float(np.abs(place).max())
     return place[:1] if steady else place
 
 
 def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[SceneArrow]:
-    """Forces of all bearings on the bodies, or inner rings, that run in them: radial in all, and axial."""
+    """Forces of all bearings on the supported bodies or inner rings: radial, and axial if any."""
     found = []
     for kind, records in system.records.items():
         for record, name in zip(records, system.names.get(kind, ()), strict=False):
@@ -118,7 +118,7 @@ def _bearing_arrows(system: System, moved: Motion, forces: Forces) -> list[Scene
             if parts is None:
                 continue
             i, j = int(record["i"]), int(record["j"])
-            if drawn == "bearing":  # has axes of its own; those of rings go with the outer ring
+            if drawn == "bearing":  # has its own axes; those of rings follow the outer ring
                 place = moved.place[:, i] + record["zi"] * moved.axes[:, i, :, 2]
                 axes = moved.axes[:, j] @ record["B"]
             else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Room that the gears of a body take along and around its axis, cylindrical and bevel ones alike."""
+"""Envelope of the cylindrical and bevel gears of a body along and around its axis."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Seated:
-    """A gear on its body.
+    """Envelope of a gear on its body.
 
     Attributes
     ----------
     low, high
-        Its ends along the z axis of the body [m].
+        Ends along the z axis of the body [m].
     hub
-        Radius of its bore, 0 for none [m].
+        Bore radius, 0 for none [m].
     root
-        Radius up to which it is solid all along; of a ring none [m].
+        Radius up to which the whole width is solid; None for a ring [m].
     outer
         Largest radius [m].
     """
@@ -34,12 +34,12 @@ class Seated:
 
     @property
     def middle(self) -> float:
-        """Its middle along the z axis of the body [m]."""
+        """Middle along the z axis of the body [m]."""
         return 0.5 * (self.low + self.high)
 
 
 def seated(model: Model, body: str) -> dict[str, Seated]:
-    """Room of all gears of a body, by name.
+    """Envelopes of all gears of a body, by name.
 
     Parameters
     ----------

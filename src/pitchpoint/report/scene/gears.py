@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Gears of a scene: one tooth of every shape, and the angles of its copies.
+"""Gears of a scene: one tooth per shape, and the angles of its copies.
 
-Micro-geometry and single errors of teeth are drawn, as the contact sees them; what is missing of damaged
-teeth too. Every tooth comes in several finenesses, graded by the deviation of its chords from the exact
-tooth.
+Micro-geometry, deviations of single teeth and missing material of damaged teeth are drawn as in the contact
+model. Every tooth has several levels of detail, graded by the deviation of its chords from the exact tooth.
 """
 
 from __future__ import annotations
@@ -39,23 +38,23 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 ERRORS = (0.2, 0.04, 4e-3)
-"""Distances of chords from the exact tooth, in modules, of the coarser levels."""
+"""Chord errors of the coarser levels, in modules."""
 FINEST = (1e-6, 1e-4)
-"""Those of the finest one on the flanks: the larger of a length [m] and a part of the module."""
+"""Chord error of the finest level on the flanks: maximum of a length [m] and a fraction of the module."""
 OWN_SLICES = 16
-"""Slices of the finest level where flanks change along the face."""
+"""Slices of the finest level for flanks that vary along the face."""
 DAMAGED = (24, 48)
-"""Points of a damaged flank and slices of a damaged tooth, at most, coarse and fine."""
+"""Maximum points of a damaged flank and slices of a damaged tooth, coarse and fine."""
 NOTHING = 1e-9
-"""Gaps that are not drawn [m]."""
+"""Gaps below this are not drawn [m]."""
 MOST_POINTS = 400
-"""Points of a flank, at most: one tooth has as many times its slices."""
+"""Maximum number of points of a flank per slice."""
 
 
 def gear_part(
     model: Model, name: str, seat: tuple[int, Array, Array], thinner: float
 ) -> tuple[SceneSolid, list[str]]:
-    """A gear, and what of it is not to be seen.
+    """Gear, and remarks on its invisible faults.
 
     Parameters
     ----------
@@ -64,14 +63,14 @@ def gear_part(
     name
         Name of the gear.
     seat
-        Number of its body in the scene, its middle [m] and the axes of its body in the frame of that.
+        Index of its body in the scene, its middle [m] and the axes of its body in that frame.
     thinner
-        Normal thickness that its teeth lack for the backlash of its meshes [m].
+        Reduction of the normal tooth thickness for the backlash of its meshes [m].
 
     Raises
     ------
     GeometryError
-        If there is no such tooth or blank.
+        If teeth or blank are impossible.
     """
     gear = model.gears[name]
     teeth = _Teeth.of(gear, thinner)
@@ -93,15 +92,15 @@ def gear_part(
 
 
 def _unseen(name: str, gear: Gear) -> list[str]:
-    """Faults that are there but not drawn, in sentences."""
+    """Remarks on faults that are not drawn."""
     found = []
     for label, fault in gear.faults.items():
         if isinstance(fault, Wear) and fault.severity > 0.0:
             size = "" if fault.depth is None else f", {1e6 * fault.severity * fault.depth:.3g} µm at most"
-            found.append(f"wear of {name} ({label}{size}) is in the forces, not drawn")
+            found.append(f"wear of {name} ({label}{size}) is included in the forces, but not drawn")
         if isinstance(fault, RootCrack) and fault.severity > 0.0:
             deep = f"{1e3 * fault.severity * fault.depth:.3g} mm"
-            found.append(f"root crack of {name}, tooth {fault.tooth} ({label}, {deep}) is marked, not open")
+            found.append(f"root crack of {name}, tooth {fault.tooth} ({label}, {deep}) is marked, not drawn")
     return found
 
 
@@ -118,7 +117,7 @@ def _seat(gear: Gear) -> tuple[complex, complex]:
 
 
 def _leaning(lean: complex) -> Array:
-    """Axes whose third is tilted towards a direction in the plane of the first two."""
+    """Axes with the third tilted towards a direction in the plane of the first two."""
     from scipy.spatial.transform import Rotation
 
     return np.asarray(Rotation.from_rotvec([-lean.imag, lean.real, 0.0]).as_matrix())
@@ -126,14 +125,14 @@ def _leaning(lean: complex) -> Array:
 
 @dataclass(frozen=True)
 class _Teeth:
-    """A gear whose teeth are drawn.
+    """Gear with drawn teeth.
 
     Attributes
     ----------
     gear, shape
-        The gear, and its geometry with the backlash of its meshes.
+        Gear, and its geometry with the backlash of its meshes.
     own
-        What its teeth have of their own; none where all are alike and exact.
+        Deviations of its teeth; None if all are equal and exact.
     """
 
     gear: Gear
@@ -142,14 +141,14 @@ class _Teeth:
 
     @classmethod
     def of(cls, gear: Gear, thinner: float) -> _Teeth:
-        """Teeth of a gear, thinner by a normal thickness [m]."""
+        """Teeth of a gear, thinned by a normal thickness [m]."""
         shape = gear.geometry
         shape = replace(shape, thickness_allowance=shape.thickness_allowance - thinner)
         plain = not gear.is_modified and not gear.tooth_faults
         return cls(gear, shape, None if plain else own_teeth(gear, mate=False))
 
     def pieces(self) -> list[ScenePiece]:
-        """One piece for all sound teeth, and one for every damaged tooth."""
+        """One piece for all intact teeth, and one for every damaged tooth."""
         z = self.gear.number_of_teeth
         damaged: dict[int, list[tuple[str, BrokenTooth | Pitting | RootCrack]]] = {}
         for label, fault in self.gear.faults.items():
@@ -165,7 +164,7 @@ class _Teeth:
             labels = [f"tooth {tooth}: {label} ({fault.form.replace('_', ' ')})" for label, fault in faults]
             sectors = self._damaged(tooth, [fault for _, fault in faults])
             turn = np.array([pitch * tooth])
-            # the blank below a damaged tooth is sound
+            # the blank below a damaged tooth is intact
             damage = [SceneLevel(error, *s.part(0, s.blank)) for error, s in sectors]
             blank = [SceneLevel(error, *s.part(s.blank, len(s.triangles))) for error, s in sectors]
             found += [ScenePiece(turn, damage, "; ".join(labels)), ScenePiece(turn, blank)]
@@ -184,7 +183,7 @@ class _Teeth:
         return None if row < 0 else (self.own.levels if layer == LEVEL else self.own.smooth)[row]
 
     def _common(self, sound: NDArray[np.int64]) -> tuple[Gap | None, Array]:
-        """What all sound teeth lack in the mean, and how far each of them is out of its place [rad]."""
+        """Mean deviation of all intact teeth, and the angular pitch deviation of each [rad]."""
         shifts = np.zeros(sound.size)
         if self.own is None:
             return None, shifts
@@ -194,7 +193,7 @@ class _Teeth:
             zero = np.zeros(self.own.stations[0])
             means.append(np.mean([zero if g is None else g for g in grids], axis=0))
             sums[flank] = [0.0 if g is None else float(g.mean()) for g in grids]
-        # a tooth that is displaced counter-clockwise lacks less on its left flank than on its right one
+        # a tooth displaced counter-clockwise lacks less material on its left flank than on its right one
         r_b = 0.5 * abs(self.shape.d_b)
         shifts = 0.5 * (sums[1] - sums[0]) / r_b
         shifts -= np.median(shifts)
@@ -224,7 +223,7 @@ class _Teeth:
         low, high = sorted(self.own.span)
 
         def gap(flank: str, z: float, roll: Array) -> Array:
-            """Material that a flank lacks along the base tangent [m]."""
+            """Missing material of a flank along the base tangent [m]."""
             at = np.column_stack([np.full(roll.size, z), np.clip(roll, low, high)])
             lacks = np.zeros(roll.size)
             for reader, stack in sides[0 if flank == "left" else 1]:
@@ -237,7 +236,7 @@ class _Teeth:
     def _sector(
         self, outline: Outline, sections: list[tuple[float, float | None]], gap: Gap | None
     ) -> Sector:
-        """The pitch with the blank of the gear."""
+        """One pitch with the blank of the gear."""
         return gear_sector(
             self.shape,
             outline,
@@ -249,7 +248,7 @@ class _Teeth:
         )
 
     def _levels(self, gap: Gap | None) -> list[SceneLevel]:
-        """A sound tooth from coarse to fine."""
+        """Intact tooth from coarse to fine."""
         found = []
         coarse = [e * self.shape.m_n for e in ERRORS]
         for error in (*coarse, max(FINEST[0], FINEST[1] * self.shape.m_n)):
@@ -284,7 +283,7 @@ class _Teeth:
                 np.linspace(-0.5, 0.5, slices + 1) * self.shape.b
             )
             sections = _sections(self.gear, self.shape, breaks, sorted(float(h) for h in heights))
-            # without pits the outline of a sound tooth is fine enough
+            # without pits the outline of an intact tooth is fine enough
             resolution = max(most, self._resolution or 5) if pits else None
             outline = pitch_outline(self.shape, error * self.shape.m_n, resolution)
             found.append((error * self.shape.m_n, self._sector(outline, sections, gap)))
@@ -294,7 +293,7 @@ class _Teeth:
 def _sections(
     gear: Gear, shape: CylindricalGear, breaks: list[BrokenTooth], heights: list[float]
 ) -> list[tuple[float, float | None]]:
-    """Heights and the radius at which a broken tooth ends there; a straight edge across is a step."""
+    """Positions along the face and radius at which a broken tooth ends; a transverse edge is a step."""
     if not breaks:
         return [(z, None) for z in heights]
     sizes = [(*fault.sizes(shape.b, tooth_height(shape)), fault) for fault in breaks]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Instants of a result worth looking at: contact lost and regained, the other flanks, faulty teeth in mesh.
+"""Marked events of a result: contact loss, impacts, contact of the other flanks, faulty teeth in mesh.
 
-They come from the samples that the result keeps, and instants between two samples from straight lines; where
-teeth go by faster than that can see, it is reported.
+They are determined from the stored samples, with linear interpolation between samples; a note is added if the
+tooth frequency is too high for this.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ Array = NDArray[np.float64]
 Span = tuple[float, float]
 
 MOST = 100
-"""Marks of one kind in one mesh; of more, the longest or the strongest."""
+"""Maximum number of marks of one kind in one mesh; the longest or strongest are retained."""
 SEEN = 0.25
-"""Tooth pairs from sample to sample up to which what happens in between is seen."""
+"""Maximum tooth pairs per sample interval at which events between samples are detected."""
 BOTH = 2
 """Contact state in which front and back flanks touch."""
 
@@ -40,7 +40,7 @@ BOTH = 2
 def scene_marks(
     model: Model, result: xr.Dataset, contacts: Sequence[SceneContact], frames: Array
 ) -> tuple[list[SceneMark], list[str]]:
-    """All marks in order of time, and notes on what they omit.
+    """All marks in order of time, and notes on omitted ones.
 
     Parameters
     ----------
@@ -63,18 +63,18 @@ def scene_marks(
                 size = "strongest" if kind == "impact" else "longest"
                 words = kind.replace("_", " ")
                 notes.append(
-                    f"mesh {contact.name}: {len(same)} marks of {words}; the {MOST} {size} are there"
+                    f"mesh {contact.name}: {len(same)} marks of {words}; the {MOST} {size} are shown"
                 )
         passing = _passing(contact, frames)
         if passing * _step(time) > SEEN:
             notes.append(
-                f"mesh {contact.name}: {passing * _step(time):.2g} tooth pairs go by from sample to sample; "
-                "contact that is lost and regained in between is not marked"
+                f"mesh {contact.name}: {passing * _step(time):.2g} tooth pairs per sample interval; "
+                "contact loss between samples is not marked"
             )
         elif passing * _step(frames) > 1.0:
             notes.append(
-                f"mesh {contact.name}: {passing * _step(frames):.2g} tooth pairs go by from frame to frame; "
-                "patterns are drawn line by line"
+                f"mesh {contact.name}: {passing * _step(frames):.2g} tooth pairs per frame interval; "
+                "patterns show separate lines"
             )
     return sorted(marks, key=lambda mark: mark.time), notes
 
@@ -84,7 +84,7 @@ def _step(time: Array) -> float:
 
 
 def _passing(contact: SceneContact, frames: Array) -> float:
-    """Tooth pairs per second where they go by fastest."""
+    """Maximum number of tooth pairs per second."""
     if frames.size < 2:
         return 0.0
     pairs = contact.flanks[0].travel / contact.base_pitch
@@ -92,7 +92,7 @@ def _passing(contact: SceneContact, frames: Array) -> float:
 
 
 def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> list[tuple[SceneMark, float]]:
-    """Marks of lost contact, impacts and the other flanks of one mesh, each with its weight [s, m/s].
+    """Marks of contact loss, impacts and the other flanks of one mesh, each with its weight [s, m/s].
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> lis
             found.append((SceneMark(regained, "impact", caption), speed))
         if start > 0:
             found.append((SceneMark(gone, "contact_loss", name, regained), regained - gone))
-    # a mesh works on the flanks that touch most of the time; the others are reported
+    # the working flanks are those in contact most of the time; contact of the others is marked
     other, kind, side = -1, "back_flank", back
     if np.count_nonzero(state == -1) > np.count_nonzero(state == 1):
         other, kind, side = 1, "front_flank", front
@@ -140,22 +140,22 @@ def contact_marks(result: xr.Dataset, contact: SceneContact, time: Array) -> lis
 
 
 def _runs(holds: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First sample and the one after the last of every stretch in which something holds."""
+    """First sample and the one after the last of every interval in which a condition holds."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], holds, [False]]).astype(np.int8)))
     return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
 
 
 def _crossing(time: Array, y: Array, k: int) -> float:
-    """When y is zero between the samples k - 1 and k; half-way where it does not change its sign there."""
+    """Time of the zero of y between the samples k - 1 and k; the middle if y does not change sign."""
     a, b = float(y[k - 1]), float(y[k])
     share = a / (a - b) if (a > 0.0) != (b > 0.0) else 0.5
     return float(time[k - 1] + share * (time[k] - time[k - 1]))
 
 
 def _impact(time: Array, y: Array, start: int, end: int) -> Span:
-    """When flanks that are apart in the samples from `start` to `end` meet, and how fast they close [m/s].
+    """Time and closing speed [m/s] of an impact after a separation in the samples from `start` to `end`.
 
-    The speed is that of the last two samples apart; of a single one, that from it into the contact.
+    The speed is that between the last two separated samples; for a single one, that from it into the contact.
     """
     k = end - 1 if end - start > 1 else end
     speed = float((y[k] - y[k - 1]) / (time[k] - time[k - 1])) if k > 0 else 0.0
@@ -166,12 +166,12 @@ def _impact(time: Array, y: Array, start: int, end: int) -> Span:
 
 
 def fault_marks(model: Model, contact: SceneContact, frames: Array) -> list[tuple[SceneMark, float]]:
-    """When teeth with faults are in one mesh, each stay with its length [s].
+    """Intervals in which teeth with faults are in mesh, each with its duration [s].
 
     Parameters
     ----------
     model
-        The machine, which names the faults.
+        Model with the faults.
     contact
         The mesh.
     frames
@@ -197,7 +197,7 @@ def fault_marks(model: Model, contact: SceneContact, frames: Array) -> list[tupl
 
 
 def _concerns(fault: ToothFault | BevelFault, side: int, turned: bool) -> bool:
-    """Whether a fault is on the flanks of one side; those of internal mates are named the other way round."""
+    """Whether a fault is on the flanks of one side; for internal gears left and right are exchanged."""
     front = "right" if turned else "left"
     behind = "left" if turned else "right"
     return getattr(fault, "flank", "both") in ("both", front if side > 0 else behind)
@@ -206,12 +206,12 @@ def _concerns(fault: ToothFault | BevelFault, side: int, turned: bool) -> bool:
 def tooth_in_mesh(
     contact: SceneContact, flank: ContactFlank, surface: FlankSurface, tooth: int, frames: Array
 ) -> list[Span]:
-    """Spans of time in which a contact line of a tooth lies between A and E somewhere on the face [s].
+    """Time spans in which a contact line of a tooth is between A and E anywhere on the face [s].
 
     Parameters
     ----------
     contact, flank, surface
-        The mesh, the side of its teeth, and the gear.
+        Mesh, flank side, and gear.
     tooth
         Number of the tooth.
     frames
@@ -220,7 +220,7 @@ def tooth_in_mesh(
     pitch, z = contact.base_pitch, surface.teeth
     ends = [flank.side * math.tan(contact.base_helix) * width for width in contact.width]
     low, high = contact.path[0] - max(ends), contact.path[1] - min(ends)
-    first = (tooth - surface.tooth) * surface.step % z  # of the pairs that the tooth makes, one in z
+    first = (tooth - surface.tooth) * surface.step % z  # one of z pairs has this tooth
     least = math.floor((float(flank.travel.min()) - high) / pitch)
     most = math.ceil((float(flank.travel.max()) - low) / pitch)
     found: list[Span] = []
@@ -230,7 +230,7 @@ def tooth_in_mesh(
 
 
 def _stays(time: Array, y: Array, low: float, high: float) -> list[Span]:
-    """Spans in which y, straight between its points, lies between low and high."""
+    """Intervals in which y, interpolated linearly, is between low and high."""
     instants = [float(time[0]), float(time[-1])]
     for level in (low, high):
         k = np.flatnonzero((y[:-1] > level) != (y[1:] > level))

@@ -26,18 +26,18 @@ Complex = NDArray[np.complex128]
 def scene_modes(
     system: System, count: int, bodies: Sequence[str], solids: Sequence[SceneSolid]
 ) -> list[SceneMode]:
-    """The lowest modes of a system about its loaded state.
+    """Lowest modes of a system about its loaded state.
 
     Parameters
     ----------
     system
-        The machine, compiled with a scenario or at rest.
+        System, compiled with a scenario or at rest.
     count
-        How many.
+        Number of modes.
     bodies
         Names of the bodies of the scene.
     solids
-        Its solids: those that bend in modal coordinates get theirs.
+        Solids of the scene; those with modal coordinates get their modal amplitudes.
     """
     from pitchpoint.solvers.modal import find_modes
 
@@ -58,7 +58,7 @@ def scene_modes(
 def modes_of_result(
     result: xr.Dataset, bodies: Sequence[str], solids: Sequence[SceneSolid]
 ) -> list[SceneMode]:
-    """The modes that a result of `pitchpoint modes` holds, without damping in their shapes.
+    """Modes of a result of `pitchpoint modes`, with undamped shapes.
 
     Parameters
     ----------
@@ -70,10 +70,10 @@ def modes_of_result(
     Raises
     ------
     PitchpointError
-        If it does not hold what bodies do in them.
+        If it does not contain the motion of the bodies.
     """
     if "body_shape" not in result:
-        raise PitchpointError("this result of modes holds no motions of bodies; compute it again")
+        raise PitchpointError("this result of modes contains no motion of bodies; recompute it")
     names = [str(name) for name in result["body"].values]
     coordinates = [str(name) for name in result["coordinate"].values]
     return [
@@ -97,7 +97,7 @@ def _mode(
     bodies: Sequence[str],
     solids: Sequence[SceneSolid],
 ) -> SceneMode:
-    """One mode with the bodies in the order of the scene."""
+    """Mode with the bodies in the order of the scene."""
     frequency, damping = numbers
     at = {body: k for k, body in enumerate(motions[0])}
     moved = np.array([motions[1][at[body]] for body in bodies]).reshape(-1, 6)

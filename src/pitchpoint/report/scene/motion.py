@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where all bodies of a result are at chosen times: coordinates from its channels, frames from the system."""
+"""Motion of all bodies of a result at given times: coordinates from its channels, frames from the system."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from pitchpoint.viz.scene.content import SceneBody
 Array = NDArray[np.float64]
 TWO_PI = 2.0 * math.pi
 TURNING = 0.5
-"""Travel [rad] from which on a body counts as turning."""
+"""Rotation [rad] above which a body counts as rotating."""
 STILL = 1e-12
 """Displacement [m, rad] below which a track is omitted."""
 SWING = 0.05
-"""Turn [rad] about one axis from which on it is motion, not vibration."""
+"""Rotation [rad] about one axis above which it counts as motion instead of vibration."""
 TUMBLE = 0.3
-"""The same of turns about several axes, which small rotation vectors no longer add up to."""
+"""The same for rotations about several axes, beyond the validity of small rotation vectors."""
 WAY = 0.01
-"""Displacement from which on it is motion, as a part of the size of the machine."""
+"""Displacement above which it counts as motion, relative to the size of the machine."""
 
 
 @dataclass(frozen=True)
@@ -38,14 +38,14 @@ class Motion:
     place, axes
         World positions of the origins, shape (n, nb, 3) [m], and frames that do not spin, (n, nb, 3, 3).
     angle
-        Angle about the third axis, whole turns included, without those of parents, shape (n, nb) [rad].
+        Angle about the third axis, including whole turns, relative to the parent, shape (n, nb) [rad].
     pitch_points, directions
         World positions of the pitch points, shape (n, nm, 3) [m], and directions tangential, radial and
         axial of the forces on gear 2, shape (n, nm, 3, 3), rows.
     unknown
-        Coordinates that the result does not hold.
+        Coordinates that are not in the result.
     observed
-        All observations of the bodies in these places, at rest, shape (n, no): forces without damping.
+        All observations in these positions at rest, shape (n, no): forces without damping.
     """
 
     place: Array
@@ -57,7 +57,7 @@ class Motion:
     observed: Array
 
     def spinning(self, b: int) -> Array:
-        """Axes that are fixed to a body, shape (n, 3, 3)."""
+        """Body-fixed axes, shape (n, 3, 3)."""
         c, s = np.cos(self.angle[:, b]), np.sin(self.angle[:, b])
         turned = self.axes[:, b].copy()
         turned[:, :, 0] = c[:, None] * self.axes[:, b, :, 0] + s[:, None] * self.axes[:, b, :, 1]
@@ -81,11 +81,11 @@ def motion(
     n
         Number of times.
     read
-        Gives a channel of the result at these times, shape (n,), or None where it has none.
+        Function that returns a channel of the result at these times, shape (n,), or None.
     times
         The times [s], shape (n,).
     look
-        Called with the number of each time when the system is at that state.
+        Called with the index of each time when the system is in this state.
     """
     layout, body = system.layout, system.program["body"]
     q = np.tile(system.initial_state().q * 0.0, (n, 1))
@@ -145,21 +145,21 @@ def motion(
 
 
 def _attitudes(name: str, read: Callable[[str], Array | None], charts: Array) -> bool:
-    """Write the attitudes of a tumbling body into charts, shape (n, 3, 3); whether they are known."""
+    """Set the attitudes of a tumbling body, shape (n, 3, 3); return whether they are known."""
     from scipy.spatial.transform import Rotation
 
     parts = [read(f"attitude[{name}.{c}]") for c in "xyzw"]
     if any(part is None for part in parts):
         return False
     quaternion = np.column_stack([part for part in parts if part is not None])
-    # a model at rest reads zeros
+    # a model at rest has zeros
     if np.any(quaternion):
         charts[:] = Rotation.from_quat(quaternion).as_matrix()
     return True
 
 
 def shown_bodies(system: System) -> list[int]:
-    """Numbers of the bodies that a scene has: those that only carry coordinates of elastic ones are not."""
+    """Indices of the bodies in a scene, without auxiliary bodies for coordinates of elastic ones."""
     names, model = system.layout.bodies, system.model
     helpers: set[str] = set()
     if model is not None:
@@ -170,14 +170,14 @@ def shown_bodies(system: System) -> list[int]:
 
 
 def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]:
-    """Bodies of a scene, ground omitted; those that hang on a body that turns move in its frame.
+    """Bodies of a scene without ground; children of a rotating body move in its frame.
 
     Parameters
     ----------
     system
         The machine.
     moved, rest
-        Its motion over the frames of the scene, and at rest, one frame.
+        Motion over the frames of the scene, and the rest position as one frame.
     """
     names, shown = system.layout.bodies, shown_bodies(system)
     numbers = {b: k for k, b in enumerate(shown)}
@@ -216,7 +216,7 @@ def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]
 
 
 def _turns(axes: Array) -> tuple[Array | None, Array | None]:
-    """Axes over time, shape (n, 3, 3), as small rotation vectors, or as quaternions where they are large."""
+    """Axes over time, shape (n, 3, 3), as small rotation vectors, or as quaternions for large rotations."""
     from scipy.spatial.transform import Rotation
 
     turned = Rotation.from_matrix(axes)
@@ -225,14 +225,14 @@ def _turns(axes: Array) -> tuple[Array | None, Array | None]:
     if largest <= TUMBLE:
         return (vector if largest > STILL else None), None
     found = turned.as_quat()
-    # neighbours on the same side: what lies between two frames is the shorter way
+    # equal signs of neighbours: interpolation between frames takes the shorter path
     signs = np.sign((found[1:] * found[:-1]).sum(axis=1))
     found[1:] *= np.cumprod(np.where(signs == 0.0, 1.0, signs))[:, None]
     return None, found
 
 
 def _in_parent(moved: Motion, b: int, parent: int) -> tuple[Array, Array]:
-    """Places (n, 3) and axes (n, 3, 3) of a body in the spinning frame of its parent."""
+    """Positions (n, 3) and axes (n, 3, 3) of a body in the spinning frame of its parent."""
     if parent == 0:
         return moved.place[:, b], moved.axes[:, b]
     inverse = np.swapaxes(moved.spinning(parent), 1, 2)
@@ -241,14 +241,14 @@ def _in_parent(moved: Motion, b: int, parent: int) -> tuple[Array, Array]:
 
 
 def _guide(angle: Array) -> int:
-    """Body that turns most, whose angle guides those of the others; -1 if none turns."""
+    """Body with the largest rotation, which guides the angles of the others; -1 if none rotates."""
     travel = np.abs(angle[-1] - angle[0])
     b = int(np.argmax(travel))
     return b if travel[b] > TURNING else -1
 
 
 def _gross(angle: Array, b: int, guide: int) -> tuple[Array | None, float]:
-    """Angle prescribed by the kinematics, as that of the guide and a ratio: the best fit over all frames."""
+    """Kinematic angle as that of the guiding body times a ratio, fitted over all frames."""
     if guide < 0 or abs(angle[-1, b] - angle[0, b]) < TURNING:
         return None, 1.0
     if b == guide:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where things of a model sit in its scene: bodies of the scene, places and axes in the frames that move."""
+"""Positions of components in the scene: scene bodies, positions and axes in moving frames."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ Array = NDArray[np.float64]
 
 
 class Places:
-    """Frames of all bodies of a model where the file places them, and its size.
+    """Frames of all bodies at their positions in the model file, and the size of the machine.
 
     Parameters
     ----------
     model
         The model.
     numbers
-        Numbers of the bodies in the scene by those in the records, ground omitted.
+        Indices of the bodies in the scene by those in the records, without ground.
     names
-        Numbers of the bodies in the scene by name.
+        Indices of the bodies in the scene by name.
     """
 
     def __init__(self, model: Model, numbers: Mapping[int, int], names: Mapping[str, int]) -> None:
@@ -48,33 +48,34 @@ class Places:
         self.size = max(reach, *gears, *shafts, 0.0) or 0.2
 
     def origin(self, body: str) -> Array:
-        """Origin of a body in the world [m]."""
+        """Origin of a body in world coordinates [m]."""
         found = body_frame(self.model, body)[0]
         return np.zeros(3) if found is None else found
 
     def anchors(self, body: str) -> list[Array]:
-        """Places in the world where something joins a body [m]."""
+        """Connection points of a body in world coordinates [m]."""
         model = self.model
         found = [place_of(model, f"{body}.{m}") for m in model.bodies[body].markers]
         joints = self._joints.get(body, ())
         return [p for p in (*found, *(joint_place(model, j) for j in joints)) if p is not None]
 
     def seat(self, body: str, place: ArrayLike | None = None) -> tuple[int, Array, Array]:
-        """Body of the scene that a body moves with, -1 for ground, and its frame at rest in the world.
+        """Scene body that a body moves with, -1 for ground, and its rest frame in the world.
 
         Parameters
         ----------
         body
             Name of the body, or ground.
         place
-            Where on it, in the world [m]: of a shaft the nearest station counts, of an elastic body a node.
+            Position on it in world coordinates [m]: selects the nearest station of a shaft or node of an
+            elastic body.
         """
         where = None if place is None else np.asarray(place, float)
         number, origin, axes = frame_at(self.model, body, where)
         return self.numbers.get(number, -1), origin, axes
 
     def world(self, body: str, place: ArrayLike = (0.0, 0.0, 0.0)) -> tuple[Array, Array]:
-        """A place of a body in the world [m], and the axes of that body there; ground has those of the world.
+        """Point of a body in world coordinates [m], and the axes of the body there; world axes for ground.
 
         Parameters
         ----------
@@ -88,12 +89,12 @@ class Places:
         return origin + axes @ np.asarray(place, float), axes
 
     def at_world(self, body: str, point: Array, axes: Array) -> tuple[int, Array, Array]:
-        """Body of the scene, and in its frame a point [m] and axes that are given in the world."""
+        """Scene body, and in its frame a point [m] and axes given in world coordinates."""
         number, origin, frame = self.seat(body, point)
         return number, frame.T @ (point - origin), frame.T @ axes
 
     def own(self, body: str, place: ArrayLike = (0.0, 0.0, 0.0)) -> tuple[int, Array, Array]:
-        """Body of the scene, and in its frame a place of a body [m] and the axes of that body.
+        """Scene body, and in its frame a point of a body [m] and the axes of that body.
 
         Parameters
         ----------
@@ -105,7 +106,7 @@ class Places:
         return self.at_world(body, *self.world(body, place))
 
     def end(self, end: str) -> tuple[int, Array, Array]:
-        """The same of ground, BODY or BODY.MARKER, with the axes of the marker."""
+        """The same for ground, BODY or BODY.MARKER, with the axes of the marker."""
         body = split(end)[0]
         place = place_of(self.model, end)
         point = np.zeros(3) if place is None else place
@@ -115,18 +116,18 @@ class Places:
 def placed_solid(
     name: str, kind: str, seat: tuple[int, Array, Array], surface: Surface, *, schematic: bool = True
 ) -> SceneSolid:
-    """A rigid surface at a place of a body.
+    """Rigid surface at a point of a body.
 
     Parameters
     ----------
     name, kind
-        Of the solid.
+        Name and kind of the solid.
     seat
-        Body of the scene, origin [m] and axes of the surface in its frame.
+        Scene body, origin [m] and axes of the surface in its frame.
     surface
         Points and triangles.
     schematic
-        Whether it only represents something whose shape is not known.
+        Whether it is a symbol for a component of unknown shape.
     """
     body, place, axes = seat
     points, triangles = surface

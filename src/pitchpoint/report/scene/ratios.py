@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Fixed ratios in a scene: wheels that touch, wheels with a belt, a wheel on a rack.
+"""Fixed ratios in a scene: friction wheels, belt drives, rack and pinion.
 
-A ratio is an equation between coordinates; what is drawn is the simplest machine that obeys it where the
-bodies are: wheels whose rims, and racks whose edges, have one speed where they touch.
+A ratio is an equation between coordinates; it is drawn as the simplest mechanism that satisfies it at the
+positions of the bodies: wheels and racks with equal speeds at the contact.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 COLUMNS = {"x": 0, "y": 1, "z": 2, "alpha": 0, "beta": 1, "spin": 2}
-"""Axis of a joint along or about which each of its coordinates counts."""
+"""Axis of a joint for each of its coordinates."""
 WIDTH = 0.025
-"""Width of wheels and racks, as a part of the size of the machine."""
+"""Width of wheels and racks, relative to the size of the machine."""
 PULLEY = 0.4
-"""Radius of the larger of two pulleys without radii of their own, as a part of their distance."""
+"""Radius of the larger of two pulleys without given radii, relative to their distance."""
 RACK = 6.0
-"""Length of a rack over the radius of its pinion."""
+"""Length of a rack relative to the radius of its pinion."""
 PARALLEL = 1e-6
 
 
 class _Term(NamedTuple):
-    """A coordinate in a ratio: its body, where and about or along which axis it moves, and its factor."""
+    """Coordinate in a ratio: its body, position and axis of its motion, and its factor."""
 
     body: str
     parent: str
@@ -48,7 +48,7 @@ class _Term(NamedTuple):
 
 
 def ratio_parts(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]:
-    """What represents the ratios of a model, and what is not drawn.
+    """Symbols of the ratios of a model, and remarks on omitted ones.
 
     Parameters
     ----------
@@ -62,18 +62,18 @@ def ratio_parts(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]:
     for name, ratio in model.ratios.items():
         terms = [_term(model, word, factor) for word, factor in ratio.terms.items()]
         known = [term for term in terms if term is not None]
-        # what carries one of the others does not touch it
+        # a body that carries another one does not touch it
         carrying = {term.parent for term in known}
         pair = [term for term in known if term.body not in carrying]
         solids = _pair(at, f"ratio {name}", *pair) if len(known) == len(terms) and len(pair) == 2 else []
         found += solids
         if not solids:
-            notes.append(f"ratio {name} is not drawn: no two wheels, or wheel and rack, represent it")
+            notes.append(f"ratio {name} is not drawn: not representable by two wheels or a wheel and a rack")
     return found, notes
 
 
 def _term(model: Model, word: str, factor: float) -> _Term | None:
-    """What a term of a ratio counts; none for coordinates that functions make."""
+    """Coordinate of a term of a ratio; None for coordinates defined by functions."""
     named = coordinate(model.mechanism, model, word)
     if isinstance(named, str):
         return None
@@ -87,7 +87,7 @@ def _term(model: Model, word: str, factor: float) -> _Term | None:
 
 
 def _pair(at: Places, name: str, one: _Term, other: _Term) -> list[SceneSolid]:
-    """Two coordinates that go together; nothing where no simple machine does that."""
+    """Solids for two coupled coordinates; empty if no simple mechanism exists."""
     if one.turns and other.turns:
         return _wheels(at, name, one, other)
     if one.turns != other.turns:
@@ -106,7 +106,7 @@ def _wheel(at: Places, name: str, term: _Term, place: Array, radius: float) -> S
 
 
 def _wheels(at: Places, name: str, one: _Term, other: _Term) -> list[SceneSolid]:
-    """Wheels that roll on each other where they turn against each other, pulleys where they do not."""
+    """Friction wheels for opposite rotation, pulleys with a belt for equal rotation."""
     sense = float(one.axis @ other.axis)
     way = other.place - one.place
     way -= one.axis * (way @ one.axis)
@@ -130,7 +130,7 @@ def _wheels(at: Places, name: str, one: _Term, other: _Term) -> list[SceneSolid]
 
 
 def _belt(at: Places, axis: Array, places: tuple[Array, Array], radii: list[float]) -> shapes.Surface:
-    """Both strands of a belt that touches two circles from outside."""
+    """Both strands of an open belt around two circles."""
     way = places[1] - places[0]
     far = float(np.linalg.norm(way))
     along, thick = way / far, 0.25 * WIDTH * at.size
@@ -144,12 +144,12 @@ def _belt(at: Places, axis: Array, places: tuple[Array, Array], radii: list[floa
 
 
 def _rack(at: Places, name: str, pinion: _Term, rack: _Term) -> list[SceneSolid]:
-    """A wheel and a bar that goes as its rim does where they touch."""
+    """Wheel and rack with the speed of the rim at the contact."""
     if abs(pinion.axis @ rack.axis) > PARALLEL:
         return []
     slope = -pinion.factor / rack.factor
     radius = abs(slope)
-    # the rim has the speed axis x normal there, which is to be along the way of the rack
+    # the rim has the direction axis x normal there, which must be that of the rack
     normal = np.sign(slope) * np.cross(rack.axis, pinion.axis)
     thick = WIDTH * at.size
     middle = pinion.place + (radius + 0.5 * thick) * normal

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The scene of a model at rest from its file alone: nothing is compiled, so it is there at once."""
+"""Scene of a model at rest from its file alone, without compilation."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 def rest_scene(model: Model) -> Scene:
-    """Every body where the file places it, all coordinates zero, as the system numbers them.
+    """Bodies at their positions in the model file, all coordinates zero, in the order of the system.
 
     Parameters
     ----------
@@ -41,7 +41,7 @@ def rest_scene(model: Model) -> Scene:
     for body in bodies(model):
         place, axes = frame_at_rest(model, body.name)
         found.append(SceneBody(name=body.name, place=place, axes=axes))
-    # body k of the list is k + 1 in the records
+    # body k of the list has the index k + 1 in the records
     numbers = {k + 1: k for k in range(len(found))}
     places = Places(model, numbers, {body.name: k for k, body in enumerate(found)})
     solids, notes = scene_solids(model, places)
@@ -56,14 +56,14 @@ def rest_scene(model: Model) -> Scene:
 
 
 def frame_at_rest(model: Model, name: str) -> tuple[Array, Array]:
-    """Origin [m] and axes in the world of a body of the system, with all coordinates zero.
+    """Origin [m] and axes of a body of the system in the world, with all coordinates zero.
 
     Parameters
     ----------
     model
         The model.
     name
-        A body, a station of a shaft, or a node of an elastic body; what is none of them is at the origin.
+        A body, a station of a shaft, or a node of an elastic body; others are at the origin.
     """
     seats = model.mechanism.seats
     owner, rest = split(name)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What represents bodies without a shape: bars between the places of their joints, balls, discs, springs.
+"""Schematic solids of bodies without a shape: bars between their joints, balls, discs, springs.
 
-All of it is marked as schematic. Places and directions are those of the model, thicknesses are not.
+All are marked as schematic. Positions and directions are those of the model, thicknesses are symbolic.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ Array = NDArray[np.float64]
 STEEL = 7850.0
 """Density of balls and discs that represent masses and inertias [kg/m^3]."""
 BAR, PIN, BALL, DISC = 0.010, 0.017, 0.045, 0.4
-"""Radii of bars, pins, the largest ball and disc, as parts of the size of the machine."""
+"""Radii of bars, pins, the largest ball and disc, relative to the size of the machine."""
 GUESSED = 0.2
-"""The same of a disc whose inertia alone is known: that of a whole vehicle is not a disc."""
+"""The same for a disc with known inertia only: the inertia of a vehicle is not that of a disc."""
 RAIL = 0.15
-"""Half the length of a rail, as a part of the size of the machine."""
+"""Half length of a rail, relative to the size of the machine."""
 PINNED = ("revolute", "cylindrical", "screw", "universal", "planar")
 
 
 def schematics(
     model: Model, at: Places, drawn: set[str], wheeled: set[str]
 ) -> tuple[list[SceneSolid], list[str]]:
-    """Everything that represents something else, and sentences about it.
+    """All schematic solids, and remarks on them.
 
     Parameters
     ----------
@@ -49,9 +49,9 @@ def schematics(
     at
         Where things sit in the scene.
     drawn
-        Names of the bodies that have a shape already.
+        Names of the bodies with a shape.
     wheeled
-        Names of those that have wheels, and need no disc.
+        Names of the bodies with wheels, which have no disc.
     """
     parts, notes = contact_parts(model, at.size)
     found: list[SceneSolid] = []
@@ -68,14 +68,14 @@ def schematics(
         placed_solid(name, "body", at.end(where), surface, schematic=False) for name, where, surface in parts
     ]
     if bars:
-        notes.append("bars, balls and discs represent bodies whose shape the model does not give")
+        notes.append("bars, balls and discs represent bodies without a shape in the model")
     return found, notes
 
 
 def stand_in(
     at: Places, name: str, kind: str, body: str, surface: shapes.Surface, place: ArrayLike | None = None
 ) -> SceneSolid:
-    """A surface that is given in the world, on a body, marked as schematic.
+    """Schematic solid on a body from a surface in world coordinates.
 
     Parameters
     ----------
@@ -86,9 +86,9 @@ def stand_in(
     body
         Name of the body, or ground.
     surface
-        In the world [m].
+        Surface in world coordinates [m].
     place
-        Where it sits on an elastic shaft or body, in the world [m]; its middle, if omitted.
+        Its position on an elastic shaft or body, in world coordinates [m]; default: middle of the surface.
     """
     points, triangles = surface
     number, origin, axes = at.seat(body, points.mean(axis=0) if place is None else place)
@@ -103,9 +103,9 @@ def stand_in(
 
 
 def _figure(at: Places, name: str, shaped: bool) -> list[SceneSolid]:
-    """Bars from the joint that carries a body to all its places, and a ball for its mass; else a disc.
+    """Bars from the joint that carries a body to its connection points, and a ball for its mass; else a disc.
 
-    Nothing but bars where something else of it is drawn.
+    Only bars if other parts of the body are drawn.
     """
     part, bar = at.model.bodies[name], BAR * at.size
     points = at.anchors(name)
@@ -139,7 +139,7 @@ def _figure(at: Places, name: str, shaped: bool) -> list[SceneSolid]:
 
 
 def _disc(at: Places, name: str) -> shapes.Surface:
-    """A disc of steel with the inertia of a body, and its mass where that is given."""
+    """Steel disc with the inertia of a body, and its mass if given."""
     inertia, mass = at.model.body_inertia(name).polar, at.model.bodies[name].mass or 0.0
     radius = (2.0 * inertia / (0.3 * math.pi * STEEL)) ** 0.2
     if mass > 0.0 and inertia > 0.0:
@@ -149,7 +149,7 @@ def _disc(at: Places, name: str) -> shapes.Surface:
 
 
 def _pins(at: Places) -> list[SceneSolid]:
-    """Pins and balls of joints."""
+    """Pins and balls for joints."""
     found = []
     for name, joint in at.model.joints.items():
         place, body = joint_place(at.model, joint), split(joint.bodies[1])[0]
@@ -167,7 +167,7 @@ def _pins(at: Places) -> list[SceneSolid]:
 
 
 def _guides(at: Places) -> list[SceneSolid]:
-    """A rail on either side of what slides."""
+    """Rails on both sides of a sliding body."""
     found, thin = [], 0.4 * BAR * at.size
     for name, joint in at.model.joints.items():
         place = joint_place(at.model, joint)
@@ -182,7 +182,7 @@ def _guides(at: Places) -> list[SceneSolid]:
 
 
 def _unbalances(at: Places) -> list[SceneSolid]:
-    """A ball of steel for every point mass, not too small to be seen."""
+    """Steel ball for every point mass, with a minimum size."""
     found = []
     for name, part in at.model.unbalances.items():
         radius = (3.0 * part.mass / (4.0 * math.pi * STEEL)) ** (1.0 / 3.0)
@@ -219,7 +219,7 @@ def piston(at: Places) -> shapes.Surface:
 
 
 def link(at: Places, name: str, ends: Sequence[str], kind: str, surface: shapes.Surface) -> SceneSolid:
-    """A surface of unit length that is stretched between two places.
+    """Surface of unit length, stretched between two points.
 
     Parameters
     ----------
@@ -228,7 +228,7 @@ def link(at: Places, name: str, ends: Sequence[str], kind: str, surface: shapes.
     name, kind
         Of the solid.
     ends
-        Both places: ground, BODY or BODY.MARKER.
+        Both ends: ground, BODY or BODY.MARKER.
     surface
         From 0 to 1 along z.
     """
@@ -238,7 +238,7 @@ def link(at: Places, name: str, ends: Sequence[str], kind: str, surface: shapes.
 def stretched(
     name: str, kind: str, ends: Sequence[tuple[int, Array, Array]], surface: shapes.Surface
 ) -> SceneSolid:
-    """A surface of unit length between two places of bodies of the scene."""
+    """Surface of unit length between points of two scene bodies."""
     (a, first, _), (b, second, _) = ends
     points, triangles = surface
     return SceneSolid(

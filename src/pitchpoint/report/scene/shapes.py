@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Simple surfaces that scenes are assembled from: rods, balls, rings, coils, plates."""
+"""Elementary surfaces of scenes: rods, balls, rings, coils, plates."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Surface = tuple[Array, Indices]
 """Points (n, 3) [m] and triangles (m, 3), counter-clockwise seen from outside."""
 
 SIDES = 16
-"""Corners of a thin round rod."""
+"""Number of corners of a thin round rod."""
 
 
 def joined(parts: Iterable[Surface]) -> Surface:
@@ -47,7 +47,7 @@ def across(direction: ArrayLike) -> Array:
 
 
 def turned_profile(profile: ArrayLike, sides: int = 32) -> Surface:
-    """Closed surface of a line (radius, height) turned about the third axis, its inside to the left.
+    """Closed surface of revolution of a line (radius, height) about the third axis, its inside to the left.
 
     Ends on the axis are closed by points there; a line whose last point is its first makes a ring.
     """
@@ -129,7 +129,7 @@ def coil(radius: float, wire: float, turns: int = 7) -> Surface:
     """A helical spring about the third axis, from 0 to 1 on it, radius and wire in metres."""
     t = np.linspace(0.0, 1.0, 14 * turns + 1)
     angle = 2.0 * math.pi * turns * t
-    # made at a length of one radius a turn, then brought to the length 1: the wire is flattened, not seen
+    # created with a pitch of one radius, then scaled to length 1: the wire is flattened invisibly
     long = 2.0 * radius * turns
     line = np.column_stack([radius * np.cos(angle), radius * np.sin(angle), long * t])
     points, faces = tube(line, wire)
@@ -139,7 +139,7 @@ def coil(radius: float, wire: float, turns: int = 7) -> Surface:
 def plate(outline: ArrayLike, width: float) -> Surface:
     """A plate with a closed outline, counter-clockwise about the third axis, its middle at height 0 [m].
 
-    Its faces are fans about the mean of the corners: outlines that see all of themselves from there.
+    Its faces are fans about the mean of the corners, for outlines that are star-shaped about this point.
     """
     ring = np.asarray(outline, float)
     n, h = len(ring), 0.5 * width
@@ -154,12 +154,12 @@ def plate(outline: ArrayLike, width: float) -> Surface:
 
 
 def ribbon(line: ArrayLike, width: float, closed: bool) -> Surface:
-    """A strip along a line in the plane, seen from both sides [m]."""
+    """A strip along a plane line, visible from both sides [m]."""
     points = np.asarray(line, float)
     n, h = len(points), 0.5 * width
     corners = np.concatenate([np.c_[points, np.full(n, z)] for z in (-h, h)])
     k = np.arange(n if closed else n - 1)
     after = (k + 1) % n
     side = np.concatenate([np.c_[k, after, n + after], np.c_[k, n + after, n + k]])
-    # corners of their own for the back, or its light would be that of the front
+    # separate corners for the back, so that it has its own shading
     return np.concatenate([corners, corners]), np.concatenate([side, side[:, ::-1] + 2 * n])

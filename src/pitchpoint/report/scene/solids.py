@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Solids of a model for its scene: gears with their teeth, shafts, bearings, bodies from files.
 
-Every solid is in the frame of its body at spin 0, as the system has it. What has no drawing is omitted and
-reported: nothing is drawn that the model does not hold, but for spindles, which only join the gears of a
-body.
+Every solid is in the frame of its body at spin 0, as in the system. Components that cannot be drawn are
+omitted with a remark. Only components of the model are drawn, except for spindles, which connect the gears of
+a body.
 """
 
 from __future__ import annotations
@@ -44,11 +44,11 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 ROUND = 48
-"""Corners of a drawn circle."""
+"""Number of corners of a circle."""
 
 
 def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]:
-    """Solids of a model, and what is not drawn.
+    """Solids of a model, and remarks on omitted ones.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
         if body is None:
             continue
         apex = model.bodies[body].bevel_gears[name]
-        # on an elastic shaft the gear moves with the station where its teeth are
+        # on an elastic shaft the gear moves with the station of its teeth
         middle = middle_of(model.bevel_gears[name], apex) if body in model.shafts else apex
         number, place, axes = at.own(body, (0.0, 0.0, middle))
         seat = number, place + (apex - middle) * axes[:, 2], axes
@@ -104,9 +104,9 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
     frames = housings(model, at)
     found += [solid for part in frames.values() for solid in part]
     if frames:
-        notes.append("frames around gears represent housings, whose shape the model does not give")
+        notes.append("frames around gears represent housings without a shape in the model")
     if model.bearings or plates:
-        notes.append("rings of linear bearings and plates of carriers show where they are, not how large")
+        notes.append("rings of linear bearings and plates of carriers show positions, not sizes")
     shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
     shapes |= {*plates, *frames}
     wheels, lacking = ratio_parts(model, at)
@@ -116,10 +116,10 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
 
 
 def drawn_allowances(model: Model) -> dict[str, float]:
-    """Normal tooth thickness that drawn gears lack so that meshes show the backlash that is given [m].
+    """Reduction of the normal tooth thickness of drawn gears for the given backlash of their meshes [m].
 
-    By gear, at the reference circle, of bevel gears in the middle of the face; half of a mesh's part each,
-    and of a gear in several meshes the largest. The backlash follows the thickness as in
+    By gear, at the reference circle, for bevel gears at mid-face; each gear has half of the value of a mesh,
+    and a gear in several meshes the maximum. The relation to the backlash is that of
     `geometry.backlash.backlash_at`.
     """
     found: dict[str, float] = {}
@@ -143,7 +143,7 @@ def drawn_allowances(model: Model) -> dict[str, float]:
 def _solid(
     name: str, kind: str, body: int, corners: Array, *, creases: float = 35.0, schematic: bool = False
 ) -> SceneSolid:
-    """Triangles with their corners numbered."""
+    """Triangles with indexed corners."""
     first, triangles = join_corners(corners)
     points = corners.reshape(-1, 3)[first]
     return SceneSolid(
@@ -158,9 +158,9 @@ def _solid(
 
 
 def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
-    """A shaft that bends between its stations."""
+    """Shaft that deforms between its stations."""
     shaft, places = model.shafts[name], np.array(model.stations[name])
-    # sections are cut at the stations too, so that every ring of corners can follow one
+    # sections are also divided at the stations, so that every ring of corners can follow one
     ends = np.cumsum([0.0, *(s.length for s in shaft.sections)])
     cuts = np.unique(np.concatenate([ends, places]))
     cuts = cuts[np.append(True, np.diff(cuts) > 1e-9 * ends[-1])]
@@ -188,7 +188,7 @@ def _shaft(model: Model, name: str, bodies: Mapping[str, int]) -> SceneSolid:
 
 
 def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
-    """Something round that joins the gears of a body without sections."""
+    """Spindle that connects the gears of a body without sections."""
     part = model.bodies[name]
     radius = spindle_radius(model, name)
     if radius is None:
@@ -209,7 +209,7 @@ def _on_axis(place: Iterable[float]) -> bool:
 
 
 def _rolling_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
-    """Both rings of a rolling bearing, each on the body of its end."""
+    """Both rings of a rolling bearing, each on its body."""
     part = model.rolling_bearings[name]
     d, pitch = part.element_diameter, part.pitch_diameter
     width, rib = 1.4 * d, 0.5 * d
@@ -225,7 +225,7 @@ def _rolling_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
 
 
 def _from_file(model: Model, name: str, at: Places, cover: str | None) -> SceneSolid:
-    """The surface of a file, in the axes of its body; what covers others is seen through."""
+    """Surface of a solid file, in the axes of its body; covers are transparent."""
     reference = model.bodies[name].solid
     assert reference is not None
     points, triangles = surface_of(reference)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Spectra of a scene: over frequencies, over orders of a shaft, and over time."""
+"""Spectra of a scene over frequency or shaft orders, and spectral maps over time."""
 
 from __future__ import annotations
 
@@ -34,23 +34,23 @@ QUANTITIES = (
     "torque",
     "speed",
 )
-"""Quantities whose spectra are shown, first those that people look at first."""
+"""Quantities with spectra, the main ones first."""
 MOST = 12
 MAPS = 4
-"""Most channels with spectra, and of these with maps over time."""
+"""Maximum number of channels with spectra, and of those with maps over time."""
 LINES, MAP_LINES, PIECES = 1500, 256, 160
-"""Lines of a spectrum and of a map (of more, every group keeps its largest), pieces of a map."""
+"""Maximum numbers of lines of a spectrum and of a map (reduced by group maxima), and of segments of a map."""
 ROUND_OFF = 1e-9
-"""Part of the largest value of a quantity up to which a channel of it that changes does not."""
+"""Relative variation up to which a channel counts as constant."""
 FEWEST = 64
-"""Samples below which there is no spectrum."""
+"""Minimum number of samples for a spectrum."""
 ORDERS = 4.5
-"""Orders that are shown, in numbers of teeth of the first gear: four harmonics of the mesh."""
+"""Maximum order in numbers of teeth of the first gear: four mesh harmonics."""
 
 
 @dataclass(frozen=True)
 class _Shaft:
-    """A body that turns one way all the time: its angle [rad] and the highest order that is wanted."""
+    """Body with constant sense of rotation: its angle [rad] and the highest required order."""
 
     name: str
     angle: Array
@@ -58,23 +58,23 @@ class _Shaft:
 
     @property
     def turns(self) -> float:
-        """Whole way that it turns [revolutions]."""
+        """Total rotation [revolutions]."""
         return turns_of(self.angle)
 
 
 def scene_spectra(
     model: Model, result: xr.Dataset, settle_time: float = 0.0
 ) -> tuple[list[SceneSpectrum], list[SceneMap]]:
-    """Spectra of the channels that people look at first, and maps of how some of them change.
+    """Spectra of the main channels, and maps over time for some of them.
 
     Parameters
     ----------
     model
-        The model, which states what shaft turns the gears of a mesh.
+        Model, which defines the shafts of the gears of a mesh.
     result
         A time response.
     settle_time
-        Part of it at the beginning that does not count for spectra [s]; maps show it.
+        Settling time omitted from spectra [s]; maps include it.
     """
     time = np.asarray(result["time"].values, dtype=np.float64)
     if time.size < FEWEST:
@@ -98,7 +98,7 @@ def scene_spectra(
 
 
 def _chosen(result: xr.Dataset, inside: NDArray[np.bool_]) -> list[str]:
-    """Channels that have a spectrum: the first ones that change."""
+    """Channels with a spectrum: the first varying ones."""
     names = [str(n) for n, x in result.data_vars.items() if x.dims == ("time",)]
     found: list[str] = []
     for quantity in QUANTITIES:
@@ -115,7 +115,7 @@ def _owner(channel: str) -> str:
 
 
 def _shafts(model: Model, result: xr.Dataset) -> Mapping[str, _Shaft]:
-    """Shafts that turn one way, by the mesh whose first gear they carry; without a name the first of all."""
+    """Shafts with constant sense of rotation, by the mesh of their first gear; the first also unnamed."""
     found: dict[str, _Shaft] = {}
     for name, mesh in model.every_mesh.items():
         body = model.body_of(mesh.gears[0])
@@ -137,7 +137,7 @@ def _shafts(model: Model, result: xr.Dataset) -> Mapping[str, _Shaft]:
 def _orders(
     name: str, unit: str, values: Array, shaft: _Shaft | None, inside: NDArray[np.bool_]
 ) -> list[SceneSpectrum]:
-    """Spectrum over the orders of a shaft, where it turns far enough in the part that counts."""
+    """Spectrum over the orders of a shaft, if it has enough revolutions after settling."""
     if shaft is None or turns_of(shaft.angle[inside]) < ORDER_TURNS:
         return []
     try:
@@ -151,7 +151,7 @@ def _orders(
 
 
 def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None) -> list[SceneMap]:
-    """How a spectrum changes: over the orders of a shaft, over frequencies where there is none."""
+    """Spectral map over time: over the orders of a shaft, or over frequencies without shaft."""
     if shaft is not None and shaft.turns < MAP_TURNS:
         shaft = None
     try:
@@ -160,7 +160,7 @@ def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None)
             passed = time_frequency_map(signal, rate, frames=PIECES, start=float(time[0]))
             lines, times, amplitude = passed.frequency, passed.time, passed.amplitude
         else:
-            # a piece is short enough to show changes, long enough to distinguish orders
+            # a segment is short enough to show changes and long enough to resolve orders
             turns = float(np.clip(np.floor(shaft.turns / 40.0), 1.0, 8.0))
             highest = min(shaft.highest, highest_resolved_order(shaft.angle))
             tracked = order_map(
@@ -169,7 +169,7 @@ def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None)
             lines, times, amplitude = tracked.order, tracked.time, tracked.amplitude
     except SignalError:
         return []
-    # the mean of a piece is not a line of its spectrum
+    # the mean of a segment is not a line of its spectrum
     lines, amplitude = lines[1:], amplitude[:, 1:]
     size = -(-lines.size // MAP_LINES)
     whole = lines.size // size * size
@@ -181,7 +181,7 @@ def _map(name: str, unit: str, values: Array, time: Array, shaft: _Shaft | None)
 
 
 def _fewer(lines: Array, amplitude: Array, most: int) -> tuple[Array, Array]:
-    """The largest line of every group where there are too many lines to be seen."""
+    """Maximum of every group of lines if there are too many lines."""
     size = max(1, -(-lines.size // most))
     if size == 1:
         return lines, amplitude

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Supports in a scene: rings of bearings, plates and pins of planet carriers, a frame for the housing.
 
-Where they sit is in the model; what they look like is not, and they are marked as schematic.
+Their positions are given by the model; their shapes are symbolic and marked as schematic.
 """
 
 from __future__ import annotations
@@ -26,21 +26,21 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 SPINDLE = 0.35
-"""Radius of a drawn spindle, as a part of the smallest root radius on it."""
+"""Radius of a spindle, relative to the smallest root radius on it."""
 LEAST = 0.02
-"""Radius of what turns in a bearing if unknown, as a part of the size of the machine."""
+"""Radius of the rotating part in a bearing if unknown, relative to the size of the machine."""
 INNER, OUTER = (1.0, 1.3), (1.5, 1.85)
-"""Radii of both rings over that of the shaft."""
+"""Radii of both rings relative to that of the shaft."""
 WIDE = 0.5
-"""Width of a ring over the radius of the shaft."""
+"""Width of a ring relative to the radius of the shaft."""
 BESIDE = 0.7
-"""Distance of a ring from the face of a gear that it would lie in, over the radius of the shaft."""
+"""Distance of a ring from the face of a gear that it would intersect, relative to the shaft radius."""
 EDGE, ROOM = 0.003, 0.02
-"""Radius of the bars of a frame, and its distance from what it holds, as parts of the size of the machine."""
+"""Radius of the bars of a frame, and its distance from the contents, relative to the size of the machine."""
 
 
 def spindle_radius(model: Model, body: str) -> float | None:
-    """Radius of the spindle that joins the gears of a body without sections [m]; none without gears."""
+    """Radius of the spindle for the gears of a body without sections [m]; None without gears."""
     gears = seated(model, body).values()
     roots = [g.root for g in gears if g.root is not None]
     if not roots:
@@ -50,7 +50,7 @@ def spindle_radius(model: Model, body: str) -> float | None:
 
 
 def ring_places(model: Model, name: str) -> list[float]:
-    """Heights on its body where rings of a bearing are drawn [m]: its own, or both sides of a gear."""
+    """Axial positions of the rings of a bearing on its body [m]: its own, or both sides of a gear."""
     part = model.bearings[name]
     z, radius = part.position[2], shaft_radius(model, part.body, part.position[2])
     if radius is None:
@@ -64,7 +64,7 @@ def ring_places(model: Model, name: str) -> list[float]:
 
 
 def shaft_radius(model: Model, body: str, z: float) -> float | None:
-    """Radius of what turns at a height on a body [m]; none if unknown."""
+    """Radius of the rotating part at an axial position on a body [m]; None if unknown."""
     shaft = model.shafts.get(body)
     if shaft is not None:
         return 0.5 * section_at(shaft, z)[0]
@@ -72,7 +72,7 @@ def shaft_radius(model: Model, body: str, z: float) -> float | None:
 
 
 def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
-    """Both rings of all linear bearings: the inner ones turn with their bodies."""
+    """Both rings of all linear bearings; the inner rings rotate with their bodies."""
     found = []
     for name, part in model.bearings.items():
         if part.body not in model.bodies:
@@ -90,7 +90,7 @@ def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
 
 
 def carriers(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
-    """Plates and pins of bodies without a solid on which gears turn next to their axis, by body."""
+    """Plates and pins of planet carriers without a solid, by body."""
     found: dict[str, list[SceneSolid]] = {}
     for name, body in model.bodies.items():
         pins = [
@@ -113,7 +113,7 @@ def carriers(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
 
 
 def _carrier(model: Model, at: Places, name: str, pins: list[tuple[Joint, Array]]) -> list[SceneSolid]:
-    """A plate behind the planets and a pin through each of them, in the axes of the carrier."""
+    """Plate behind the planets and a pin through each, in the axes of the carrier."""
     pieces = []
     low, high, reach = [], [], []
     for joint, place in pins:
@@ -137,10 +137,10 @@ def _carrier(model: Model, at: Places, name: str, pins: list[tuple[Joint, Array]
 
 
 def covers(model: Model) -> dict[str, str]:
-    """Bodies whose solids would hide what they hold, by name: "housing", or "carrier" if they turn.
+    """Bodies whose solids would hide their contents, by name: "housing", or "carrier" if they rotate.
 
-    They are fixed, or something runs in a bearing that sits in them, or gears turn on them; what carries
-    gears itself and moves is not a cover, nor is a shaft.
+    They are fixed, or support bearings or rotating gears; moving bodies with own gears and shafts are not
+    covers.
     """
     rings = [p.ends[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
     seats = [b.housing or GROUND for b in model.bearings.values()]
@@ -157,15 +157,15 @@ def covers(model: Model) -> dict[str, str]:
 
 
 def joint_type(model: Model, body: str) -> str | None:
-    """Type of the joint that carries a body; none where none does."""
+    """Type of the joint that carries a body; None without joint."""
     joint = model.joints.get(model.bodies[body].joint or "")
     return None if joint is None else joint.type
 
 
 def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
-    """Bars along the edges of a box around what two bearings or more hold, by the body that holds them.
+    """Bars along the edges of a box around two or more bearings, by the body that supports them.
 
-    That is ground or a body without gears and without a solid.
+    This body is ground or a body without gears and without a solid.
     """
     held: dict[str, list[tuple[str, Array]]] = {}
     for part in model.bearings.values():
@@ -192,7 +192,7 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
 
 
 def _frame(model: Model, at: Places, name: str, parts: list[tuple[str, Array]]) -> SceneSolid:
-    """Box around bearings, and around the gears that they hold."""
+    """Box around bearings and the gears that they support."""
     corners = []
     for body, place in parts:
         axis = at.world(body)[1][:, 2]

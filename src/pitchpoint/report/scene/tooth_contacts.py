@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where and how teeth touch over the frames of a scene: contact lines and their loads, from the kernels.
+"""Tooth contacts over the frames of a scene: contact lines and their loads, from the kernels.
 
-The state of each frame is put back into the compiled system (`motion`), and the contact lines are evaluated
+The state of each frame is restored in the compiled system (`motion`), and the contact lines are evaluated
 there (`contact_lines`). Their loads are elastic; one factor per pair scales them to the pair forces of the
 result, damping included.
 """
@@ -31,24 +31,24 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 PLACES = 65
-"""Places of the path of contact at which the pressure of a load is kept."""
+"""Number of points of the path of contact with stored unit pressure."""
 GRID = (9, 11)
-"""Points of a painted flank over its width and along the path."""
+"""Points of a flank pattern over its width and along the path."""
 STEADY = 2e-8
-"""Motion of a pitch point [m], and turn of its directions times the path, below which one row is enough."""
+"""Motion of a pitch point [m], and rotation of its axes times the path, below which one row suffices."""
 
 
 def scene_contacts(
     model: Model, system: System, lines: ContactLines, moved: Motion, read: Read
 ) -> tuple[list[SceneContact], list[str]]:
-    """Contacts of all meshes, and what they do not show.
+    """Contacts of all meshes, and remarks on them.
 
     Parameters
     ----------
     model, system
         The machine.
     lines
-        What its meshes answered.
+        Contact lines evaluated by the meshes.
     moved
         Where its bodies are over the same frames.
     read
@@ -60,7 +60,7 @@ def scene_contacts(
         m = mesh_names(system).index(name)
         if mesh.first["source"] != PROFILE:
             notes.append(
-                f"mesh {name}: its stiffness law knows no single tooth pairs, so lines have no loads"
+                f"mesh {name}: its stiffness law has no single tooth pairs, so contact lines have no loads"
             )
         forces, loads = _as_kept(name, mesh, read)
         at = moved.pitch_points[:, m]
@@ -106,7 +106,7 @@ def _moves(values: Array) -> float:
 
 
 def _as_kept(name: str, mesh: MeshLines, read: Read) -> tuple[Array, Array]:
-    """Forces and loads of all slots, brought to the forces that the result keeps, damping included."""
+    """Forces and loads of all slots, scaled to the forces in the result, damping included."""
     kept = [read(f"pair_force[{name}.{k}]") for k in range(mesh.pairs)]
     if any(one is None for one in kept) or not kept:
         return mesh.forces, mesh.loads
@@ -117,11 +117,11 @@ def _as_kept(name: str, mesh: MeshLines, read: Read) -> tuple[Array, Array]:
 
 
 def _unit_pressure(model: Model, name: str, path: tuple[float, ...]) -> Array:
-    """Hertzian pressure of a load of 1 N/m at even places from A to E [Pa], from the materials of both gears.
+    """Hertzian pressure of a load of 1 N/m at equally spaced points from A to E [Pa], from both materials.
 
-    That of bevel gears holds at the mean cone distance.
+    For bevel gears it applies at the mean cone distance.
 
-    A load per width is one per length of the contact line as well: force and length both grow by 1/cos β_b.
+    A load per width equals the load per length of the contact line: force and length both grow by 1/cos β_b.
     """
     materials = [model.toothed[gear].material_data for gear in model.every_mesh[name].gears]
     compliances = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
@@ -140,7 +140,7 @@ def _unit_pressure(model: Model, name: str, path: tuple[float, ...]) -> Array:
 
 
 def _penetration(name: str, mesh: MeshLines, read: Read) -> Array:
-    """Of the front and the back flanks [m]: channels give that of the nearer one and its side."""
+    """Penetration of front and back flanks [m] from the channels of the nearer one and its side."""
     nearer = read(f"penetration[{name}]")
     cos_b = math.cos(math.atan(float(mesh.first["tan_b"])))
     x = mesh.deflection
@@ -154,10 +154,10 @@ def _penetration(name: str, mesh: MeshLines, read: Read) -> Array:
 def _surfaces(
     model: Model, name: str, mesh: MeshLines, side: int, moved: Motion, shown: list[int]
 ) -> list[FlankSurface]:
-    """Flanks of both gears where the path of contact reaches them: what the kernel's lines sweep over.
+    """Flanks of both gears within the path of contact, swept by the contact lines of the kernel.
 
-    At a width z the flanks of pair 0 are at `line` on the line of action, half of the penetration before
-    and behind it; a flank comes to another place of the path when its gear turns by the way over its base
+    At a width z the flanks of pair 0 are at `line` on the line of action, displaced by half of the
+    penetration to both sides; a flank moves along the path when its gear rotates by the travel over its base
     radius.
     """
     b = mesh.first
@@ -202,7 +202,7 @@ def _surfaces(
 
 
 def _bevel_tooth_at(model: Model, gear: str, points: Array) -> int:
-    """Number of the tooth that has a flank.
+    """Number of the tooth of a flank.
 
     Parameters
     ----------
@@ -211,12 +211,11 @@ def _bevel_tooth_at(model: Model, gear: str, points: Array) -> int:
     gear
         Name of the gear.
     points
-        Points of the flank in the frame of its body, over the face and along the path, shape (nz, nx, 3) [m].
+        Points of the flank in the frame of its body, over face and path, shape (nz, nx, 3) [m].
 
     Notes
     -----
-    On the pitch cone at R_m a flank is a quarter of a pitch next to the middle of its tooth, or nearly
-    so.
+    On the pitch cone at R_m a flank is about a quarter pitch from the middle of its tooth.
     """
     part = model.bevel_gears[gear]
     shape = part.geometry

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page of a report: its frame and its sections."""
+"""HTML page of a report: frame and sections."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`report_html`: everything known about a model and its results as one HTML page to look at, print, send on.
+"""`report_html`: report on a model and its results as one HTML page.
 
-It takes data, not models or files: `pitchpoint.report` collects them. Sections appear only when their data
-are there.
+The input is plain data, which `pitchpoint.report` collects from models and files. Sections without data are
+omitted.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from pitchpoint.viz.scene.content import Scene
 
 @dataclass(frozen=True, kw_only=True)
 class ReportModel:
-    """Contents of a report about the model.
+    """Model data of a report.
 
     Attributes
     ----------
@@ -36,23 +36,23 @@ class ReportModel:
     model_hash, version
         Fingerprint of the model and version of the package that computed the results.
     date
-        Shown only if given, so that the same data give the same file.
+        Date shown if given; without it the same data give the same file.
     gears, meshes
-        SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by the name of the gear or mesh.
+        SI values by identifier (`m_n`, `d_a`, `eps_alpha` …), by name of the gear or mesh.
     bevels
-        The same of bevel gears and of bevel meshes.
+        The same for bevel gears and bevel meshes.
     flanks
-        What flanks have besides the involute: gear, flanks, what, amount, extent.
+        Modifications, deviations and faults of flanks: gear, flanks, kind, amount, extent.
     inactive_faults
-        How many faults of teeth have severity 0 and are not among the flanks.
+        Number of tooth faults with severity 0, which are not among the flanks.
     pairs
-        `GearPair` and the names of its two gears, by the name of the mesh; these are drawn.
+        `GearPair` and the names of its gears, by name of the mesh, for the drawings.
     shafts
-        Body of gear 1 by the name of the mesh: orders of a mesh refer to it at first.
+        Body of gear 1 by name of the mesh: default reference of the orders of the mesh.
     counts
-        What there is of each part, words and text, for the summary.
+        Number and names of the components of each section, for the summary.
     signals
-        Sensors, blocks, controllers and actuators: signal, what it is, what it is made of, who reads it.
+        Sensors, blocks, controllers and actuators: signal, type, inputs, users.
     warnings, assumptions, sources
         Sentences for the last section.
     """
@@ -77,20 +77,20 @@ class ReportModel:
 
 @dataclass(frozen=True, kw_only=True)
 class SourceData:
-    """Where a result comes from.
+    """Provenance of a result.
 
     Attributes
     ----------
     name
-        Its name in the report.
+        Name in the report.
     kind
         Time response, slow roll, speed sweep, cases.
     finished
-        Whether it came to its end.
+        Whether the computation finished.
     sentence
-        How it ended.
+        Status in words.
     rows
-        All that is known, words and text.
+        Further properties as pairs of name and text.
     """
 
     name: str
@@ -102,16 +102,16 @@ class SourceData:
 
 @dataclass(frozen=True, kw_only=True)
 class SceneData:
-    """The 3-D scene of a report.
+    """3-D scene of a report.
 
     Attributes
     ----------
     scene
-        What it shows; None where there is nothing to show.
+        Contents of the scene; None if there is no scene.
     run
-        Name of the time response that it shows; empty at rest.
+        Name of the displayed time response; empty for a scene at rest.
     words
-        What it shows, or why there is none.
+        Caption, or the reason why there is no scene.
     """
 
     scene: Scene | None = None
@@ -121,7 +121,7 @@ class SceneData:
 
 @dataclass(frozen=True, kw_only=True)
 class MeshCycleData:
-    """One mesh cycle of one mesh.
+    """Mesh cycle of one mesh.
 
     Attributes
     ----------
@@ -129,16 +129,16 @@ class MeshCycleData:
         `contact.mesh_cycle.MeshCycle`, or anything with `phase`, `stiffness_ratio`, `mean`, `minimum`,
         `maximum`.
     stiffness_unit
-        What the ratio refers to.
+        Reference of the ratio.
     error_phase, errors
         Phases [base pitches], shape (n,), and transmission errors [m], shape (n,), by load case.
     cycles, repeats
-        Mesh cycles that these phases cover, and after how many everything repeats, 0 if that is not known;
-        a single cycle that repeats is drawn twice, anything else once.
+        Number of mesh cycles of these phases, and number after which the curves repeat, 0 if not known; a
+        single cycle that repeats is drawn twice, other curves once.
     loaded_ratio
-        Slope of the force under load at the same phases, in the unit of the stiffness, if it is of interest.
+        Slope of the force under load at the same phases, in the unit of the stiffness; optional.
     share_way, share
-        Way of a tooth pair since the beginning of contact [base pitches] and its share in the load.
+        Travel of a tooth pair since the start of contact [base pitches] and its load share.
     """
 
     stiffness: Any = None
@@ -154,17 +154,16 @@ class MeshCycleData:
 
 @dataclass(frozen=True, kw_only=True)
 class RollData:
-    """A slow roll that was computed before.
+    """Slow roll from a result.
 
     Attributes
     ----------
     curves
-        By mesh: its periods since the start [-], shape (n,), and transmission errors [m], shape (n,), by load
-        case.
+        By mesh: periods since the start [-], (n,), and transmission errors [m], (n,), by load case.
     mesh
-        The mesh whose periods were rolled.
+        Mesh that defines the periods of the roll.
     note
-        Sentence shown above the curves (the status of a roll that did not finish).
+        Sentence above the curves (status of an unfinished roll).
     """
 
     curves: Mapping[str, tuple[ArrayLike, Mapping[str, ArrayLike]]]
@@ -174,10 +173,10 @@ class RollData:
 
 @dataclass(frozen=True, kw_only=True)
 class ModeData:
-    """Modes about the loaded state: names, frequencies [Hz], shares of critical damping (nan: none).
+    """Modes about the loaded state: names, frequencies [Hz], damping ratios (nan: none).
 
-    `held` names the bodies whose motion the scenario prescribes: they do not vibrate. `total` is the number
-    of all modes if these are the lowest of more.
+    `held` lists the bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
+    if only the lowest are given.
     """
 
     names: Sequence[str]
@@ -194,8 +193,8 @@ class CaseTable:
     Attributes
     ----------
     cases
-        Mappings with `values` (texts by path), `numbers` (SI by path), `status`, `sentence` (how it ended),
-        and `channels` (statistics).
+        Mappings with `values` (texts by path), `numbers` (SI by path), `status`, `sentence` (status in
+        words), and `channels` (statistics).
     units
         SI unit of the numbers by path.
     """
@@ -206,7 +205,7 @@ class CaseTable:
 
 @dataclass(frozen=True, kw_only=True)
 class TimeRun:
-    """One time response.
+    """Time response.
 
     Attributes
     ----------
@@ -216,11 +215,11 @@ class TimeRun:
     settle_time
         Start of the window of statistics and spectra, after the first sample [s].
     angle
-        Name of the channel whose angle orders refer to; default that of the shaft of gear 1 of each mesh.
+        Angle channel of the reference shaft of orders; default: shaft of gear 1 of each mesh.
     highest_order
         End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
     note
-        Sentence shown above the signals (the status of a run that did not finish).
+        Sentence above the signals (status of an unfinished run).
     """
 
     data: Any
@@ -233,7 +232,7 @@ class TimeRun:
 @dataclass(frozen=True, kw_only=True)
 class CampbellData:
     """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the
-    modes; `shaft` is the body whose speed it is, `note` a sentence for below the picture."""
+    modes; `shaft` is the reference body of the speed, `note` a sentence for the caption."""
 
     speed: ArrayLike
     mode_frequencies: ArrayLike
@@ -245,7 +244,7 @@ class CampbellData:
 
 @dataclass(frozen=True, kw_only=True)
 class ReportResults:
-    """Results by name; whatever is omitted has no section.
+    """Results by name; omitted results have no section.
 
     Attributes
     ----------
@@ -265,11 +264,11 @@ class ReportResults:
     cases
         Independent cases by the name of the scenario.
     powers
-        Power flow of a time response by its name, or a sentence that states why there is none.
+        Power flow by name of the time response, or a sentence with the reason why there is none.
     scene
-        The 3-D scene.
+        3-D scene.
     sources
-        Where the results come from.
+        Provenance of the results.
     """
 
     mesh_cycles: Mapping[str, MeshCycleData] = field(default_factory=dict)
@@ -285,10 +284,10 @@ class ReportResults:
 
 
 def report_html(model: ReportModel, results: ReportResults) -> str:
-    """The report as text; the same input gives the same characters."""
+    """HTML text of the report; the same input gives the same text."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
-    # a little more than three mesh orders, so that the third one is not on the frame
+    # slightly more than three mesh orders, so that the third one is not on the frame
     highest = 3.2 * max(teeth) if teeth else 100.0
     seen = results.scene.run if results.scene.scene is not None else ""
     sections = [

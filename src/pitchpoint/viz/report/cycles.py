@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sections of a report over mesh cycles: what follows from the model, and slow rolls that were given."""
+"""Sections of a report over mesh cycles: mesh cycles of the model, and given slow rolls."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report.page import Section
 
 MOST_CYCLES = 4
-"""Cycles of the stiffness that are drawn at most; more cannot be distinguished."""
+"""Maximum number of stiffness cycles in a plot."""
 ROUND_OFF_WAY = 1e-6
-"""Way before contact at mid-face that is round-off [base pitches]: spur gears have none."""
+"""Travel before contact at mid-face that counts as round-off [base pitches]: zero for spur gears."""
 
 
 def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
-    """Stiffness and transmission error over the mesh cycle."""
-    section = Section("cycle", "Over the mesh cycle")
+    """Section with stiffness and transmission error over the mesh cycle."""
+    section = Section("cycle", "Mesh cycle")
     for mesh, cycle in cycles.items():
         section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
         if cycle.stiffness is not None:
@@ -36,9 +36,9 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
             words = f"Quasi-static transmission error along the line of action over {_words(cycle)}."
             section.add_figure(drawn, words)
         if np.size(cycle.share):
-            words = "Share of one tooth pair in the load, from its first to its last contact"
+            words = "Load share of one tooth pair, from its first to its last contact"
             if float(np.min(cycle.share_way)) < -ROUND_OFF_WAY:
-                words += "; helical teeth touch at one end of the face before its middle comes into contact"
+                words += "; helical teeth touch at one end of the face before mid-face"
             section.add_figure(plot_load_sharing(cycle.share_way, cycle.share), f"{words}.")
     return section
 
@@ -57,7 +57,7 @@ def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:
 
 
 def roll_section(rolls: Mapping[str, Any]) -> Section:
-    """Transmission errors of slow rolls, over all the periods that were rolled."""
+    """Section with transmission errors of slow rolls over all their periods."""
     section = Section("roll", "Slow roll")
     for name, roll in rolls.items():
         section.add(f"<h3>{escape(name)}</h3>")
@@ -79,11 +79,11 @@ def _roll_caption(mesh: str, periods: Any, errors: Mapping[str, Any]) -> str:
     words = ", ".join(f"{shown.text(span)} {name}" for name, span in spans.items())
     words = words.replace(" mesh force", " at a mesh force of")
     count = number(float(np.max(periods)), 4)
-    return f"Transmission error of {mesh} over the {count} periods rolled; peak to peak {words}."
+    return f"Transmission error of {mesh} over {count} rolled periods; peak to peak {words}."
 
 
 def _drawn_cycles(cycle: Any) -> int:
-    """A single cycle that repeats is drawn twice, anything else once."""
+    """Number of drawn repetitions: two for a single cycle that repeats, else one."""
     return 2 if cycle.cycles == cycle.repeats == 1 else int(cycle.cycles)
 
 
@@ -94,7 +94,7 @@ def _words(cycle: Any) -> str:
         return f"{_count(cycle.cycles)}, after which it repeats"
     if cycle.repeats > cycle.cycles:
         return f"the first {cycle.cycles} of {cycle.repeats} mesh cycles, after which it repeats"
-    return f"{_count(cycle.cycles)}; it has not repeated by then"
+    return f"{_count(cycle.cycles)}; no repetition within this range"
 
 
 def _count(cycles: int) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of a report about extremes: mean, rms, minimum and maximum value of the channels, and when."""
+"""Section of a report with extremes: mean, rms, minimum and maximum of the channels, and their times."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from pitchpoint.viz.tables import MOST_ROWS, plain_table
 
 
 def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
-    """Tables of extremes.
+    """Section with tables of extremes.
 
     Parameters
     ----------
     runs
         Time responses by name.
     seen
-        The one that the scene of this page shows: its times move the scene.
+        Run displayed in the scene of the page: its times set the time of the scene.
     """
     section = Section("extremes", "Extremes")
     for name, run in runs.items():
@@ -35,15 +35,15 @@ def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         settled = settled_part(time, run.settle_time)
         _add_table(section, time[settled], found, settled, linked=name == seen)
         begin, end = time[settled][[0, -1]]
-        words = f"From {span(float(begin), float(end), 's')}; times are those of the sample kept next to it."
-        section.add(f"<p>{escape(words)}{' A time moves the scene there.' if name == seen else ''}</p>")
+        words = f"From {span(float(begin), float(end), 's')}; times are those of the nearest stored sample."
+        section.add(f"<p>{escape(words)}{' Click a time to set the scene.' if name == seen else ''}</p>")
     return section
 
 
 def _add_table(
     section: Section, time: Array, found: Mapping[str, Channel], settled: np.ndarray, linked: bool
 ) -> None:
-    """Table of the channels that are read most, and a sentence about all others."""
+    """Table of the main channels, and a sentence about all others."""
     wanted = [
         c
         for quantity in (*TIME_QUANTITIES, *FORCE_PARTS)
@@ -87,7 +87,7 @@ def _row(channel: Channel, values: Mapping[str, float], shown: Scale, moments: l
 
 
 def _time(moment: float, clock: Scale, linked: bool) -> str:
-    """An instant; of the run in the scene a button that goes there."""
+    """Time; for the run in the scene a button that sets the time of the scene."""
     text = number(moment * clock.factor, 5)
     if not linked:
         return text

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections of a report that are about all of it: summary, scene, and where its results come from."""
+"""General sections of a report: summary, scene, provenance."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from pitchpoint.viz.scene.page import scene_fragment
 from pitchpoint.viz.tables import plain_table
 
 HEIGHT = "clamp(430px, 78vh, 760px)"
-"""Height of the scene: on a phone there is room below it to continue reading."""
+"""Height of the scene, with space for scrolling on small screens."""
 
 
 def summary_section(counts: Sequence[tuple[str, str]], results: Any) -> Section:
-    """Contents of the model, and one line for each result."""
+    """Section with the contents of the model, and one line per result."""
     section = Section("summary", "Summary")
     section.add(facts_list(counts))
     states = {source.name: "finished" if source.finished else source.sentence for source in results.sources}
@@ -41,13 +41,13 @@ def summary_section(counts: Sequence[tuple[str, str]], results: Any) -> Section:
 
 
 def facts_list(rows: Sequence[tuple[str, str]]) -> str:
-    """Words and what is reported about them, in columns that fit the page."""
+    """Definition list in columns."""
     items = "".join(f"<div><dt>{escape(key)}</dt><dd>{escape(text)}</dd></div>" for key, text in rows)
     return f'<dl class="known">{items}</dl>' if items else ""
 
 
 def _run_row(name: str, run: Any, state: str, powers: Mapping[str, PowerFlow | str]) -> str:
-    """One time response in one line."""
+    """Table row of one time response."""
     time, found = channels(run.data)
     window = settled_part(time, run.settle_time) if time.size else np.zeros(0, dtype=bool)
     flow = powers.get(name)
@@ -63,7 +63,7 @@ def _run_row(name: str, run: Any, state: str, powers: Mapping[str, PowerFlow | s
 
 
 def _largest(found: Mapping[str, Channel], quantity: str, window: np.ndarray, size: Any) -> str:
-    """Largest size of a quantity of all meshes, and whose it is."""
+    """Largest value of a quantity over all meshes, with the name of the mesh."""
     sizes = {}
     for channel in found.values():
         if channel.quantity != quantity or not np.all(np.isfinite(channel.values)) or not window.any():
@@ -80,7 +80,7 @@ def _largest(found: Mapping[str, Channel], quantity: str, window: np.ndarray, si
 
 
 def _contact(found: Mapping[str, Channel], time: np.ndarray, window: np.ndarray) -> str:
-    """Largest share of the time that a mesh was without contact."""
+    """Largest share of time without contact over all meshes."""
     states = {owner(c): c.values[window] for c in found.values() if c.quantity == "contact_state"}
     if not states or window.sum() < 2:
         return "–"
@@ -91,20 +91,20 @@ def _contact(found: Mapping[str, Channel], time: np.ndarray, window: np.ndarray)
 
 
 def scene_section(data: Any) -> Section:
-    """The scene, or a sentence in its place."""
+    """Section with the scene, or a sentence if there is none."""
     section = Section("scene", "Scene")
     if data.scene is None:
         section.add(f"<p>{escape(data.words)}</p>" if data.words else "")
         return section
     section.add('<p class="screen"><a class="skip" href="#after-scene">Skip the scene</a></p>')
     section.add(f'<div class="scene">{scene_fragment(data.scene, height=HEIGHT)}</div>')
-    section.add('<img id="pp-still" alt="The scene at the time chosen" hidden>')
+    section.add('<img id="pp-still" alt="The scene at the selected time" hidden>')
     section.add(f'<p id="after-scene" tabindex="-1">{escape(data.words)}</p>')
     return section
 
 
 def provenance_section(sources: Sequence[Any]) -> Section:
-    """Files, fingerprints, solvers, options and how each result ended."""
+    """Section with file, fingerprint, solver, options and status of each result."""
     section = Section("provenance", "Provenance")
     for source in sources:
         rows = [

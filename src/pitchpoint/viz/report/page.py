@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The page around the content of a report: one HTML file that needs nothing else, no network, no server."""
+"""Self-contained HTML page of a report, without network access or server."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from pitchpoint.viz.figure_file import figure_json
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-# Nothing may be loaded from anywhere: the file works offline and sends nothing.
+# No external resources: the file works offline and sends no data.
 POLICY = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; "
     "img-src data: blob:; font-src data:; form-action 'none'; base-uri 'none'"
@@ -41,7 +41,7 @@ class Section:
             self.parts.append(html)
 
     def add_figure(self, figure: go.Figure, caption: str = "", *, beside: go.Figure | None = None) -> None:
-        """Append a plot, or two side by side; without data nothing, so that no empty axes appear."""
+        """Append a plot, or two next to each other; plots without data are omitted."""
         if not any(_has_data(trace) for trace in figure.data):
             return
         html = figure_html(figure, caption)
@@ -52,8 +52,8 @@ class Section:
 
 
 def figure_html(figure: go.Figure, caption: str = "") -> str:
-    """A plot as data; the script of the page draws it in the colours of the reader's mode."""
-    # the default template only repeats what the layout sets already, in every figure
+    """Plot as data; the script of the page draws it in light or dark colours."""
+    # the default template only repeats settings of the layout
     figure.update_layout(template={})
     data = figure_json(figure).replace("</", "<\\/")
     words = f"<figcaption>{escape(caption)}</figcaption>" if caption else ""
@@ -70,20 +70,20 @@ def page(
     footer: str,
     alerts: Sequence[str] = (),
 ) -> str:
-    """The complete document.
+    """Complete HTML document.
 
     Parameters
     ----------
     title
-        Head of the page.
+        Title of the page.
     facts
-        Words and text for the line below it; those without text are omitted.
+        Pairs of name and text for the line below the title; those without text are omitted.
     sections
-        What it holds; those without parts are omitted.
+        Sections; those without parts are omitted.
     footer
         Last line.
     alerts
-        Sentences that no one may miss.
+        Prominent warnings.
     """
     shown = [s for s in sections if s.parts]
     with_plots = any('<div class="plot"' in part for s in shown for part in s.parts)
@@ -119,7 +119,7 @@ def page(
 
 
 def _scripts(with_plots: bool) -> str:
-    """What the page does by itself; the library for plots only where there are some."""
+    """Scripts of the page; the plot library only if there are plots."""
     colours = json.dumps({"light": theme.LIGHT, "dark": theme.DARK}, sort_keys=True)
     library = packed_plots() if with_plots else ""
     return (
@@ -130,7 +130,7 @@ def _scripts(with_plots: bool) -> str:
 
 @cache
 def packed_plots() -> str:
-    """The library for plots below its licence in clear; `report.js` unpacks it: DEFLATE, then base64."""
+    """Plot library, compressed (DEFLATE, base64) below its licence in plain text; `report.js` unpacks it."""
     notices = re.match(r"(/\*.*?\*/\s*)+", asset("plots.js"), re.DOTALL)
     plain = asset("plots.js").encode("utf-8")
     packer = zlib.compressobj(9, zlib.DEFLATED, -15)
@@ -141,12 +141,12 @@ def packed_plots() -> str:
 
 
 def asset(name: str) -> str:
-    """Text of a file that belongs to the pages."""
+    """Text of an asset file of the pages."""
     return (files("pitchpoint.viz") / "assets" / name).read_text(encoding="utf-8")
 
 
 def _has_data(trace: object) -> bool:
-    """Whether a trace would draw something."""
+    """Whether a trace has data."""
     values = (
         getattr(trace, "z", None) if getattr(trace, "type", "") == "heatmap" else getattr(trace, "y", None)
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of a report about power: a drawing of its flow, the numbers, and how well they close."""
+"""Section of a report on power flow: drawing, numbers, power balance."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.tables import plain_table
 
 NEGLIGIBLE = 1e-6
-"""Share of the power below which a part of a balance is not worth a word."""
+"""Share of the power below which a term of the balance is omitted."""
 CLOSES = 0.005
-"""Share of the power up to which a balance counts as closed."""
+"""Relative remainder up to which a balance counts as closed."""
 
 
 def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
-    """Where the power of each run goes.
+    """Section with the power flow of each run.
 
     Parameters
     ----------
     flows
-        Flows by the name of the run, or a sentence that states why there is none.
+        Flows by name of the run, or a sentence with the reason why there is none.
     """
     section = Section("power", "Power flow")
     for name, flow in flows.items():
@@ -37,7 +37,7 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
         section.add(
             f"<figure>{drawing}<figcaption>{escape(words.strip())}</figcaption></figure>"
             if drawing
-            else "<p>No power flows in this run.</p>"
+            else "<p>No power is transmitted in this run.</p>"
         )
         section.add(f"<p>{escape(balance(flow))}</p>")
         section.add(_table(flow))
@@ -45,41 +45,41 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
 
 
 def balance(flow: PowerFlow) -> str:
-    """What comes in, what goes out and what is left, of the whole and of the worst block, in sentences."""
+    """Power balance of the machine and of the worst block, in sentences."""
     most = max((link.given for link in flow.links), default=0.0)
     parts = {
-        "put in": flow.put_in,
-        "fed in by what moves with the mesh phase": flow.fed,
-        "taken out": flow.taken_out,
-        "lost": flow.lost,
-        "into rotation and flanks": flow.stored,
+        "input": flow.put_in,
+        "input by phase-dependent stiffness and static errors": flow.fed,
+        "output": flow.taken_out,
+        "losses": flow.lost,
+        "stored in rotation and flanks": flow.stored,
     }
     words = [f"{what} {amount(p, 'W')}" for what, p in parts.items() if abs(p) > NEGLIGIBLE * most]
     share = abs(flow.remainder) / most if most else 0.0
     text = f"Balance: {', '.join(words)}; remainder {amount(flow.remainder, 'W')}"
     text += f", {number(100.0 * share, 2)} % of the largest power." if most else "."
     if flow.unfollowed:
-        text += f" It holds what these take or give: {', '.join(flow.unfollowed)}."
+        text += f" It includes the power exchanged with: {', '.join(flow.unfollowed)}."
     elif share > CLOSES:
-        text += " It holds jumps of the stiffness and vibration that samples of this rate do not show."
+        text += " It includes stiffness jumps and vibration that this sample rate does not resolve."
     return text + _blocks(flow, most)
 
 
 def _blocks(flow: PowerFlow, most: float) -> str:
-    """How well single blocks close."""
+    """Sentence about the balance of single blocks."""
     if len(flow.blocks) < 2 or not most:
         return ""
     worst = max(range(len(flow.blocks)), key=lambda block: abs(flow.left(block)))
     left = flow.left(worst)
     if abs(left) <= NEGLIGIBLE * most:
-        return f" Every block closes by itself, to {number(100.0 * NEGLIGIBLE, 2)} % of the largest power."
-    return f" Of single blocks {flow.blocks[worst].name} leaves most: {amount(left, 'W')}."
+        return f" Every block balances within {number(100.0 * NEGLIGIBLE, 2)} % of the largest power."
+    return f" Largest remainder of a block: {amount(left, 'W')}, {flow.blocks[worst].name}."
 
 
 def _friction(flow: PowerFlow) -> str:
     if not flow.booked:
         return ""
-    return "The result does not state what friction does to each gear: it counts for the one that drives."
+    return "The result does not divide friction power between the gears: it is assigned to the driving gear."
 
 
 def _table(flow: PowerFlow) -> str:
@@ -96,8 +96,8 @@ def _table(flow: PowerFlow) -> str:
             f'<tr><th scope="row">{escape(link.name)} ({link.kind})</th>'
             f"<td>{escape(_end(flow, link.start))} → {escape(_end(flow, link.end))}</td>{cells}</tr>"
         )
-    head = ["element", "from → to", f"given [{unit.unit}]", f"taken [{unit.unit}]"]
-    return plain_table([*head, *(f"lost to {word} [{lost.unit}]" for word in kinds)], body)
+    head = ["element", "from → to", f"input [{unit.unit}]", f"output [{unit.unit}]"]
+    return plain_table([*head, *(f"loss, {word} [{lost.unit}]" for word in kinds)], body)
 
 
 def _loss(link: PowerLink, word: str, unit: Scale) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sections of a report, one function each: data in, finished HTML out."""
+"""Sections of a report: one function per section, from data to HTML."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ from pitchpoint.viz.tables import (
 MOST_LINES = 8
 DETAIL_PERIODS = 12
 WIDE, HALF = 5000, 2400
-"""Points of a line across the page, and of one of two next to each other: more than a bucket a pixel."""
+"""Points of a curve across the page, and of one of two next to each other: above one bucket per pixel."""
 
 
 def gear_section(
@@ -52,25 +52,25 @@ def gear_section(
     bevels: tuple[Mapping[str, Mapping[str, Any]], Mapping[str, Mapping[str, Any]]] = ({}, {}),
     inactive_faults: int = 0,
 ) -> Section:
-    """Tables of gear and mesh data, measures for the workshop, and what flanks have besides the involute.
+    """Section with tables of gear and mesh data, inspection dimensions, flank modifications and deviations.
 
-    `bevels`: bevel gears and their meshes; `inactive_faults`: how many faults of teeth have severity 0.
+    `bevels`: bevel gears and their meshes; `inactive_faults`: number of tooth faults with severity 0.
     """
     section = Section("gears", "Gears and meshes")
     section.add(quantity_table(GEAR_ROWS, gears))
     table = quantity_table(MEASURE_ROWS, gears)
-    section.add(f"<h3>Measures</h3>{table}" if table else "")
+    section.add(f"<h3>Inspection dimensions</h3>{table}" if table else "")
     narrow = [name for name, gear in gears.items() if gear.get("span_measurable") is False]
     if narrow:
-        section.add(f"<p>Too narrow for the span: {escape(', '.join(narrow))}.</p>")
+        section.add(f"<p>Face width too small for the span measurement: {escape(', '.join(narrow))}.</p>")
     if flanks:
         rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in flanks]
         head = ("gear", "flanks", "modification or deviation", "amount", "extent")
         section.add(f"<h3>Flanks</h3>{plain_table(head, rows, numbers=False)}")
     if inactive_faults:
         one = inactive_faults == 1
-        waiting = "1 fault of gears has" if one else f"{inactive_faults} faults of gears have"
-        section.add(f"<p>{waiting} severity 0 and change{'s' if one else ''} nothing.</p>")
+        waiting = "1 gear fault has" if one else f"{inactive_faults} gear faults have"
+        section.add(f"<p>{waiting} severity 0 and no effect.</p>")
     table = quantity_table(MESH_ROWS, meshes)
     section.add(f"<h3>Meshes</h3>{table}" if table else "")
     for title, rows_of, things in zip(
@@ -82,7 +82,7 @@ def gear_section(
 
 
 def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
-    """Both gears in mesh and the mesh zone, pair by pair."""
+    """Section with drawings of both gears in mesh and of the mesh zone, per pair."""
     section = Section("drawing", "Gears in mesh")
     for mesh, (pair, first, second) in pairs.items():
         heading = f"<h3>{escape(mesh)}</h3>" if len(pairs) > 1 else ""
@@ -94,7 +94,7 @@ def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
 
 
 def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
-    """Speed sweeps with jumps and contact loss."""
+    """Section with speed sweeps, jumps and contact loss."""
     section = Section("sweep", "Speed sweep")
     for name, sweep in sweeps.items():
         points, jumps = sweep.get("points", ()), sweep.get("jumps", ())
@@ -107,7 +107,7 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
                 section.add_figure(plot_sweep(points, jumps, quantity=quantity, statistic=statistic), caption)
         if any(float(p.get("contact_loss_share") or 0.0) > 0.0 for p in points):
             section.add_figure(
-                plot_contact_shares(points), "Time without contact as a share of the time measured."
+                plot_contact_shares(points), "Time without contact as a share of the evaluated time."
             )
         elif any(p.get("contact_loss_share") is not None for p in points):
             section.add("<p>The flanks stay in contact at every point of this sweep.</p>")
@@ -115,14 +115,14 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
 
 
 def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
-    """Signals and contact times of the time responses.
+    """Section with signals and contact times of the time responses.
 
     Parameters
     ----------
     runs
         Time responses by name.
     seen
-        The one that the scene of this page shows: its curves share the time of the scene.
+        Run displayed in the scene of the page: its curves share the time of the scene.
     """
     section = Section("time", "Time response")
     for name, run in runs.items():
@@ -137,7 +137,7 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         section.add(_contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled))
         for quantity in TIME_QUANTITIES:
-            # what is zero throughout (friction without friction) is in the table and needs no picture
+            # channels that are zero throughout (such as friction) are listed in the table only
             group = [c for c in found.values() if listed(c, quantity) and np.any(c.values != 0.0)]
             for unit in dict.fromkeys(c.unit for c in group):
                 same = [c for c in group if c.unit == unit]
@@ -153,7 +153,7 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
             where = "over the last periods" if part.start is not None else "over the whole run"
             section.add_figure(
                 plot_force_parts(time[part], shown, points=WIDE),
-                f"Parts of the tooth force of {mesh}, {where}.",
+                f"Components of the tooth force of {mesh}, {where}.",
             )
         section.add("</div>" if name == seen else "")
     return section
@@ -162,13 +162,13 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
 def _add_signals(
     section: Section, time: Array, group: Sequence[Channel], state: Array | None, steady: bool
 ) -> None:
-    """Signals of one quantity over the whole run and, where it is steady, their end magnified."""
+    """Add plots of the signals of one quantity over the whole run and, if steady, over the last periods."""
     drawn = group[:MOST_LINES]
     part = _last_periods(time, drawn[0].values) if steady else slice(None)
     end, rows = None, signal_rows(drawn)
     if part.start is not None:
         last = [replace(c, values=c.values[part]) for c in drawn]
-        # the end has settled: its ranges decide which lines can share an axis
+        # the last periods are settled: their ranges determine the curves that share an axis
         rows = signal_rows(last)
         shown = None if state is None else state[part]
         end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)
@@ -178,7 +178,7 @@ def _add_signals(
 
 
 def campbell_section(data: Any) -> Section:
-    """Natural frequencies against mesh orders."""
+    """Section with natural frequencies and mesh orders."""
     section = Section("campbell", "Campbell diagram")
     if data is not None and np.size(data.mode_frequencies) and np.size(data.speed) > 1:
         section.add_figure(
@@ -189,13 +189,13 @@ def campbell_section(data: Any) -> Section:
                 mode_names=data.mode_names,
                 shaft=data.shaft,
             ),
-            f"Circles mark the speeds at which a mesh order meets a natural frequency. {data.note}".rstrip(),
+            f"Circles mark crossings of mesh orders and natural frequencies. {data.note}".rstrip(),
         )
     return section
 
 
 def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: Sequence[str]) -> Section:
-    """Warnings, assumptions and sources."""
+    """Section with warnings, assumptions and sources."""
     section = Section("notes", "Warnings, assumptions, sources")
     for heading, lines, css in (
         ("Warnings", warnings, "notes warnings"),
@@ -208,7 +208,7 @@ def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: 
 
 
 def _last_periods(time: Array, values: Array) -> slice:
-    """The last dozen periods of a steady record; everything if there are few, or no clear period."""
+    """Last dozen periods of a steady record; the whole record if there are few, or no clear period."""
     tail = slice(time.size // 2, None)
     if time[tail].size < 256 or not np.all(np.isfinite(values[tail])):
         return slice(None)
@@ -221,7 +221,7 @@ def _last_periods(time: Array, values: Array) -> slice:
 
 
 def _caption(group: Sequence[Channel]) -> str:
-    """What a single channel is, in a sentence; of many, how many are not drawn."""
+    """Caption: description of a single channel, or the number of channels not drawn."""
     if len(group) > MOST_LINES:
         more = len(group) - MOST_LINES
         verb = "is" if more == 1 else "are"
@@ -243,7 +243,7 @@ def _jump_sentence(jumps: Sequence[Mapping[str, Any]]) -> str:
 def _contact_table(
     time: Array, states: Mapping[str, Array], found: Mapping[str, Channel], settled: np.ndarray
 ) -> str:
-    """Contact loss, back contact and impacts per mesh."""
+    """Table of contact loss, back contact and impacts per mesh."""
     body = []
     for mesh, state in states.items():
         force = found.get(f"mesh_force[{mesh}]")

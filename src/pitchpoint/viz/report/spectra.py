@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The section of a report about spectra, orders and maps of run-ups."""
+"""Section of a report with spectra, orders and maps of run-ups."""
 
 from __future__ import annotations
 
@@ -36,16 +36,16 @@ MOST_CHANNELS = 8
 def spectrum_section(
     runs: Mapping[str, Any], highest_order: float, shafts: Mapping[str, str] | None = None
 ) -> Section:
-    """Spectra and orders of steady runs, maps of run-ups.
+    """Section with spectra and orders of steady runs, and maps of run-ups.
 
     Parameters
     ----------
     runs
         Time responses by name.
     highest_order
-        End of orders, where a run states nothing else.
+        End of the order axis, if a run does not set it.
     shafts
-        Body of gear 1 by the name of the mesh: whose orders a channel of that mesh has.
+        Body of gear 1 by name of the mesh: reference of the orders of its channels.
     """
     section = Section("spectra", "Spectra and orders")
     for name, run in runs.items():
@@ -102,7 +102,7 @@ def _add_maps(
     data = time_frequency_map(values, rate, highest_frequency=top, start=float(time[0]))
     section.add_figure(
         spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
-        "Amplitudes over time and frequency: orders rise with the speed, resonances stay at their frequency.",
+        "Amplitudes over time and frequency: orders rise with the speed, resonances remain constant.",
     )
     try:
         _long_enough(angle, MAP_TURNS)
@@ -118,10 +118,10 @@ def _add_maps(
 
 
 def _long_enough(angle: Array, limit: float) -> None:
-    """Refuse angles that do not turn far enough one way."""
+    """Reject angles with too few revolutions in one direction."""
     turns = turns_of(one_way(angle))
     if turns < limit:
-        raise SignalError(f"angle: turns {turns:.3g} revolutions (limit {limit:g}); use a longer record")
+        raise SignalError(f"angle: {turns:.3g} revolutions (limit {limit:g}); use a longer record")
 
 
 def _top_speed(time: Array, angle: Array) -> float:
@@ -130,5 +130,5 @@ def _top_speed(time: Array, angle: Array) -> float:
 
 
 def _frame(angle: Array) -> float:
-    """Revolutions per frame: a fortieth of the run, one at least and eight at most."""
+    """Revolutions per frame: 1/40 of the run, between one and eight."""
     return float(np.clip(np.floor(turns_of(angle) / 40.0), 1.0, 8.0))

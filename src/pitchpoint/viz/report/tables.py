@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Sections of a report that are tables first: modes, signals, and independent cases."""
+"""Sections of a report with tables: modes, signals, independent cases."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
 MOST_ROWS = 100
 MOST_MODES = 40
 QUANTITIES = (("deflection", "rms"), ("mesh_force", "max"))
-WORDS = {"rms": "rms (alternating)", "max": "greatest"}
+WORDS = {"rms": "rms (alternating)", "max": "maximum"}
 
 
 def mode_section(modes: Any) -> Section:
-    """Natural frequencies and damping about the loaded state."""
+    """Section with natural frequencies and damping about the loaded state."""
     section = Section("modes", "Modes")
     if modes is None or not len(modes.names):
         return section
@@ -39,27 +39,29 @@ def mode_section(modes: Any) -> Section:
             f'<tr><th scope="row">{k}</th><td>{escape(name)}</td>'
             f'<td class="num">{number(frequency)} Hz</td><td class="num">{damping}</td></tr>'
         )
-    held = f"; {escape(', '.join(modes.held))} held by the scenario" if modes.held else ""
-    section.add(f"<p>About the loaded state, meshes with the mean of their stiffness{held}.</p>")
-    section.add(plain_table(("mode", "what moves", "natural frequency", "damping ratio"), body[:MOST_MODES]))
+    held = f"; motion prescribed by the scenario: {escape(', '.join(modes.held))}" if modes.held else ""
+    section.add(f"<p>Linearised about the loaded state with mean mesh stiffness{held}.</p>")
+    section.add(
+        plain_table(("mode", "dominant motion", "natural frequency", "damping ratio"), body[:MOST_MODES])
+    )
     total = max(modes.total, len(body))
     if total > MOST_MODES:
-        section.add(f"<p>The lowest {MOST_MODES} of {total} modes; the command modes shows the others.</p>")
+        section.add(f"<p>The lowest {MOST_MODES} of {total} modes; use pitchpoint modes for all.</p>")
     return section
 
 
 def signal_section(lines: Sequence[Sequence[str]]) -> Section:
-    """Sensors, blocks, controllers and actuators."""
+    """Section with sensors, blocks, controllers and actuators."""
     section = Section("signals", "Signals and control")
     if lines:
         rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines]
-        head = ("signal", "what it is", "made of", "read by")
+        head = ("signal", "type", "inputs", "used by")
         section.add(plain_table(head, rows[:MOST_ROWS], numbers=False))
     return section
 
 
 def case_section(tables: Mapping[str, Any]) -> Section:
-    """Independent cases: what was varied, and what the meshes did."""
+    """Section with independent cases: varied values, and results of the meshes."""
     section = Section("cases", "Cases")
     for name, table in tables.items():
         if not table.cases:
@@ -103,7 +105,7 @@ def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
 
 
 def _figure(table: Any, path: str, quantity: str, statistic: str) -> go.Figure | None:
-    """One statistic over the one number that was varied, a line per mesh."""
+    """Plot of one statistic over the single varied number, one line per mesh."""
     names = [n for n in _channels(table.cases) if n.partition("[")[0] == quantity]
     lines: dict[str, tuple[list[float], list[float]]] = {}
     unit = ""

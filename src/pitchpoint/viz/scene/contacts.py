@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contacts of teeth in a scene: where flanks touch, and what they carry there. Numbers alone, as `scene`."""
+"""Tooth contacts in a scene as plain data: contact lines and their loads."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, kw_only=True)
 class FlankSurface:
-    """The part of a flank that the path of contact reaches, of the tooth of pair 0.
+    """Part of a flank within the path of contact, for the tooth of pair 0.
 
     Attributes
     ----------
     body
-        Number of the body it is fixed to.
+        Index of its body.
     gear
         Name of the gear.
     teeth
-        Its number of teeth.
+        Number of teeth.
     points
         Shape (nz, nx, 3) [m] in the frame of the body, over the width and along the path from A to E.
     turn
@@ -43,19 +43,19 @@ class FlankSurface:
 
 @dataclass(frozen=True, kw_only=True)
 class ContactFlank:
-    """What the front or the back flanks of a mesh carry.
+    """Contact of the front or the back flanks of a mesh.
 
     Attributes
     ----------
     side
         1 front, -1 back.
     travel
-        Place of the contact line of pair 0 on the path of contact, in the plane of the pitch point, shape
+        Position of the contact line of pair 0 on the path of contact, in the plane of the pitch point, shape
         (n,) [m]; pair N is N base pitches behind.
     forces
-        Of the slots, along the base tangent, front positive, shape (n, p) [N]; pair N has slot N mod p.
+        Forces of the slots along the base tangent, front positive, shape (n, p) [N]; pair N has slot N mod p.
     loads
-        Per width at s even places on each line, shape (n, p, s) [N/m].
+        Loads per width at s equally spaced points of each line, shape (n, p, s) [N/m].
     surfaces
         Flanks of gear 1 and 2.
     """
@@ -69,7 +69,7 @@ class ContactFlank:
 
 @dataclass(frozen=True, kw_only=True)
 class SceneContact:
-    """Where and how the teeth of a mesh touch. Contact lines are straight in the plane of action.
+    """Tooth contacts of a mesh. Contact lines are straight in the plane of action.
 
     Attributes
     ----------
@@ -86,19 +86,19 @@ class SceneContact:
     base_pitch
         Transverse base pitch [m].
     width
-        Ends of the shared face width, from the plane of the pitch point [m].
+        Ends of the common face width, from the plane of the pitch point [m].
     path
         Ends A and E of the path of contact, from the pitch point [m].
     cone
-        Of bevel gears: mean cone distance [m] and pitch cone angle of gear 2 [rad]. The third axis then goes
+        For bevel gears: mean cone distance [m] and pitch cone angle of gear 2 [rad]. The third axis is then
         along the pitch ray; widths are R_m ln(R/R_m), paths are arcs at R_m, and lines are straight in these.
     penetration
-        Of front and back flanks normal to them at the pitch point, below 0 their distance, shape (n, 2) [m].
+        Normal penetration of front and back flanks at the pitch point, negative for a gap, shape (n, 2) [m].
     flanks
-        The front flanks, and the back flanks where they ever touch.
+        Front flanks, and back flanks if they touch at any time.
     unit_pressure
-        Hertzian pressure that a load of 1 N/m makes, at even places from A to E, shape (n,) [Pa]; that of
-        another load goes with its square root. None where loads are not known.
+        Hertzian pressure for a load of 1 N/m at equally spaced points from A to E, shape (n,) [Pa]; it is
+        proportional to the square root of the load. None if loads are not known.
     """
 
     name: str

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a 3-D scene shows, as plain numbers: bodies that move, solids on them, arrows, curves, marks.
+"""Contents of a 3-D scene as plain data: moving bodies with solids, arrows, curves, marks.
 
-Metres, radians, seconds, newtons. `docs/scene_format.md` states how the viewer reads them, `file`
-writes them.
+Metres, radians, seconds, newtons. `docs/scene_format.md` describes the format for the viewer, `file`
+writes it.
 """
 
 from __future__ import annotations
@@ -22,29 +22,29 @@ Indices = NDArray[np.int64]
 
 @dataclass(frozen=True, kw_only=True)
 class SceneBody:
-    """A frame that moves.
+    """Moving frame.
 
     Attributes
     ----------
     name
         Name of the body.
     parent
-        Number of the body in whose spinning frame it is placed; -1 is the world.
+        Index of the body whose spinning frame is the reference; -1 is the world.
     place, axes
         Origin at rest, shape (3,) [m], and axes at rest, shape (3, 3), columns, both in the parent.
     position, turn
         Displacement of the origin [m] and small rotation vector [rad] from rest, in the axes at rest, shape
-        (n, 3); none where it does not move.
+        (n, 3); None without motion.
     travel
-        Displacement of the origin that is not a vibration, in place of `position`, shape (n, 3) [m].
+        Displacement of the origin other than vibration, instead of `position`, shape (n, 3) [m].
     quaternion
-        Attitude against that at rest (x, y, z, w), in place of `turn`, shape (n, 4).
+        Rotation from rest (x, y, z, w), instead of `turn`, shape (n, 4).
     angle
-        Angle about the third axis, whole turns included, shape (n,) [rad].
+        Angle about the third axis, including whole turns, shape (n,) [rad].
     gross
-        Part of the angle prescribed by the kinematics: that of the guiding body, times `ratio`, shape (n,).
+        Kinematic part of the angle: that of the guiding body times `ratio`, shape (n,).
     ratio
-        Turns of this body per turn of the guiding one.
+        Rotation of this body per rotation of the guiding one.
     """
 
     name: str
@@ -62,16 +62,16 @@ class SceneBody:
 
 @dataclass(frozen=True)
 class Blend:
-    """How a solid follows several bodies.
+    """Deformation of a solid that follows several bodies.
 
     Attributes
     ----------
     bodies
-        Numbers of the bodies; points of the solid are in the frame at rest of the first of them.
+        Indices of the bodies; points of the solid are in the rest frame of the first.
     first, second
-        The two in this list between which each point lies, shape (n,).
+        Indices in this list of the two bodies that move each point, shape (n,).
     weight
-        Part of the second, shape (n,), 0 to 1.
+        Weight of the second body, shape (n,), 0 to 1.
     """
 
     bodies: Sequence[int]
@@ -82,7 +82,7 @@ class Blend:
 
 @dataclass(frozen=True)
 class SceneLevel:
-    """A surface in one fineness: how far off it lies [m], points (n, 3) [m], triangles (m, 3)."""
+    """Surface in one level of detail: its deviation [m], points (n, 3) [m], triangles (m, 3)."""
 
     error: float
     points: Array
@@ -91,16 +91,16 @@ class SceneLevel:
 
 @dataclass(frozen=True)
 class ScenePiece:
-    """A part of a surface that is repeated around the third axis.
+    """Part of a surface that is repeated around the third axis.
 
     Attributes
     ----------
     turns
         Angles of its copies [rad].
     levels
-        The part from coarse to fine.
+        Surfaces from coarse to fine.
     fault
-        What is wrong with it, if anything.
+        Description of its fault, if any.
     """
 
     turns: Array
@@ -110,7 +110,7 @@ class ScenePiece:
 
 @dataclass(frozen=True)
 class Between:
-    """The two ends of a solid that is stretched between two bodies: numbers, and places in their frames."""
+    """Ends of a solid stretched between two bodies: body indices, and positions in their frames."""
 
     bodies: tuple[int, int]
     ends: tuple[Array, Array]
@@ -118,16 +118,16 @@ class Between:
 
 @dataclass(frozen=True)
 class ModalShape:
-    """How a solid bends in modal coordinates.
+    """Deformation of a solid in modal coordinates.
 
     Attributes
     ----------
     shapes
         Displacement of every node per unit of each coordinate, shape (k, nodes, 3), in the frame of the body.
     node
-        Node that each point of the solid goes with, shape (n,).
+        Node of each point of the solid, shape (n,).
     coordinates
-        The coordinates over the frames, shape (n, k); none at rest.
+        Coordinates over the frames, shape (n, k); None at rest.
     """
 
     shapes: Array
@@ -137,7 +137,7 @@ class ModalShape:
 
 @dataclass(frozen=True, kw_only=True)
 class SceneSolid:
-    """Triangles on a body.
+    """Solid on a body, as triangles.
 
     Attributes
     ----------
@@ -149,21 +149,21 @@ class SceneSolid:
         Corners, shape (n, 3) [m], in the frame of the solid; triangles, shape (m, 3), counter-clockwise seen
         from outside.
     pieces
-        In their place the parts of a gear.
+        Parts of a gear, instead of points and triangles.
     place, axes
-        Frame of the solid in that of the body, shape (3,) [m] and (3, 3); none where it is the same.
+        Frame of the solid in that of the body, shape (3,) [m] and (3, 3); None if equal.
     between
-        The points that it is stretched between: its third axis goes from 0 at the first to 1 at the second.
+        End points of a stretched solid: its third axis is 0 at the first and 1 at the second.
     schematic
-        Whether it only represents something whose shape is not known.
+        Whether it is a symbol for a component of unknown shape.
     teeth
         Number of teeth of a gear, 0 for others.
     see_through
-        Whether what lies behind it shall be seen.
+        Whether it is transparent.
     creases
         Angle above which an edge is sharp [deg].
     blend, modal
-        How it bends between several bodies, or in modal coordinates; none for rigid solids.
+        Deformation with several bodies, or in modal coordinates; None for rigid solids.
     """
 
     name: str
@@ -185,20 +185,20 @@ class SceneSolid:
 
 @dataclass(frozen=True, kw_only=True)
 class SceneArrow:
-    """A force and where it acts.
+    """Force and its point of application.
 
     Attributes
     ----------
     name, kind
         Name of the mesh, bearing or load, and mesh, bearing or load.
     body
-        Body in whose frame at rest `at` and the components count; -1 is the world.
+        Body whose rest frame is the reference of `at` and the components; -1 is the world.
     at
         Shape (1, 3) or (n, 3) [m].
     components
         Vectors by role (circumferential, radial, axial), shape (n, 3) [N].
     state
-        Of meshes, shape (n,): 1 front, -1 back flank, 2 both, 0 no contact.
+        Contact state of meshes, shape (n,): 1 front, -1 back flank, 2 both, 0 no contact.
     """
 
     name: str
@@ -211,18 +211,18 @@ class SceneArrow:
 
 @dataclass(frozen=True, kw_only=True)
 class SceneChannel:
-    """A curve below the scene: least and most value of every piece of the record.
+    """Curve below the scene: minimum and maximum of every segment of the record.
 
     Attributes
     ----------
     name, label
-        Name in the result, and words for people.
+        Name in the result, and readable name.
     unit, shown_unit, scale
-        SI unit, the one shown, and the factor between them.
+        SI unit, displayed unit, and the factor between them.
     times, least, most
         Shape (k,), [s] and SI.
     first
-        Whether it is shown without asking.
+        Whether it is shown by default.
     """
 
     name: str
@@ -238,18 +238,18 @@ class SceneChannel:
 
 @dataclass(frozen=True)
 class SceneMark:
-    """An instant worth looking at.
+    """Marked event.
 
     Attributes
     ----------
     time
-        When it is or begins [s].
+        Time or start [s].
     kind
-        contact_loss, impact, back_flank or front_flank (where the other one works), faulty_tooth.
+        contact_loss, impact, back_flank or front_flank (if the other one is the working flank), faulty_tooth.
     what
-        Where, in words.
+        Location in words.
     until
-        When it ends, none where it is an instant [s].
+        End [s]; None for an instant.
     """
 
     time: float
@@ -260,16 +260,16 @@ class SceneMark:
 
 @dataclass(frozen=True, kw_only=True)
 class SceneMode:
-    """A mode shape.
+    """Mode shape.
 
     Attributes
     ----------
     name, frequency, damping
-        What moves, [Hz], share of critical damping; none where it has no meaning.
+        Dominant motion, natural frequency [Hz], damping ratio; None if not defined.
     position, turn
         Complex displacements of the bodies, shape (nb, 3), world axes.
     modal
-        Complex modal coordinates of the solids that bend in them, by name.
+        Complex modal coordinates of the deformable solids, by name.
     """
 
     name: str
@@ -282,22 +282,22 @@ class SceneMode:
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """All of it.
+    """Complete scene.
 
     Attributes
     ----------
     title, subtitle
-        Words above the scene.
+        Texts above the scene.
     label
-        Name of the file that it shows, to distinguishes it from another next to it.
+        Name of its file, to distinguish it from another scene next to it.
     up
         Direction that points up on the screen, shape (3,).
     bodies, solids, arrows, contacts, channels, spectra, maps, marks, modes
-        What there is.
+        Contents.
     times
-        Of the frames, shape (n,) [s]; a single one for a model without result.
+        Times of the frames, shape (n,) [s]; a single one for a model without result.
     notes
-        What is not shown, and why.
+        Remarks on omitted contents.
     """
 
     title: str

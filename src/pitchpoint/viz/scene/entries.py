@@ -15,16 +15,16 @@ from pitchpoint.viz.scene.packing import LENGTH, Block, unseen
 from pitchpoint.viz.scene.spectrum import Array, SceneMap, SceneSpectrum
 
 FINE, COARSE = 65535, 2047
-"""Steps between the least and the largest value of a curve: shown without asking, and others."""
+"""Quantisation steps of a curve: shown by default, and others."""
 
 
 def channel_entries(channels: Sequence[SceneChannel], block: Block) -> dict[str, Any]:
-    """The parts `curves` and `channels` of a header; their numbers go into the block.
+    """Entries `curves` and `channels` of a header; their numbers are written to the block.
 
     Parameters
     ----------
     channels
-        The curves; those that have the same instants share a table, those that look the same a column.
+        Curves; those with equal times share a table, those with equal steps a column.
     block
         Numbers of the scene.
 
@@ -37,11 +37,11 @@ def channel_entries(channels: Sequence[SceneChannel], block: Block) -> dict[str,
     entries = []
     for channel in channels:
         if not (np.isfinite(channel.least).all() and np.isfinite(channel.most).all()):
-            raise ValueError(f"{channel.name}: holds numbers that are not finite")
+            raise ValueError(f"{channel.name}: contains non-finite numbers")
         steps = FINE if channel.first else COARSE
         table = tables.setdefault((steps, channel.times.tobytes()), _Table(len(tables), channel))
         low, high = float(channel.least.min()), float(channel.most.max())
-        # an offset with all its digits: a torque of 1e5 N m may ripple by 1 N m
+        # an offset in full precision: a torque of 1e5 N m may have a ripple of 1 N m
         step, low = float(f"{(high - low) / steps * (1.0 + 1e-5):.10g}"), float(f"{low:.12g}")
         parts = [np.rint((x - low) / (step or 1.0)).astype(np.int64) for x in (channel.least, channel.most)]
         entry: dict[str, Any] = {
@@ -58,19 +58,19 @@ def channel_entries(channels: Sequence[SceneChannel], block: Block) -> dict[str,
 
 
 class _Table:
-    """Curves over the same instants, each look once."""
+    """Curves over the same times; equal columns are stored once."""
 
     def __init__(self, number: int, first: SceneChannel) -> None:
         self.number, self.times = number, first.times
         self.columns: dict[bytes, tuple[int, np.ndarray, np.ndarray]] = {}
 
     def column(self, least: np.ndarray, most: np.ndarray) -> int:
-        """Number of the column that holds these steps."""
+        """Index of the column with these steps."""
         key = least.tobytes() + most.tobytes()
         return self.columns.setdefault(key, (len(self.columns), least, most))[0]
 
     def entry(self, block: Block) -> dict[str, Any]:
-        """Part of the header; numbers go into the block."""
+        """Header entry; numbers are written to the block."""
         least = np.stack([column[1] for column in self.columns.values()], axis=1)
         most = np.stack([column[2] for column in self.columns.values()], axis=1)
         found = {"times": block.put(self.times, "f8"), "least": block.put_whole(least)}
@@ -78,13 +78,13 @@ class _Table:
 
 
 _LOADS, _FORCES = 255, 8191
-"""Steps from zero to the largest load, which is a colour, and to the largest force, which is a number."""
+"""Quantisation steps of loads, which are shown as colours, and of forces, which are shown as numbers."""
 _GAP = 5e-9
 """Largest error of a penetration [m]."""
 
 
 def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
-    """Header of one mesh; its numbers go into the block.
+    """Header entry of one mesh; its numbers are written to the block.
 
     Parameters
     ----------
@@ -100,8 +100,8 @@ def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
     """
     for track in (contact.at, contact.axes, contact.pressure_angle, contact.penetration):
         if not np.isfinite(track).all():
-            raise ValueError(f"{contact.name}: holds numbers that are not finite")
-    # an angle is as exact as what it places: the ends of the lines
+            raise ValueError(f"{contact.name}: contains non-finite numbers")
+    # precision of an angle by its effect at the ends of the lines
     angle = LENGTH / max(map(abs, (*contact.width, *contact.path)))
     found = {
         "name": contact.name,
@@ -124,7 +124,7 @@ def contact_entry(contact: SceneContact, block: Block) -> dict[str, Any]:
 def _flank(flank: ContactFlank, block: Block) -> dict[str, Any]:
     found: dict[str, Any] = {"side": flank.side, "travel": block.put_track(flank.travel, LENGTH)}
     if flank.forces.shape[1]:
-        # zero stays zero: it states that a pair does not touch
+        # zero remains exact: it means no contact of a pair
         found["forces"] = block.put_steps(flank.forces, _largest(flank.forces) / _FORCES)
         found["loads"] = block.put_steps(flank.loads, _largest(flank.loads) / _LOADS, across=True)
     found["surfaces"] = [
@@ -147,7 +147,7 @@ def _largest(values: NDArray[np.float64]) -> float:
 
 
 def _quaternions(axes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Quaternions (x, y, z, w) of frames, shape (n, 3, 3), each on the side of the one before."""
+    """Quaternions (x, y, z, w) of frames, shape (n, 3, 3), with continuous signs."""
     from scipy.spatial.transform import Rotation
 
     found = Rotation.from_matrix(axes).as_quat()
@@ -157,12 +157,12 @@ def _quaternions(axes: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 DECIBELS = 80.0
-"""Depth of a map below its largest amplitude [dB]: what is less is drawn as nothing."""
+"""Dynamic range of a map below its maximum [dB]."""
 _LEVELS = 255
 _AMPLITUDE = 1e-3
 """Largest relative error of a line of a spectrum."""
 _NOTHING = 1e-12
-"""Lines below this part of the largest one are raised to it: they have a logarithm."""
+"""Lines below this fraction of the maximum are raised to it for the logarithmic scale."""
 
 
 def spectrum_entry(spectrum: SceneSpectrum, block: Block) -> dict[str, Any]:
@@ -182,7 +182,7 @@ def spectrum_entry(spectrum: SceneSpectrum, block: Block) -> dict[str, Any]:
     """
     amplitude = spectrum.amplitude
     if not np.isfinite(amplitude).all():
-        raise ValueError(f"{spectrum.channel}: holds numbers that are not finite")
+        raise ValueError(f"{spectrum.channel}: contains non-finite numbers")
     level = np.log(np.maximum(amplitude, _NOTHING * float(amplitude.max(initial=0.0)) or 1.0))
     return {
         "channel": spectrum.channel,
@@ -195,12 +195,12 @@ def spectrum_entry(spectrum: SceneSpectrum, block: Block) -> dict[str, Any]:
 
 
 def map_entry(found: SceneMap, block: Block) -> dict[str, Any]:
-    """Entry of a map: its amplitudes as levels of decibels.
+    """Header entry of a map with its amplitudes as decibel levels.
 
     Parameters
     ----------
     found
-        The map.
+        Map of the scene.
     block
         Where its numbers go.
     """
@@ -217,7 +217,7 @@ def map_entry(found: SceneMap, block: Block) -> dict[str, Any]:
 
 
 def _lines(lines: Array, block: Block) -> dict[str, Any]:
-    """Lines of a spectrum: their numbers, where they are multiples of one line."""
+    """Lines of a spectrum, as integers if they are multiples of one line."""
     gap = float(np.diff(lines).min(initial=float("inf")))
     number = np.rint(lines / gap)
     if not np.allclose(number * gap, lines, rtol=1e-6, atol=0.0):
@@ -226,7 +226,7 @@ def _lines(lines: Array, block: Block) -> dict[str, Any]:
 
 
 def map_levels(amplitude: Array) -> NDArray[np.uint8]:
-    """Amplitudes in 255 even steps of decibels below the largest one; 0 is `DECIBELS` below, or less.
+    """Amplitudes in 255 equal decibel steps below the maximum; 0 is `DECIBELS` below it, or less.
 
     Parameters
     ----------

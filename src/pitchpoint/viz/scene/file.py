@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A scene as a header and one block of numbers, see `docs/scene_format.md`.
+"""Scene as a header and one block of numbers, see `docs/scene_format.md`.
 
-Every number is as exact as it has to be for what is seen of it; the angles prescribed by kinematics keep all
-their digits, since teeth are looked at from near.
+The precision of all numbers is that of their visible effect; kinematic angles have full precision for close
+views of teeth.
 """
 
 from __future__ import annotations
@@ -34,11 +34,11 @@ from pitchpoint.viz.scene.reach import reaches
 
 FORMAT = "pitchpoint-scene-2"
 _FORCE = 1.0 / 16384.0
-"""Largest error of a force, of the largest of its arrow."""
+"""Maximum error of a force relative to the maximum of its arrow."""
 _PLACE = 1e-6
-"""Largest error of the place where a force acts [m]."""
+"""Maximum error of the point of application of a force [m]."""
 _POINT = 5e-8
-"""Largest error of a point of a solid, of the largest coordinate: that of single precision."""
+"""Maximum error of a point of a solid relative to the largest coordinate: single precision."""
 
 
 def scene_parts(scene: Scene) -> tuple[dict[str, Any], bytes]:
@@ -82,7 +82,7 @@ def scene_texts(scene: Scene) -> tuple[str, str]:
 
 def _finite(values: NDArray[np.float64], what: str) -> NDArray[np.float64]:
     if not np.isfinite(values).all():
-        raise ValueError(f"{what}: holds numbers that are not finite")
+        raise ValueError(f"{what}: contains non-finite numbers")
     return values
 
 
@@ -179,7 +179,7 @@ def _solid(solid: SceneSolid, block: Block) -> dict[str, Any]:
 
 
 def _bending(modal: ModalShape, name: str, block: Block) -> dict[str, Any]:
-    """Modal coordinates: what all of them displace a node by is as exact as the place of a body."""
+    """Modal coordinates, with the total displacement of a node as precise as the position of a body."""
     assert modal.coordinates is not None
     reach = np.linalg.norm(modal.shapes, axis=2).max(axis=1)
     values = _finite(modal.coordinates, name)
@@ -229,7 +229,7 @@ def _arrow(arrow: SceneArrow, block: Block) -> dict[str, Any]:
         "size": size,
     }
     if arrow.state is not None:
-        # one byte a frame: -1 becomes 255
+        # one byte per frame: -1 becomes 255
         found["state"] = block.put(np.where(arrow.state < 0, 255, arrow.state), "u1")
     return found
 

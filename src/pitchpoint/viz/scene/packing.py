@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The block of numbers of a scene: every table as coarse as no one sees, in the form that packs best.
+"""Block of numbers of a scene: tables with invisible rounding, in the form that compresses best.
 
-Numbers become multiples of a step. What gzip then gets are differences from what precedes, their low bytes
-apart from their high ones: the low ones are noise and stay, the high ones vanish. Tables whose columns move
-together are kept as the few columns that they follow from.
+Numbers become multiples of a step. Differences from predecessors are passed to gzip, low and high bytes
+separately: low bytes are noise, high bytes compress to almost nothing. Tables with correlated columns are
+stored as the few columns from which they follow.
 """
 
 from __future__ import annotations
@@ -19,39 +19,39 @@ Array = NDArray[np.float64]
 Entry = dict[str, Any]
 
 UNSEEN = 1.0 / 4094.0
-"""Part of what a track moves over that is not seen: a quarter of a pixel on a thousand of them."""
+"""Invisible fraction of the range of a track: a quarter of a pixel on a thousand pixels."""
 LENGTH = 25e-9
-"""Distance that is not seen even where gaps of micrometres are looked at [m]."""
+"""Distance that is invisible even in views of micrometre gaps [m]."""
 _TYPES = {"f8": "<f8", "f4": "<f4", "u4": "<u4", "u2": "<u2", "u1": "u1"}
 _MIXED = 9
-"""Columns up to which it is worth a try whether they follow from fewer."""
+"""Maximum number of columns for the reduction to fewer ones."""
 _LEFT = 0.2
-"""Share of the error that what is omitted from such a table may make."""
+"""Share of the permitted error for the columns omitted from such a table."""
 
 
 class Block:
-    """Numbers one after the other; the same array is written once."""
+    """Sequence of numbers; equal arrays are written once."""
 
     def __init__(self) -> None:
         self.data = bytearray()
         self.known: dict[tuple[str, tuple[int, ...], bytes], Entry] = {}
 
     def put(self, values: ArrayLike, kind: str) -> Entry:
-        """Where an array lies, kept as it is."""
+        """Header entry of an array, stored unchanged."""
         array = np.ascontiguousarray(values, dtype=_TYPES[kind])
         return self._add(kind, array.shape, array.tobytes())
 
     def put_steps(self, values: ArrayLike, step: ArrayLike, across: bool = False) -> Entry:
-        """A table of multiples of a step, zero among them.
+        """Header entry of a table of multiples of a step, including zero.
 
         Parameters
         ----------
         values
             Shape (n, ...).
         step
-            One step, or one for each place of the last axis; zero where all values are.
+            One step, or one per index of the last axis; zero if all values are zero.
         across
-            Whether neighbours on the last axis are alike, not those on the first.
+            Whether neighbours along the last axis, not the first, are similar.
         """
         array = np.asarray(values, dtype=np.float64)
         each = array.shape[-1] if array.ndim > 1 else 1
@@ -62,24 +62,24 @@ class Block:
         return {**found, "across": True} if across else found
 
     def put_whole(self, values: ArrayLike) -> Entry:
-        """A table of whole numbers."""
+        """Header entry of a table of integers."""
         array = np.asarray(values, dtype=np.int64)
         return self._planes(array.reshape(len(array), -1), array.shape)
 
     def put_track(self, values: ArrayLike, within: float) -> Entry:
-        """A table over time with an error of at most `within`.
+        """Header entry of a table over time with a maximum error `within`.
 
         Parameters
         ----------
         values
             Shape (n,) or (n, k).
         within
-            Largest error of a number.
+            Maximum error of a number.
         """
         return self.put_tracks([np.asarray(values, dtype=np.float64)], within)[0]
 
     def put_tracks(self, tables: Sequence[Array], within: float) -> list[Entry]:
-        """Several of them, which may follow from the same columns.
+        """Header entries of several such tables, which may follow from the same columns.
 
         Parameters
         ----------
@@ -97,17 +97,17 @@ class Block:
         return [self._track(*one, within) for one in zip(tables, wide, bases, strict=True)]
 
     def _track(self, given: Array, table: Array, basis: Array, error: float) -> Entry:
-        """A table by itself, `table` with all but the first axis as columns."""
+        """Header entry of a single table, with all axes except the first as columns."""
         low, high = table.min(axis=0), table.max(axis=0)
         if (high - low).max(initial=0.0) <= error:
-            # it stays where it is: one row reports this
+            # constant: stored as one row
             return self.put((0.5 * (low + high)).reshape(1, *given.shape[1:]), "f8")
         if len(basis) < table.shape[1]:
             return self._mixed([table], basis, error)[0]
         return self.put_steps(given, 1.99 * error)
 
     def _mixed(self, tables: Sequence[Array], basis: Array, error: float) -> list[Entry]:
-        """Tables by the columns that all of them follow from."""
+        """Tables as combinations of common columns."""
         together = np.concatenate(tables, axis=1)
         mean = together.mean(axis=0)
         digits = _digits(np.ptp(together, axis=0), error)
@@ -123,7 +123,7 @@ class Block:
         return found
 
     def _planes(self, levels: NDArray[np.int64], shape: tuple[int, ...]) -> Entry:
-        """Whole numbers as planes of bytes of their differences of the order that packs best."""
+        """Integers as byte planes of their differences of the order that compresses best."""
         best: tuple[int, int, bytes, int] | None = None
         for order in range(min(3, max(1, len(levels)))):
             zigzag = _differences(levels, order).T
@@ -147,13 +147,13 @@ class Block:
 
 
 def unseen(values: Array, within: float) -> float:
-    """Error of a motion that is not seen, magnified or not: a distance, or a part of the way if less."""
+    """Invisible error of a motion, also if magnified: a distance, or a fraction of the range if smaller."""
     way = float(np.ptp(values, axis=0).max(initial=0.0))
     return min(within, UNSEEN * way) if way > 0.0 else within
 
 
 def _differences(levels: NDArray[np.int64], order: int) -> NDArray[np.int64]:
-    """From the first row, the row before, or the line through the two before; signs in the last bit."""
+    """Differences from the first row, the previous row, or linear extrapolation; signs in the last bit."""
     found = levels.copy()
     if order == 0:
         found[1:] -= levels[0]
@@ -165,7 +165,7 @@ def _differences(levels: NDArray[np.int64], order: int) -> NDArray[np.int64]:
 
 
 def _basis(table: Array, error: float) -> Array:
-    """Directions that a table moves in, rows, as few as leave less than a share of the error."""
+    """Principal directions of a table as rows, the minimum number for a share of the error."""
     width = table.shape[1]
     if width > _MIXED or width == 1 or len(table) < 8 * width:
         return np.eye(width)
@@ -179,10 +179,10 @@ def _basis(table: Array, error: float) -> Array:
 
 
 def _digits(values: Array, error: float) -> int:
-    """Digits that keep numbers so large within a hundredth of an error."""
+    """Digits that represent numbers of a magnitude within 1 % of the error."""
     return int(np.clip(np.ceil(np.log10(max(float(np.abs(values).max()), error) / error)) + 3, 4, 17))
 
 
 def _short(value: float, digits: int = 4) -> float:
-    """A number that takes few characters."""
+    """Number in short notation."""
     return float(f"{value:.{digits}g}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A scene, or two side by side, as part of a page or as a page of its own: no network, no server."""
+"""One scene, or two next to each other, as part of a page or as a self-contained page."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pitchpoint.viz.scene.file import scene_texts
 
 
 def scene_elements(*scenes: Scene) -> str:
-    """The elements that hold one scene, or two that are compared."""
+    """HTML elements with one scene, or two scenes for comparison."""
     parts = []
     for scene, mark in zip(scenes, ("", "-2"), strict=False):
         header, numbers = scene_texts(scene)
@@ -22,14 +22,14 @@ def scene_elements(*scenes: Scene) -> str:
 
 
 def scene_fragment(*scenes: Scene, height: str = "640px") -> str:
-    """A scene for the body of a longer page, which holds no other one.
+    """HTML of a scene for the body of a longer page; one per page.
 
     Parameters
     ----------
     *scenes
         One scene, or two to compare.
     height
-        Height of the viewer in the page, as CSS has it.
+        Height of the viewer in the page, in CSS notation.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def scene_fragment(*scenes: Scene, height: str = "640px") -> str:
         If there are none or more than two, or a number is not finite.
     """
     if not 1 <= len(scenes) <= 2:
-        raise ValueError(f"{len(scenes)} scenes do not fit on a page; give one or two")
+        raise ValueError(f"{len(scenes)} scenes in a page (limit 2); give one or two")
     colours = "".join(f"--pp-force-{part}:{colour};" for part, colour in theme.FORCE_PARTS.items())
     compare = "true" if len(scenes) == 2 else "false"
     return (
@@ -48,7 +48,7 @@ def scene_fragment(*scenes: Scene, height: str = "640px") -> str:
 
 
 def scene_page(*scenes: Scene) -> str:
-    """The complete document.
+    """Complete HTML document.
 
     Parameters
     ----------
@@ -72,16 +72,16 @@ def scene_page(*scenes: Scene) -> str:
 
 
 def scene_frame(*scenes: Scene, height: str = "480px") -> str:
-    """A page with a scene as a frame within another document, which may hold several of them.
+    """Page with a scene as a frame within another document, which may contain several.
 
-    It is light or dark as the theme of that document, where it gives its theme, else as the system.
+    Its colours follow the theme of that document, if known, else the system.
 
     Parameters
     ----------
     *scenes
         One scene, or two to compare.
     height
-        Height of the frame, as CSS has it.
+        Height of the frame, in CSS notation.
     """
     title = " and ".join(dict.fromkeys(s.title for s in scenes))
     return (

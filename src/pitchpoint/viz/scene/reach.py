@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How far bodies of a scene reach: an angle has to be as exact as what it moves far from the axis."""
+"""Extent of the bodies of a scene, which determines the required precision of angles."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from pitchpoint.viz.scene.content import Array, Scene, SceneSolid
 
 
 def reaches(scene: Scene) -> list[float]:
-    """Largest distance of a solid from the origin of its body, what hangs on it included [m].
+    """Maximum distance of solids from the origin of each body, including its children [m].
 
     Parameters
     ----------
     scene
-        The scene; a body comes after its parent.
+        Scene; a body follows its parent.
     """
     found = [0.0] * len(scene.bodies)
     for solid in scene.solids:
@@ -29,7 +29,7 @@ def reaches(scene: Scene) -> list[float]:
 
 
 def _ends(solid: SceneSolid) -> list[tuple[int, float]]:
-    """Bodies that move a solid, and how far it lies from their origins."""
+    """Bodies that move a solid, and its distance from their origins."""
     between = solid.between
     if between is not None:
         return [(b, float(np.linalg.norm(end))) for b, end in zip(between.bodies, between.ends, strict=True)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Spectra of a scene, and how they pass over its time."""
+"""Spectra and spectral maps of a scene."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ class SceneSpectrum:
     lines, amplitude
         Frequencies [Hz], or orders of a body, and peak amplitudes, shape (k,) each.
     of
-        Body whose turns the orders count; empty where lines are frequencies.
+        Reference body of the orders; empty for frequencies.
     resolution
-        Spacing of the lines of the record, in the unit of the lines; of many some are omitted.
+        Line spacing of the record, in the unit of the lines; some lines may be omitted.
     """
 
     channel: str
@@ -37,14 +37,14 @@ class SceneSpectrum:
 
 @dataclass(frozen=True)
 class SceneMap:
-    """Spectra of one piece of a record after the other.
+    """Spectra of successive segments of a record.
 
     Attributes
     ----------
     channel, unit, lines, of
-        As of `SceneSpectrum`; the lines are evenly spaced, shape (k,).
+        As in `SceneSpectrum`; the lines are equally spaced, shape (k,).
     times
-        Middles of the pieces [s], shape (n,).
+        Middle times of the segments [s], shape (n,).
     amplitude
         Peak amplitudes, shape (n, k).
     """
