@@ -300,7 +300,7 @@ def test_what_other_analyses_cannot_take_in():
         run_sweep(system)
     with pytest.raises(SolverError, match=r"a slow roll cannot call sampled controllers"):
         roll_through(compile_model(loads_model(sampled), "roll"), "roll")
-    with pytest.raises(SolverError, match=r"actuators.drive \(line \d+\) follows one, signal\[speed\]"):
+    with pytest.raises(SolverError, match=r"actuators.drive \(line \d+\) depends on signal\[speed\]"):
         roll_through(compile_model(loads_model(PAIR + ERROR + PI % "" + DRIVE), "roll"), "roll")
     modes = find_modes(compile_model(loads_model(sampled), "run"), "run")
     assert "sampled controllers (c) are not called here" in modes.notes[-1]

@@ -118,5 +118,5 @@ def test_an_observed_speed_is_none_on_a_slow_roll():
     system = compile_model(
         loads_model(text.replace(sensor, "{type: observation, channel: 'speed[motor]'}")), "roll"
     )
-    with pytest.raises(SolverError, match=r"follows one, signal\[speed\]"):
+    with pytest.raises(SolverError, match=r"depends on signal\[speed\]"):
         roll_through(system, "roll")

@@ -186,7 +186,7 @@ def test_speeds_follow_the_teeth_and_whole_turns_change_nothing(tmp_path):
     speeds = model.start_speeds("turning")
     assert speeds["output"] == pytest.approx(-25 / 40 * 1500 * np.pi / 30)
     system = compile_model(model, "turning")
-    assert any("input, output turn with the body" in note for note in find_modes(system, count=2).notes)
+    assert any("input, output rotate with the body" in note for note in find_modes(system, count=2).notes)
     assert not any("one position" in note for note in find_modes(compile_model(model), count=2).notes)
     state = prepare_start(system, model.scenarios["turning"]).state
     found = evaluate.residual(system, state).copy()
