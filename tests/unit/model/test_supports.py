@@ -107,4 +107,4 @@ def test_places_that_came_by_a_coupling_are_told_at_the_mesh(position: str, mesh
     with pytest.raises(ModelError) as caught:
         loads_model(text)
     problems = [p for p in caught.value.problems if p.where == where]
-    assert "(couplings.c puts two where motor is)" in str(problems[0].remedy)
+    assert "(couplings.c locates two at motor)" in str(problems[0].remedy)
