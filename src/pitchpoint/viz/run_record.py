@@ -43,7 +43,7 @@ def owner(channel: Channel) -> str:
 
 
 def listed(channel: Channel, quantity: str) -> bool:
-    """Whether a channel has a quantity and is no internal signal of a block such as `control.integral`."""
+    """Whether a channel has a quantity and is not an internal signal of a block (`control.integral`)."""
     return channel.quantity == quantity and (quantity != "signal" or "." not in owner(channel))
 
 

@@ -169,7 +169,7 @@ def test_maps_are_thinned_as_json_and_whole_in_a_file(
     amplitude = np.array(found["variables"]["amplitude"]["values"])
     assert amplitude.shape == (len(found["variables"]["frequency"]["values"]), len(times))
     assert 30_000 < amplitude.size <= 110_000
-    (note,) = [n for n in found["notes"] if "places in time" in n]
+    (note,) = [n for n in found["notes"] if "values of time" in n]
     step = int(note.split("every ")[1].split("th")[0])
     np.testing.assert_allclose(times, TIME[::step], rtol=0, atol=1e-6)
     rows = sum(1 for line in whole.read_text(encoding="utf-8").splitlines() if line[:1] != "#") - 1
@@ -182,11 +182,11 @@ def test_a_period_that_cannot_be_judged_is_told_in_words(
     assert run_command(["analyse", rig, "period_evidence", "-c", "slow", "-O", "periods=15,1"]) == 0
     told = " ".join(capsys.readouterr().out.split())
     assert "nan" not in told
-    assert "probability in noise of 15 s not known 1 turn, 0 lines: too few to decide" in told
+    assert "probability in noise of 15 s not known 1 turn, 0 lines: too few for a test" in told
     # lines beside no sideband: a table of numbers, with none of round-off
     assert run_command(
         ["analyse", rig, "sideband_table", "-c", "fast", "-O", "mesh=135.6667", "-O", "spacing=20",
          "-O", "harmonics=1"]
     ) == 0  # fmt: skip
     told = " ".join(capsys.readouterr().out.split())
-    assert "largest asymmetry not known" in told
+    assert "maximum asymmetry not known" in told

@@ -171,7 +171,7 @@ def test_a_dry_run_computes_nothing(tmp_path: Path, capsys: pytest.CaptureFixtur
     size = sum(p.stat().st_size for p in out.glob("cases/*.h5"))
     assert 0.2 * found["bytes"] < size < found["bytes"]
     assert run_command(["dataset", plan, "-o", str(out), "--dry-run"]) == 0
-    assert f"{CASES} cases, {CASES} of them completed, 0 left" in capsys.readouterr().out
+    assert f"{CASES} cases, {CASES} completed, 0 remaining" in capsys.readouterr().out
 
 
 def test_failed_cases_are_listed_and_stop_nobody(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -69,7 +69,7 @@ def test_figures_have_axes_with_units_and_marked_lines(
     titles = [(f["layout"]["xaxis"]["title"]["text"], f["layout"]["yaxis"]["title"]["text"]) for f in drawn]
     spectrum = ("frequency [Hz]", "amplitude [m/s²]")
     assert titles[0] == spectrum and titles[-1] == ("frequency [Hz]", "squared envelope [(m/s²)²]")
-    assert ("tooth pitches since the start of the record", "[m/s²]") in titles
+    assert ("tooth pitches from the start of the record", "[m/s²]") in titles
     names = [trace["name"] for trace in drawn[0]["data"]]
     assert names == ["spectrum", "mesh 1, 320 Hz"]
     shown = {trace["hovertemplate"].partition("<extra>")[2]: trace for trace in drawn[-1]["data"][1:]}
@@ -79,7 +79,7 @@ def test_figures_have_axes_with_units_and_marked_lines(
         f for f in drawn if any("+1" == note["text"] for note in f["layout"].get("annotations", ()))
     )
     assert {note["text"] for note in sidebands["layout"]["annotations"]} >= {"−2", "−1", "+1", "+2"}
-    turn = drawn[titles.index(("tooth pitches since the start of the record", "[m/s²]"))]
+    turn = drawn[titles.index(("tooth pitches from the start of the record", "[m/s²]"))]
     assert [shape["yref"] for shape in turn["layout"]["shapes"]] == ["y domain", "y2 domain"]
     assert all(shape["x0"] < 6.4 < shape["x1"] for shape in turn["layout"]["shapes"])
 

@@ -77,7 +77,7 @@ def test_given_inertia_of_a_body_stands_beside_that_of_its_gears(tmp_path: Path,
 @pytest.mark.parametrize(
     "arguments, said",
     [
-        (["--shaft", "axle"], "is for --export"),
+        (["--shaft", "axle"], "requires --export"),
         (["--shaft", "axel", "--export", "a.stl"], "did you mean axle?"),
         (["--shaft", "axle", "--export", "a.svg"], "has no solid extension; use .stl, .step, .stp"),
         (["--shaft", "axle", "--gear", "wheel", "--export", "a.stl"], "cannot be combined with --gear"),

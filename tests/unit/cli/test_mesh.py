@@ -96,7 +96,7 @@ def test_a_run_with_the_ratio_zero_is_the_limit_of_small_ones(
 def test_a_file_without_meshes_gets_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path, "gears:\n" + gear("a"))
     assert run_command(["mesh", file]) == 0
-    assert f"{file}: has no meshes" in capsys.readouterr().out
+    assert f"{file}: no meshes" in capsys.readouterr().out
     assert json_of(["mesh", file], capsys) == {"meshes": {}}
 
 

@@ -86,7 +86,7 @@ def test_small_negative_frequencies_are_printed_as_zero(
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["reduce", "FILE"], "--limit is needed"),
+        (["reduce", "FILE"], "--limit is required"),
         (["reduce", "FILE", "--limit", "3 mm"], "--limit"),
         (["reduce", "FILE", "--limit", "1 kHz", "--keep", "lid"], "no body or element lid"),
         (["reduce", "FILE", "--limit", "1 kHz", "--keep", "hausing"], "did you mean housing? there are: "),

@@ -82,7 +82,7 @@ def test_modes_of_a_result_and_of_a_model_are_the_same(
         assert one["frequency"] == pytest.approx(other["frequency"], rel=1e-6, abs=1e-3)
     capsys.readouterr()
     assert run_command(["view", model, str(result), "--modes", "2", "-o", str(pages[1])]) == 2
-    assert "not of two" in capsys.readouterr().err
+    assert "only be shown for one" in capsys.readouterr().err
 
 
 def test_what_does_not_move_is_refused(result: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -136,7 +136,7 @@ def damaged(result: Path, out: Path, how: str) -> Path:
 
 @pytest.mark.parametrize(
     ("how", "says"),
-    [("no model", "model: is not stored in this result file"), ("no samples", "holds no sample")],
+    [("no model", "model: is not stored in this result file"), ("no samples", "contains no sample")],
 )
 def test_results_that_cannot_be_shown_are_refused(
     result: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], how: str, says: str

@@ -62,7 +62,7 @@ def test_a_tooth_at_the_end_of_the_turn_is_marked_on_both_sides() -> None:
     figure = plot_mean_turn(turn, unit="m", teeth=20, zero=-0.5 * pitch, since="a pulse", mark=(0.0, pitch))
     sides = sorted((s.x0, s.x1) for s in figure.layout.shapes if s.yref == "y domain")
     assert sides == [pytest.approx((0.0, 0.5)), pytest.approx((19.5, 20.0))]
-    assert figure.layout.xaxis.title.text == "tooth pitches since a pulse"
+    assert figure.layout.xaxis.title.text == "tooth pitches from a pulse"
     place = np.array(figure.data[1].x)
     assert np.all(np.diff(place) > 0.0)
     # the impact lasts 0.4 pitches from the start of the record, half a pitch before the pulse
