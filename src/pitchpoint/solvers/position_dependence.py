@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Position dependence of a linearization: bodies and elements whose matrices change as bodies rotate."""
+"""Position dependence of a linearisation: bodies and elements whose matrices change as bodies rotate."""
 
 from __future__ import annotations
 

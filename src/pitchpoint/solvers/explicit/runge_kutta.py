@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Explicit integration of a system with `explicit.equal_steps` and `explicit.dormand_prince`.
 
-Constraints are enforced at acceleration level with Baumgarte stabilization against drift.
+Constraints are enforced at acceleration level with Baumgarte stabilisation against drift.
 """
 
 from __future__ import annotations
@@ -186,7 +186,7 @@ def start_adams(system: System, state: State, h: float, *, rate: float = 200.0) 
         Step [s], > 0. Stability limit: 1.4 / omega_max [rad/s] without damping, 0.9 / omega_max with a
         damping ratio of 0.1.
     rate
-        Baumgarte rate of the constraint stabilization [1/s].
+        Baumgarte rate of the constraint stabilisation [1/s].
     """
     return _start_equal(system, state, h, rate, ADAMS)
 
@@ -226,7 +226,7 @@ def start_adaptive(
     largest_step
         Longest step [s]: a load pulse within one step, or two events of one function, may be missed.
     rate
-        Baumgarte rate of the constraint stabilization [1/s].
+        Baumgarte rate of the constraint stabilisation [1/s].
     order
         5 or 8; default 8 for rtol up to 1e-7, where it needs half the evaluations.
     """

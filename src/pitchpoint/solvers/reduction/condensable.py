@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Selection of the elements and bodies that can be condensed: those with a time-invariant linearization.
+"""Selection of the elements and bodies that can be condensed: those with a time-invariant linearisation.
 
 A body is condensed if only linear elements and weight act on it and on the bodies mounted on it, and if its
 equations of motion are time-invariant: its masses and these elements are compared at the operating point and
@@ -78,7 +78,7 @@ def split_up(system: System, state: State, keep: Sequence[str]) -> Split:
         for kind, rows in elements.items():
             eligible[kind] = np.setdiff1d(eligible[kind], rows)
             which = ", ".join(element_names(system, kind)[k] for k in rows)
-            notes.append(f"{kind.replace('_', ' ')} {which} is kept: its linearization changes over time")
+            notes.append(f"{kind.replace('_', ' ')} {which} is kept: its linearisation changes over time")
         moving = sorted(set(moving) - set(_kept(system, eligible, forced)))
         if moving:
             notes.append(f"kept because their inertia changes: {', '.join(names[b] for b in moving)}")

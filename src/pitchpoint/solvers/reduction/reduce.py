@@ -5,7 +5,7 @@ Bodies with linear elements only (bearings, bushings, couplings, springs, beams)
 bodies by static shapes and fixed-interface modes (Craig and Bampton). Retained bodies and elements are
 evaluated by their own kernels, including large rotation; a condensed part is a linear element between the
 retained bodies and a few modal coordinates, with gyroscopic terms at the operating speed. Parts can be
-condensed if their linearization is time-invariant (`reduction.condensable`). The retained bodies of a part
+condensed if their linearisation is time-invariant (`reduction.condensable`). The retained bodies of a part
 are assumed to stay near the operating point unless they are rotationally symmetric.
 
 References
