@@ -411,7 +411,7 @@ def test_a_damaged_file_is_told_with_its_name(tmp_path: Path) -> None:
     data = bytearray(path.read_bytes())
     data[data.index(b"OHDR", data.index(b"OHDR") + 4) + 20] ^= 255  # header of the first array
     path.write_bytes(data)
-    with pytest.raises(ResultError, match=r"run\.h5: is not a readable HDF5 file, damaged or cut"):
+    with pytest.raises(ResultError, match=r"run\.h5: is not a readable HDF5 file, damaged or incomplete"):
         open_result(path)
 
 

@@ -206,6 +206,6 @@ def test_of_many_meshes_only_the_first_ones_are_rolled_and_the_page_says_so(monk
     found, notes = collect(train(middle=(57, 19)), [], silent)
     assert found.mesh_cycles["first"].errors and not found.mesh_cycles["second"].errors
     assert (
-        "Slow rolls of 2 meshes would take too long: the first 1 are rolled. "
+        "Slow rolls of 2 meshes would take too long: the first 1 are computed. "
         "Use a scenario with quasi_static for the others."
     ) in notes

@@ -31,7 +31,7 @@ def test_compared_numbers_stand_beside_each_other_with_their_source() -> None:
         Compared("other", 2.0, "run b"),
     ]
     assert cells(compared_table(rows, published="paper")) == [
-        ["quantity", "unit", "here", "paper", "difference", "from"],
+        ["quantity", "unit", "here", "paper", "difference", "source"],
         ["force", "kN", "101", "100", "1 %", "run a: F"],
         ["law", "", "Hertz &lt;3/2&gt;", "Hertz", "", "file"],
         ["other", "", "2", "", "", "run b"],
@@ -41,7 +41,7 @@ def test_compared_numbers_stand_beside_each_other_with_their_source() -> None:
 
 def test_without_published_numbers_there_is_no_column_for_them() -> None:
     table = cells(compared_table([Compared("force", 1.0, "run")]))
-    assert table == [["quantity", "unit", "here", "from"], ["force", "", "1", "run"]]
+    assert table == [["quantity", "unit", "here", "source"], ["force", "", "1", "run"]]
     assert cells(compared_table([Compared("force", math.nan, "run")]))[1][2] == "–"
 
 
