@@ -217,7 +217,7 @@ def test_a_bearing_without_grooves_has_modes() -> None:
 def test_a_formula_that_yaml_cuts_at_its_commas(load: str, where: str, quoted: str) -> None:
     problem = only(ROTOR % "0" + f"loads:\n  l: {{body: r, {load}}}\n")
     assert problem.where == where
-    assert "needs quotes" in problem.text
+    assert "requires quotes" in problem.text
     assert quoted in str(problem.remedy)
 
 

@@ -164,5 +164,5 @@ def test_modes_of_what_is_not_round_say_that_they_hold_for_one_position(motion):
             "springs:\n  s: {ends: [driver, arm], stiffness: 1e4 N/m}\n"
         )
     notes = find_modes(compiled(text, "run")[1], "run").notes
-    told = any("inertia of arm changes as it turns" in note for note in notes)
+    told = any("inertia of arm changes as it rotates" in note for note in notes)
     assert told is (motion == "free"), notes
