@@ -191,7 +191,7 @@ START = """
 @pytest.mark.skipif(not COMPILING, reason="a start is warm where the machine code is kept from before")
 @pytest.mark.parametrize(
     "command",
-    [["modes"], pytest.param(["run", "-s", "steady"], marks=pytest.mark.stock), ["sweep", "-s", "sweep"]],
+    [pytest.param(["modes"], marks=pytest.mark.stock), ["run", "-s", "steady"], ["sweep", "-s", "sweep"]],
 )
 def test_a_warm_start_imports_neither_the_compiler_nor_other_heavy_packages(tmp_path, command):
     (tmp_path / "model.yaml").write_text(
