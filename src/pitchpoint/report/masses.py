@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.solid import SolidReference
     from pitchpoint.model.model import Model
 
-SOURCES = ("geometry", "gears", "solid", "given", "in force")
+SOURCES = ("geometry", "gears", "solid", "given", "effective")
 """Sources of a mass; "gears" is the sum over the gears of a body."""
 VALUES = ("mass", "polar_inertia", "transverse_inertia")
 
@@ -41,7 +41,7 @@ def masses(model: Model) -> list[dict[str, Any]]:
         For each of them `part` ("gear", "shaft" or "body"), `name`, `sources`: for each available source
         mass [kg], polar inertia about the axis and transverse inertia about the centre of mass [kg m²]
         (None if not known), and for shafts and bodies the centre of mass from the origin [m];
-        `differences`: relative difference of each source from the value in force; for solids `file`,
+        `differences`: relative difference of each source from the effective value; for solids `file`,
         `unit`, `density` [kg/m³].
     """
     found = [
@@ -64,12 +64,12 @@ def masses(model: Model) -> list[dict[str, Any]]:
 def _entry(
     part: str, name: str, sources: Mapping[str, Any], solid: SolidReference | None, own: Any
 ) -> dict[str, Any]:
-    force = sources["in force"]
+    force = sources["effective"]
     entry: dict[str, Any] = {"part": part, "name": name, "sources": sources}
     entry["differences"] = {
         source: {key: _difference(numbers[key], force[key]) for key in VALUES}
         for source, numbers in sources.items()
-        if source != "in force"
+        if source != "effective"
     }
     if solid is not None:
         entry |= {"file": solid.file, "density": solid.density_for(own), "unit": _unit(solid)}
@@ -104,7 +104,7 @@ def _of_gear(gear: Gear) -> dict[str, Any]:
     given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
     if any(v is not None for v in given):
         sources["given"] = _numbers(*given)
-    return {**sources, "in force": _numbers(*gear_inertia(gear))}
+    return {**sources, "effective": _numbers(*gear_inertia(gear))}
 
 
 def _of_bevel_gear(gear: BevelGear) -> dict[str, Any]:
@@ -115,7 +115,7 @@ def _of_bevel_gear(gear: BevelGear) -> dict[str, Any]:
     given = (gear.mass, gear.polar_inertia, gear.transverse_inertia)
     if any(v is not None for v in given):
         sources["given"] = _numbers(*given)
-    return {**sources, "in force": _numbers(*bevel_gear_inertia(gear)[:3])}
+    return {**sources, "effective": _numbers(*bevel_gear_inertia(gear)[:3])}
 
 
 def _of_shaft(shaft: Shaft) -> dict[str, Any]:
@@ -135,7 +135,7 @@ def _of_shaft(shaft: Shaft) -> dict[str, Any]:
         sources["solid"] = _numbers(
             density * volume, density * found.polar, density * found.transverse, center=None
         )
-    return {**sources, "in force": by_sections(shaft.density)}
+    return {**sources, "effective": by_sections(shaft.density)}
 
 
 def _of_body(model: Model, body: Body) -> dict[str, Any]:
@@ -157,7 +157,7 @@ def _of_body(model: Model, body: Body) -> dict[str, Any]:
     )
     if any(v is not None for v in given.values()):
         sources["given"] = given
-    return {**sources, "in force": _of(force)}
+    return {**sources, "effective": _of(force)}
 
 
 def _of(inertia: Any) -> dict[str, Any]:

@@ -29,7 +29,7 @@ SECTIONS = [(0.1, 0.02, 0.0), (0.05, 0.03, 0.01)]
 def test_mass_of_a_plain_model_is_that_of_its_geometry(tmp_path: Path, capsys) -> None:
     found = json_of(["mass", written(tmp_path, SHAFT)], capsys)["masses"]
     assert [(e["part"], e["name"]) for e in found] == [("gear", "wheel"), ("shaft", "axle")]
-    axle = found[1]["sources"]["in force"]
+    axle = found[1]["sources"]["effective"]
     exact = shaft_mass_properties(SECTIONS, 7830.0)
     assert axle["mass"] == pytest.approx(exact.mass, rel=1e-12)
     assert axle["transverse_inertia"] == pytest.approx(exact.transverse_inertia, rel=1e-12)
@@ -54,7 +54,7 @@ def test_exported_solids_come_back_as_solids_of_the_model(tmp_path: Path, capsys
     assert json_of(["check", file], capsys)["masses"] == found
     assert run_command(["mass", file]) == 0
     out = capsys.readouterr().out
-    for word in ("gear wheel", "geometry", "solid", "given", "in force", "300 g", "shaft axle", "+0.02031 %"):
+    for word in ("gear wheel", "geometry", "solid", "given", "effective", "300 g", "shaft axle", "+0.02031 %"):
         assert word in out, word
     assert "wheel.stl in units of 1 mm, 7830 kg/m^3" in out
     assert run_command(["check", file]) == 0
@@ -70,7 +70,7 @@ def test_check_is_silent_where_there_is_only_one_way(tmp_path: Path, capsys) -> 
 def test_given_inertia_of_a_body_stands_beside_that_of_its_gears(tmp_path: Path, capsys) -> None:
     found = json_of(["mass", written(tmp_path, TORSION)], capsys)["masses"]
     driver = next(e for e in found if e["name"] == "driver")
-    assert list(driver["sources"]) == ["gears", "given", "in force"]
+    assert list(driver["sources"]) == ["gears", "given", "effective"]
     assert driver["sources"]["given"]["polar_inertia"] == 0.0115
 
 

@@ -351,24 +351,24 @@ def test_every_way_to_know_a_mass_stands_beside_the_others(folder: Path) -> None
     model = model_of(folder, GEAR=", mass: 100 g", BOX=", center_of_mass: 1 mm")
     pinion, wheel, low, high, block = masses(model)
     assert [e["name"] for e in (pinion, wheel, low, high, block)] == ["pinion", "wheel", "low", "high", "box"]
-    assert list(pinion["sources"]) == ["geometry", "solid", "given", "in force"]
+    assert list(pinion["sources"]) == ["geometry", "solid", "given", "effective"]
     assert pinion["sources"]["given"] == {"mass": 0.1, "polar_inertia": None, "transverse_inertia": None}
-    assert pinion["sources"]["in force"]["mass"] == 0.1
+    assert pinion["sources"]["effective"]["mass"] == 0.1
     solid = pinion["sources"]["solid"]["mass"]
     assert pinion["differences"]["solid"]["mass"] == pytest.approx(solid / 0.1 - 1.0, rel=1e-12)
     assert pinion["differences"]["solid"]["polar_inertia"] == 0.0
     assert pinion["differences"]["given"]["polar_inertia"] is None
-    assert list(wheel["sources"]) == ["geometry", "in force"]
-    assert low["sources"]["gears"] == low["sources"]["in force"]
+    assert list(wheel["sources"]) == ["geometry", "effective"]
+    assert low["sources"]["gears"] == low["sources"]["effective"]
     assert block["sources"]["solid"]["center"] == pytest.approx((A / 2, B / 2, C / 2), rel=1e-6)
-    assert block["sources"]["in force"]["center"] == (0.0, 0.0, 0.001)
+    assert block["sources"]["effective"]["center"] == (0.0, 0.0, 0.001)
     assert block["density"] == RHO
 
 
 def test_inertia_of_a_body_off_its_axis_is_compared_about_its_centre_of_mass(folder: Path) -> None:
     block = masses(model_of(folder))[-1]
     mass = RHO * A * B * C
-    for source in ("solid", "in force"):
+    for source in ("solid", "effective"):
         polar = block["sources"][source]["polar_inertia"]
         assert polar == pytest.approx(mass / 12.0 * (A * A + B * B), rel=1e-6)
 
