@@ -54,7 +54,16 @@ def test_exported_solids_come_back_as_solids_of_the_model(tmp_path: Path, capsys
     assert json_of(["check", file], capsys)["masses"] == found
     assert run_command(["mass", file]) == 0
     out = capsys.readouterr().out
-    for word in ("gear wheel", "geometry", "solid", "given", "effective", "300 g", "shaft axle", "+0.02031 %"):
+    for word in (
+        "gear wheel",
+        "geometry",
+        "solid",
+        "given",
+        "effective",
+        "300 g",
+        "shaft axle",
+        "+0.02031 %",
+    ):
         assert word in out, word
     assert "wheel.stl in units of 1 mm, 7830 kg/m^3" in out
     assert run_command(["check", file]) == 0

@@ -74,7 +74,10 @@ def diagnose_file(request: Request) -> Study:
     machine = _machine(request, record)
     chosen = _chosen(request, record)
     _complete(request, record, chosen)
-    signals, remarks = usable(chosen, None if request.channels else record.time)
+    if request.channels:
+        signals, remarks = usable(chosen)
+    else:
+        signals, remarks = usable(chosen, record.time, record.units if record.model_text else None)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
     part = slice(int(np.searchsorted(record.time, record.time[0] + record.settle_time)), None)

@@ -30,6 +30,8 @@ PREFERRED = (
 )
 """Quantities of result files tested by default: sensors first, then internal quantities."""
 MOST = 6
+RESIDUE = 1e-6
+"""Variation over that of another channel of the unit below which a simulated channel shows solver errors."""
 
 
 @dataclass(frozen=True)
@@ -174,10 +176,14 @@ def _named(found: Diagnosis, parts: TurningParts) -> tuple[Diagnosis, list[str]]
     return replace(found, findings=tuple(findings)), remarks
 
 
-def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[dict[str, Array], list[str]]:
+def usable(
+    channels: Mapping[str, Array], time: Array | None = None, units: Mapping[str, str] | None = None
+) -> tuple[dict[str, Array], list[str]]:
     """Varying, finite channels, and remarks on the omitted ones.
 
-    With `time` [s], tacho channels are omitted, too: their harmonics are not vibration.
+    With `time` [s], tacho channels are omitted, too: their harmonics are not vibration. With the `units` of
+    simulated channels, so are those that only contain errors of the solution: in a machine with two
+    symmetric sides, for example, the vibration along the axes of the shafts cancels.
     """
     kept, remarks = {}, []
     for name, values in channels.items():
@@ -198,7 +204,22 @@ def usable(channels: Mapping[str, Array], time: Array | None = None) -> tuple[di
             )
             continue
         kept[name] = x
+    for name in _residues(kept, units or {}):
+        remarks.append(
+            f"{name}: varies by less than {RESIDUE:g} of another channel in {(units or {})[name]}, an error "
+            f"of the solution and not vibration; omitted; -c {quote(name)} includes it in the diagnosis"
+        )
+        del kept[name]
     return kept, remarks
+
+
+def _residues(channels: Mapping[str, Array], units: Mapping[str, str]) -> list[str]:
+    """Channels whose variation is negligible next to that of another one with the same unit."""
+    rms = {name: float(np.std(x)) for name, x in channels.items() if units.get(name)}
+    largest: dict[str, float] = {}
+    for name, value in rms.items():
+        largest[units[name]] = max(value, largest.get(units[name], 0.0))
+    return [name for name, value in rms.items() if value < RESIDUE * largest[units[name]]]
 
 
 def preferred(names: Sequence[str]) -> list[str]:
