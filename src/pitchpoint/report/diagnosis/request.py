@@ -74,10 +74,8 @@ def diagnose_file(request: Request) -> Study:
     machine = _machine(request, record)
     chosen = _chosen(request, record)
     _complete(request, record, chosen)
-    if request.channels:
-        signals, remarks = usable(chosen)
-    else:
-        signals, remarks = usable(chosen, record.time, record.units if record.model_text else None)
+    units = record.units if record.model_text else None
+    signals, remarks = usable(chosen) if request.channels else usable(chosen, record.time, units)
     if not signals:
         raise SignalError(f"{request.file}: no channel can be used: " + "; ".join(remarks or ["it has none"]))
     part = slice(int(np.searchsorted(record.time, record.time[0] + record.settle_time)), None)
