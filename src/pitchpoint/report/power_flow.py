@@ -22,6 +22,7 @@ from pitchpoint.report.mesh_powers import mesh_powers, shows_friction
 from pitchpoint.report.scene.motion import Motion, motion
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
+from pitchpoint.viz.quantities import stored_statistics
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -130,8 +131,8 @@ class Machine:
     def mean_of(self, name: str) -> float:
         """Mean of a channel over all steps, if stored: samples may be synchronous with the teeth."""
         sampled = self.mean(self.channel(name))
-        numbers = self.result[name].attrs.get("statistics") if self.decimated else None
-        return sampled if numbers is None or not np.isfinite(numbers[0]) else float(numbers[0])
+        stored = stored_statistics(self.result[name].attrs) if self.decimated else None
+        return sampled if stored is None else stored["mean"]
 
     def power(self, name: str, speed: Array | float) -> float:
         """Mean power of a force or torque."""

@@ -244,13 +244,21 @@ def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
             str(attrs.get("units", "")),
             str(attrs.get("long_name", "")),
             str(attrs.get("symbol", "")),
-            _statistics(attrs.get("statistics")),
+            stored_statistics(attrs),
         )
     return time, found
 
 
-def _statistics(numbers: Any) -> dict[str, float] | None:
-    """Statistics that a run stored with a channel; None if it has not finished."""
-    if numbers is None or not np.all(np.isfinite(numbers)):
+def stored_statistics(attrs: Mapping[str, Any]) -> dict[str, float] | None:
+    """Statistics that a run stored with a channel; None if it has not finished, or if they are damaged.
+
+    Examples
+    --------
+    >>> stored_statistics({"statistics": [1.0, 0.5, 0.0, 2.0]})
+    {'mean': 1.0, 'rms': 0.5, 'min': 0.0, 'max': 2.0}
+    >>> stored_statistics({"statistics": "{"})
+    """
+    numbers = np.asarray(attrs.get("statistics"))
+    if numbers.shape != (4,) or numbers.dtype.kind not in "fiu" or not np.all(np.isfinite(numbers)):
         return None
     return dict(zip(("mean", "rms", "min", "max"), map(float, numbers), strict=True))
