@@ -199,7 +199,10 @@ class _Record:
             return np.zeros(1)
         if name not in self.result:
             return None
-        values = np.asarray(self.result[name].values[self.samples], dtype=np.float64)
+        stored = self.result[name].values
+        if stored.shape != self.result["time"].shape or stored.dtype.kind not in "fiub":
+            return None  # damaged
+        values = np.asarray(stored[self.samples], dtype=np.float64)
         return values if np.isfinite(values).all() else None
 
     def curves(self) -> Sequence[SceneChannel]:
