@@ -170,6 +170,9 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         note = "" if whole else f"This run is not complete: {header['status']}. {header['sentence']}"
         with open_result(file) as data:
             data.load()
+        if header["kind"] == "time":
+            data, lost = without_damaged(data)
+            found.remarks += [f"{own}: omitted because they are damaged: {', '.join(lost)}"] if lost else []
         if header["kind"] == "quasi_static":
             found.rolls[take(found.rolls)] = given_roll(data, note)
             return
@@ -180,6 +183,16 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         found.remarks.append(
             f"{own}: a report recomputes {kind} results from the model; those of the file are not shown."
         )
+
+
+def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:
+    """Record without channels of another shape or type than numbers over time, and their names."""
+    lost = [
+        str(name)
+        for name, values in data.data_vars.items()
+        if values.dims != ("event",) and (values.dims != ("time",) or values.dtype.kind not in "fiub")
+    ]
+    return data.drop_vars(lost), lost
 
 
 def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:

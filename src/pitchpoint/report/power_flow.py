@@ -104,10 +104,7 @@ class Machine:
         """Channel over the evaluated span."""
         if name not in self.result:
             raise NoPowerFlowError(f"the result does not contain {name}")
-        values = self.result[name].values
-        if values.shape != self.result["time"].shape or values.dtype.kind not in "fiub":
-            raise NoPowerFlowError(f"{name} in the result is damaged")
-        return np.asarray(values, dtype=np.float64)[self.inside]
+        return np.asarray(self.result[name].values, dtype=np.float64)[self.inside]
 
     def _blocks(self, model: Model) -> tuple[list[str], dict[int, int]]:
         """Names of the blocks, and the block of each rotating body; the stations of a shaft are one block."""

@@ -166,12 +166,6 @@ def test_a_result_without_the_channels_says_what_is_missing(channels: dict[str, 
         flow_of(few)
 
 
-def test_a_damaged_channel_has_no_power_flow(channels: dict[str, np.ndarray]) -> None:
-    text = channels | {"speed[second]": np.full(TIME.size, b"x")}
-    with pytest.raises(PitchpointError, match=r"speed\[second\] in the result is damaged"):
-        flow_of(text)
-
-
 def test_nothing_flows_where_nothing_joins_what_turns() -> None:
     alone = loads_model("bodies:\n  motor: {motion: torsion, inertia: 1 kg m^2, position: [0, 0, 0]}\n")
     data = xr.Dataset({"speed[motor]": ("time", TIME)}, {"time": TIME})

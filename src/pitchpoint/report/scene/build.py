@@ -199,10 +199,7 @@ class _Record:
             return np.zeros(1)
         if name not in self.result:
             return None
-        stored = self.result[name].values
-        if stored.shape != self.result["time"].shape or stored.dtype.kind not in "fiub":
-            return None  # damaged
-        values = np.asarray(stored[self.samples], dtype=np.float64)
+        values = np.asarray(self.result[name].values[self.samples], dtype=np.float64)
         return values if np.isfinite(values).all() else None
 
     def curves(self) -> Sequence[SceneChannel]:
