@@ -30,6 +30,8 @@ _PAUSE = 0.02
 _LOOKS = 3
 """Number of attempts after which an unreadable, unchanged file counts as damaged."""
 
+NUMBERS = ("steps", "wall_s", "status_code")
+"""Attributes of a result file that are numbers; all others are texts."""
 _HEAP = b"GCOL\1\0\0\0"
 _TEXTS_END = 1 << 24
 """Texts are created before the first sample; samples follow after these bytes."""
@@ -197,6 +199,7 @@ def _open_unmarked(name: str) -> h5py.File:
     try:
         if _text(file.attrs.get("format")) != FORMAT:
             raise ResultError(f"{name}: is an HDF5 file, but not a result file of the format {FORMAT}")
+        _check_texts(file)
         if _text(file.attrs.get("status")) != RUNNING:
             return file
         _look_through(file)
@@ -209,6 +212,14 @@ def _open_unmarked(name: str) -> h5py.File:
         file.close()
         unmarked.close()
         raise
+
+
+def _check_texts(file: h5py.File) -> None:
+    """Raise `ValueError` if an attribute that describes the result is not a single text."""
+    for name in file.attrs:
+        item = file.attrs.get_id(name)
+        if name not in NUMBERS and (item.shape != () or item.dtype.kind not in "OS"):
+            raise ValueError(f"the attribute {name} is not a text")
 
 
 def _texts_end(file: UnmarkedFile) -> bool:

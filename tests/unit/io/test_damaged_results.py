@@ -110,3 +110,12 @@ def test_damaged_archives_of_matrices(tmp_path: Path) -> None:
             read_npz(path)
         except PitchpointError:
             continue
+
+
+@pytest.mark.parametrize("name", ["kind", "model_text", "scenario", "sentence"])
+@pytest.mark.parametrize("value", [3.5, [1.0, 2.0], -1])
+def test_a_text_of_the_file_that_is_a_number(name: str, value: object, run: Path) -> None:
+    with h5py.File(run, "r+") as file:
+        file.attrs[name] = value
+    with pytest.raises(ResultError, match=f"the attribute {name} is not a text"):
+        open_result(run)

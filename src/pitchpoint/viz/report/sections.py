@@ -146,8 +146,8 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         parts = [
             c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)
         ]
-        for mesh in dict.fromkeys(map(owner, parts)):
-            tooth = [c for c in parts if owner(c) == mesh]
+        for mesh, unit in dict.fromkeys((owner(c), c.unit) for c in parts):
+            tooth = [c for c in parts if owner(c) == mesh and c.unit == unit]
             part = _last_periods(time, tooth[0].values) if steady else slice(None)
             shown = [Channel(c.name, c.values[part], c.unit, c.long_name) for c in tooth]
             where = "over the last periods" if part.start is not None else "over the whole run"
