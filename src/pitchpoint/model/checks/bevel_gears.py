@@ -12,6 +12,7 @@ import numpy as np
 from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.model.bevel_places import apex_of, assemble_bevels, bevel_gap, bevel_pair, tooth_phases
 from pitchpoint.model.checks.gear_pairs import OFFSET_TOLERANCE, impossible_shape
+from pitchpoint.model.checks.references import carriers_of_gears
 from pitchpoint.model.checks.tooth_faults import check_faults
 from pitchpoint.model.keys import Place
 
@@ -32,7 +33,7 @@ def check_bevel_gears(parts: Parts, report: Reader) -> None:
     report
         Collects the problems.
     """
-    _carriers(parts, report)
+    carriers_of_gears(parts, "bevel_gears", report)
     for name, gear in parts.bevel_gears.items():
         at: Place = ("bevel_gears", name)
         if name in parts.known("gears"):
@@ -44,20 +45,6 @@ def check_bevel_gears(parts: Parts, report: Reader) -> None:
             continue
         if not impossible_shape(parts, at, partial(_impossible, gear), report):
             check_faults(gear, (*at, "faults"), report)
-
-
-def _carriers(parts: Parts, report: Reader) -> None:
-    """Check that every bevel gear is on one body only."""
-    carriers: dict[str, str] = {}
-    for name, body in parts.bodies.items():
-        for gear in body.bevel_gears:
-            if gear in carriers:
-                report.problem(
-                    ("bodies", name, "bevel_gears"),
-                    f"carries {gear}, which is already on {carriers[gear]}",
-                    remedy="keep it on one of the two bodies",
-                )
-            carriers.setdefault(gear, name)
 
 
 def _choices(gear: BevelGear, at: Place, report: Reader) -> None:

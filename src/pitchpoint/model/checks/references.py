@@ -59,18 +59,24 @@ def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> boo
     return False
 
 
-def check_carriers(parts: Parts, report: Reader) -> None:
-    """Check that every gear is on one body and that no mesh connects gears of the same body."""
+def carriers_of_gears(parts: Parts, key: str, report: Reader) -> dict[str, str]:
+    """Body of every gear under a key of the bodies; a gear on two bodies is a problem."""
     carriers: dict[str, str] = {}
     for name, body in parts.bodies.items():
-        for gear in body.gears:
+        for gear in getattr(body, key):
             if gear in carriers:
                 report.problem(
-                    ("bodies", name, "gears"),
+                    ("bodies", name, key),
                     f"carries {gear}, which is already on {carriers[gear]}",
                     remedy="keep it on one of the two bodies",
                 )
             carriers.setdefault(gear, name)
+    return carriers
+
+
+def check_carriers(parts: Parts, report: Reader) -> None:
+    """Check that every gear is on one body and that no mesh connects gears of the same body."""
+    carriers = carriers_of_gears(parts, "gears", report)
     complete = set(parts.bodies) == parts.known("bodies") and ("bodies",) not in report.tainted
     for name, mesh in parts.meshes.items():
         bodies = [carriers.get(g) for g in mesh.gears]

@@ -185,7 +185,7 @@ def usable(
     simulated channels, so are those that only contain errors of the solution: in a machine with two
     symmetric sides, for example, the vibration along the axes of the shafts cancels.
     """
-    kept, remarks = {}, []
+    kept, remarks, units = {}, [], units or {}
     for name, values in channels.items():
         try:
             x = as_signal(values, name, 64)
@@ -204,9 +204,9 @@ def usable(
             )
             continue
         kept[name] = x
-    for name in _residues(kept, units or {}):
+    for name in _residues(kept, units):
         remarks.append(
-            f"{name}: varies by less than {RESIDUE:g} of another channel in {(units or {})[name]}, an error "
+            f"{name}: varies by less than {RESIDUE:g} of another channel in {units[name]}, an error "
             f"of the solution and not vibration; omitted; -c {quote(name)} includes it in the diagnosis"
         )
         del kept[name]
