@@ -92,7 +92,10 @@ def _stored_array() -> Any:
             )
             try:
                 stored = self.stored.asstr() if self.dtype.kind == "O" else self.stored
-                return stored[within]
+                samples = stored[within]
+                if self.dtype.kind == "S":  # xarray decodes it later, where the name of the file is unknown
+                    samples.tobytes().decode()
+                return samples
             except DAMAGE as error:
                 raise damaged(self.path, error) from error
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from pitchpoint.io.case_store import LETTERS, CaseWriter, read_cases
-from pitchpoint.io.container import Header
+from pitchpoint.io.container import Header, ResultError
 from pitchpoint.io.reading import open_result
 from pitchpoint.sweep.cases import CaseResult
 
@@ -28,3 +30,14 @@ def test_every_case_keeps_its_sentence(tmp_path: Path) -> None:
         assert data["case_sentence"].dims == ("case",)
         assert data["case_sentence"].values.tolist() == ["finished", words, "", long[:-1]]
         assert "letter" not in data.variables
+
+
+def test_a_damaged_sentence_is_an_error_with_the_name_of_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "cases.h5"
+    with CaseWriter(path, Header("cases"), {"a.b": ["1"]}, CHANNELS) as table:
+        table.put(CaseResult(0, {"a.b": 1}, 1, "as it was"))
+    data = path.read_bytes()
+    assert data.count(b"as it was") == 1
+    path.write_bytes(data.replace(b"as it was", b"as it \x80as"))
+    with open_result(path) as opened, pytest.raises(ResultError, match=r"cases\.h5.*damaged"):
+        opened["case_sentence"].load()
