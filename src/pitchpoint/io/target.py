@@ -279,7 +279,7 @@ def _accessible(target: Path) -> None:
         error = errno.EISDIR
     elif asked is not target and not asked.is_dir():
         error = errno.ENOTDIR
-    elif not os.access(asked, os.W_OK):
+    elif not os.access(asked, os.W_OK) and asked.exists():  # another process may just have removed it
         error = errno.EACCES
     else:
         return

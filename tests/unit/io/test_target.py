@@ -158,3 +158,18 @@ def test_a_folder_that_may_not_be_written_is_told_before_the_work(
     monkeypatch.setattr("pitchpoint.io.target.os.access", lambda *_: False)
     with pytest.raises(OutputError, match=r"x\.html: cannot be written \(Permission denied\)$"):
         check_target(tmp_path / "new" / "x.html", "page")
+
+
+def test_a_file_that_vanishes_during_the_check_is_a_free_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another process that replaces the same result removes the older file at any moment."""
+    path = tmp_path / "r.h5"
+    path.write_bytes(b"")
+
+    def access(asked: Path, mode: int) -> bool:
+        path.unlink(missing_ok=True)
+        return asked.exists()
+
+    monkeypatch.setattr(os, "access", access)
+    assert check_target(path, "result") == path
