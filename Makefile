@@ -13,7 +13,7 @@ export PYTHONUTF8 := 1
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help install demo test lint pytest nojit stock newest-numba bench validate viewer docs clean
+.PHONY: help install demo test warmup lint pytest nojit stock newest-numba bench validate viewer docs clean
 
 help:
 	@echo "make demo      install, compile, run the main example, write a report"
@@ -55,7 +55,15 @@ demo: $(STAMP)
 
 # -------------------------------------------------------------------------------------------------- tests
 
-test: lint pytest nojit stock
+# types are checked while kernels are compiled, and the short runs share the processors: each leaves one idle
+test: $(STAMP)
+	@$(MAKE) --no-print-directory -j 2 --output-sync=target lint warmup
+	@$(MAKE) --no-print-directory pytest
+	@$(MAKE) --no-print-directory -j 2 --output-sync=target nojit stock
+
+# every worker of the tests would compile the kernels for itself
+warmup: $(STAMP)
+	$(BIN)/pitchpoint warmup -q
 
 lint: $(STAMP)
 	$(BIN)/ruff check .
@@ -63,11 +71,9 @@ lint: $(STAMP)
 	$(BIN)/lint-imports --no-logo
 	$(BIN)/mypy
 
-# studies run in validate; kernels are compiled before, as every worker would compile them for itself; folders
-# in their order: files of many small tests come last and fill what long ones leave; examples in docstrings of
-# geometry and contact are among the tests of these, all others come at the end
-pytest: $(STAMP)
-	$(BIN)/pitchpoint warmup -q
+# studies run in validate; folders in their order: files of many small tests come last and fill what long ones
+# leave; examples in docstrings of geometry and contact are among the tests of these, all others come at the end
+pytest: warmup
 	$(BIN)/python -m pytest -q -n $(JOBS) --dist loadfile --no-loadscope-reorder -m "not study" tests --doctest-modules src/pitchpoint --ignore=src/pitchpoint/geometry --ignore=src/pitchpoint/contact
 
 # the same kernels as plain Python: what the compiler accepts must also be right without it

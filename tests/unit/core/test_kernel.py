@@ -339,7 +339,6 @@ SMALL = """
 """
 
 
-@pytest.mark.stock
 @pytest.mark.slow
 def test_the_runs_without_the_compiler_and_with_the_stock_one_agree():
     root = str(os.path.abspath(os.path.join(os.path.dirname(__file__), "../../..")))
