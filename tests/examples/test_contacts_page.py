@@ -13,7 +13,7 @@ from scipy.integrate import quad
 from scipy.optimize import fsolve
 
 from pitchpoint.contact.rolling import roller_stiffness
-from pitchpoint.geometry.triangle_file import LARGEST, MOST_TRIANGLES, SMALLEST
+from pitchpoint.geometry.triangle_file import LARGEST, MAX_TRIANGLES, SMALLEST
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.contact import SURFACES
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
@@ -58,7 +58,7 @@ def test_other_numbers():
     # line of springs pi/4 E*/L against 4/3 E* sqrt(R) u^1.5 of equal cylinders at a right angle, d = 2 R
     ratio = math.pi / 4.0 * 4.0 / 3.0 * math.sqrt(4.0) / (4.0 / 3.0)
     assert f"({ratio:.1f} times it" in WORDS
-    assert f"more than {MOST_TRIANGLES} triangles" in WORDS
+    assert f"more than {MAX_TRIANGLES} triangles" in WORDS
     assert f"below {1e3 * SMALLEST:g} mm or above {LARGEST:g} m" in WORDS
     assert all(shape in TEXT for shape in SURFACES)
 

@@ -99,7 +99,7 @@ LINES: dict[str, tuple[str, Measure]] = {
     "outer_race_output": ("vibration_output", envelope(outer(OUT))),
 }
 """Where a fault shows: the channel, and the lines that its part must raise."""
-LEAST = {"misaligned_stage_1": 1.5, "worn_z32": 5.0}
+MIN_RATIO = {"misaligned_stage_1": 1.5, "worn_z32": 5.0}
 """By what factor at least, if not 10: these change the excitation of a mesh that is excited anyway."""
 CHALLENGE = {
     "spur_2": ("chipped_z32", "eccentric_z48"),
@@ -234,7 +234,7 @@ def test_faults_show(rig: tuple[DatasetPlan, Model], healthy: CaseRecord, condit
         assert before < float(without[1:])
     else:
         assert before == pytest.approx(float(without), rel=0.03)
-    assert after > LEAST.get(condition, 10.0) * before
+    assert after > MIN_RATIO.get(condition, 10.0) * before
 
 
 def test_unbalance_by_hand(rig: tuple[DatasetPlan, Model]) -> None:

@@ -16,7 +16,7 @@ from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum, line_pro
 from pitchpoint.analysis.remarks import Note
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.shaft_tests import (
-    FEWEST_NEIGHBOURS,
+    MIN_NEIGHBOURS,
     NEIGHBOURS,
     OFF,
     RESOLVED,
@@ -31,10 +31,10 @@ HARMONICS = 3
 IMPACTS = 0.01
 """Probability that an envelope formed by a few lines of the signal is taken for impacts, over all bearing
 parts and both tests of each."""
-FEWEST_EVENTS = 16.0
+MIN_EVENTS = 16.0
 NOTHING = 1e-9
 """Share of a signal below which a residual is round-off."""
-FEWEST_SAMPLES = 1024
+MIN_SAMPLES = 1024
 
 FROM_SHAFTS = "{} cannot be distinguished from shaft orders: the record does not resolve their harmonics"
 FROM_MESHES = (
@@ -150,12 +150,12 @@ def bearing_evidence(
     """
     if not parts.bearings:
         return [], [], None
-    few = f"needs about {FEWEST_EVENTS:g}"
-    if values.size < FEWEST_SAMPLES:
-        text = f"record: {values.size} samples are too few for bearings, needs about {FEWEST_SAMPLES}"
+    few = f"needs about {MIN_EVENTS:g}"
+    if values.size < MIN_SAMPLES:
+        text = f"record: {values.size} samples are too few for bearings, needs about {MIN_SAMPLES}"
         return [], [Note(text)], None
     turns = values.size / samples_per_turn
-    if all(order * turns < FEWEST_EVENTS for bearing in parts.bearings for order in bearing.orders.values()):
+    if all(order * turns < MIN_EVENTS for bearing in parts.bearings for order in bearing.orders.values()):
         return [], [Note(f"too few events of all bearings, {few} of each")], None
     view = BearingView(values, samples_per_turn, parts)
     if view.empty:
@@ -165,7 +165,7 @@ def bearing_evidence(
     for bearing in alike(parts.bearings):
         for part, order in bearing.orders.items():
             whose = f"{part} of {bearing.name}"
-            if order * turns < FEWEST_EVENTS:
+            if order * turns < MIN_EVENTS:
                 remarks.append(Note(f"too few events of {{}}; {few}", f"{whose} ({order * turns:.2g})"))
                 continue
             if not view.resolves(order):
@@ -235,7 +235,7 @@ def _part(spectrum: FineSpectrum, order: float, parts: TurningParts, end: float)
         around = around[(around > 3.0 * spectrum.resolution)]
         around = around[_free(around, spectrum, parts)]
         sides = neighbours(spectrum.power(around), around, place, NEIGHBOURS)
-        if not free.any() or min(side.size for side in sides) < FEWEST_NEIGHBOURS:
+        if not free.any() or min(side.size for side in sides) < MIN_NEIGHBOURS:
             continue
         held += 1
         # the higher quantile of both sides, with the rank of the side with fewer points

@@ -16,7 +16,7 @@ from pitchpoint.analysis.sampled import Array
 
 CLIP = float(np.log(100.0))
 """Maximum contribution of one line to the evidence, that of a probability of 1 in 100."""
-FEWEST_LINES = 3
+MIN_LINES = 3
 """Minimum number of lines of a comb; fewer are tones."""
 SHARES = (1, 2, 4)
 """All lines, the lower half and the lowest quarter are tested: a broad dip has no high harmonics."""
@@ -56,7 +56,7 @@ def chance_of_comb(comb: CombLines, part: NDArray[np.bool_] | None = None) -> fl
        21.1; the limit on a single line and the groups are additions.
     """
     use = np.ones(comb.orders.size, dtype=np.bool_) if part is None else part
-    if np.count_nonzero(use) < 2 or comb.orders.size < FEWEST_LINES:
+    if np.count_nonzero(use) < 2 or comb.orders.size < MIN_LINES:
         return 1.0
     total = float(np.minimum(-np.log(np.maximum(comb.p_value[use], 1e-300)), CLIP).sum())
     _, first, size = np.unique(comb.group[use], return_index=True, return_counts=True)

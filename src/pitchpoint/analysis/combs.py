@@ -25,7 +25,7 @@ NOISE_LINES, LARGEST_GROUP = 8, 4
 """Adjacent comb lines share a noise estimate until it uses that many lines, or that many lines share it."""
 CLEARANCE = 0.75
 """Distance from a known tone, in lines, below which a line is omitted."""
-FEWEST_LINES = 3
+MIN_LINES = 3
 """Minimum number of lines of a comb; fewer are tones."""
 OVERSAMPLING = 8.0
 """Sample rate of a record over the highest comb frequency: N periods then end on a sample to 1/16 of a period

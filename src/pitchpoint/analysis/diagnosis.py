@@ -20,7 +20,7 @@ from pitchpoint.analysis.findings import Evidence, Finding, findings_of
 from pitchpoint.analysis.line_tests import fine_spectrum, line_threshold
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
-from pitchpoint.analysis.shaft_tests import FEWEST_TURNS, HARMONICS, NEIGHBOURS, Measured, ShaftView
+from pitchpoint.analysis.shaft_tests import HARMONICS, MIN_TURNS, NEIGHBOURS, Measured, ShaftView
 from pitchpoint.analysis.turning_parts import Mesh, TurningParts
 
 MESH_PROBABILITY = 1e-4
@@ -177,9 +177,9 @@ def diagnose(
     unseen = [_not_looked_at(row) for row in raw if row[4].lines == 0]
     untested += [note for note in unseen if note.subject not in named]
     few = [
-        Note(f"too few revolutions of {{}}; needs about {FEWEST_TURNS:g}", f"{shaft} ({count:.2g})")
+        Note(f"too few revolutions of {{}}; needs about {MIN_TURNS:g}", f"{shaft} ({count:.2g})")
         for shaft, count in turns.items()
-        if count < FEWEST_TURNS
+        if count < MIN_TURNS
     ]
     tests = sum(1 for row in raw if row[4].lines > 0)
     if not tests:

@@ -60,7 +60,7 @@ class Channel:
 
 
 @dataclass(frozen=True)
-class Strikes:
+class ImpactLines:
     """Lines of the impacts of one damaged bearing part.
 
     Attributes
@@ -163,7 +163,7 @@ def explain(
     """
     left = list(evidence)
     notes: list[Note] = []
-    reported: dict[tuple[str, str], Strikes] = {}
+    reported: dict[tuple[str, str], ImpactLines] = {}
     bearings = [k for k, e in enumerate(evidence) if e.kind == "bearing" and e.shaft != "cage"]
     for number in sorted(bearings, key=lambda k: evidence[k].probability):
         now = left[number]
@@ -202,7 +202,7 @@ def _vanishes(
     e: Evidence,
     channels: Mapping[str, Channel],
     parts: TurningParts,
-    reported: list[Strikes],
+    reported: list[ImpactLines],
     tests: int,
     loud: Sequence[float] = (),
 ) -> bool:
@@ -223,7 +223,7 @@ def _among_others(
     evidence: list[Evidence],
     channels: Mapping[str, Channel],
     parts: TurningParts,
-    reported: list[Strikes],
+    reported: list[ImpactLines],
     tests: int,
 ) -> str | None:
     """Cause of the lines of a bearing part in several less certain parts together, or None.
@@ -251,7 +251,7 @@ def _among_others(
                 together = not _vanishes(e, channels, parts, [mine], tests)
         elif e.kind == "comb":
             turn = float(parts.shaft(e.shaft).order)
-            trains.append(Strikes(turn, 0.0, np.empty(0)))
+            trains.append(ImpactLines(turn, 0.0, np.empty(0)))
             names.append(f"the local fault on {e.shaft}")
             together |= _runs_with(rate / turn, 1)
     if together and _vanishes(now, channels, parts, trains, tests):
@@ -269,7 +269,7 @@ def _nominal(e: Evidence, parts: TurningParts) -> float:
     return float(next(b for b in alike(parts.bearings) if b.name == e.gear).orders[e.shaft])
 
 
-def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
+def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> ImpactLines:
     """Impacts of a part that was found, at the rate at which their lines are strongest."""
     bearing = next(b for b in alike(parts.bearings) if b.name == e.gear)
     nominal = _nominal(e, parts)
@@ -283,7 +283,7 @@ def _strikes_of(e: Evidence, channel: Channel, parts: TurningParts) -> Strikes:
         tried = rate * (1.0 + step * np.arange(-np.ceil(reach / step), np.ceil(reach / step) + 1))
         gain = sum(_gain(one, tried, modulation, harmonics) for one in spectra)
         rate, reach = float(tried[int(np.argmax(gain))]), 2.0 * step
-    return Strikes(rate, modulation, np.array(sorted(meshes)), e.shaft == "rolling element")
+    return ImpactLines(rate, modulation, np.array(sorted(meshes)), e.shaft == "rolling element")
 
 
 def _may_explain(cause: Evidence, e: Evidence) -> bool:
@@ -311,7 +311,7 @@ def _gain(spectrum: FineSpectrum, tried: Array, modulation: float, harmonics: in
 
 
 def _again(
-    e: Evidence, channel: Channel, parts: TurningParts, reported: list[Strikes], loud: Sequence[float]
+    e: Evidence, channel: Channel, parts: TurningParts, reported: list[ImpactLines], loud: Sequence[float]
 ) -> Measured:
     """Repeat the test of a part without the lines of reported or loud impacts."""
     if e.kind == "bearing":
@@ -335,7 +335,9 @@ def _again(
     return rest.low_orders() if mesh is None else rest.sidebands(parts.mesh_order(mesh), teeth)
 
 
-def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, reported: list[Strikes]) -> Measured:
+def _bearing_again(
+    e: Evidence, channel: Channel, parts: TurningParts, reported: list[ImpactLines]
+) -> Measured:
     """Repeat the test of a bearing part without the lines of reported impacts in signal and envelopes."""
     assert channel.bearings is not None
     order = _nominal(e, parts)
@@ -348,7 +350,7 @@ def _bearing_again(e: Evidence, channel: Channel, parts: TurningParts, reported:
     return channel.bearings.part(order, (comb, envelope, envelope))[0]
 
 
-def _lines(reported: list[Strikes], highest: float, *, envelope: bool = False) -> Array:
+def _lines(reported: list[ImpactLines], highest: float, *, envelope: bool = False) -> Array:
     """Orders of the lines of all reported impacts, increasing."""
     lines = [one.lines(0.999 * highest, envelope=envelope) for one in reported]
     return np.sort(np.concatenate([np.empty(0), *lines]))

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, whole
 
-FEWEST_TEETH = 4
+MIN_TEETH = 4
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ def gear_signals(average: ArrayLike, *, teeth: int | Sequence[int], shaft_orders
     >>> parts.mesh_orders.tolist()
     [20, 40, 60, 80, 100, 120]
     """
-    x = as_signal(average, "average", 2 * FEWEST_TEETH)
+    x = as_signal(average, "average", 2 * MIN_TEETH)
     lines = np.fft.rfft(x)
     order = np.arange(lines.size)
     mesh, sidebands = np.zeros(lines.size, dtype=bool), np.zeros(lines.size, dtype=bool)
@@ -147,7 +147,7 @@ def mesh_envelope(
     >>> bool(np.allclose(envelope, 1 + 0.2 * np.cos(3 * angle)))
     True
     """
-    x = as_signal(average, "average", 2 * FEWEST_TEETH)
+    x = as_signal(average, "average", 2 * MIN_TEETH)
     (z,) = tooth_counts(teeth, x.size)
     width = (z - 1) // 2 if half_width is None else int(half_width)
     center = int(harmonic) * z
@@ -183,7 +183,7 @@ def tooth_counts(teeth: int | Sequence[int], samples: int) -> tuple[int, ...]:
     >>> tooth_counts([20, 31], 256)
     (20, 31)
     """
-    counts = [whole(z, "teeth", FEWEST_TEETH) for z in np.atleast_1d(np.asarray(teeth)).tolist()]
+    counts = [whole(z, "teeth", MIN_TEETH) for z in np.atleast_1d(np.asarray(teeth)).tolist()]
     for z in counts:
         if 2 * z >= samples:
             raise SignalError(

@@ -17,7 +17,7 @@ band. A window is applied to the record before it is divided into bands, and rem
 SLOPE = 0.25
 """Width of the transition at either edge of a band over the bandwidth: with sharp edges a tone next to the
 band would leak far into it."""
-FEWEST = 128
+MIN_SAMPLES = 128
 """Default minimum number of envelope samples of a band: with fewer, the kurtosis of noise is large."""
 
 
@@ -113,9 +113,9 @@ def kurtogram(
     >>> k.best_low < 3000 < k.best_high, k.best_kurtosis > 20 * k.best_spread
     (True, True)
     """
-    x = as_signal(values, minimum=2 * FEWEST)
+    x = as_signal(values, minimum=2 * MIN_SAMPLES)
     rate = positive(sample_rate, "sample_rate")
-    most = int(np.log2(x.size / (2.0 * FEWEST))) if levels is None else whole(levels, "levels", 0)
+    most = int(np.log2(x.size / (2.0 * MIN_SAMPLES))) if levels is None else whole(levels, "levels", 0)
     if x.size < 2 ** (most + 4):
         raise SignalError(
             f"levels: {most} leave {x.size / 2 ** (most + 1):.3g} samples to a band (limit 8); request fewer"

@@ -10,7 +10,7 @@ from math import gcd
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.gear_signals import FEWEST_TEETH, gear_signals
+from pitchpoint.analysis.gear_signals import MIN_TEETH, gear_signals
 from pitchpoint.analysis.indicators import standardised_moment
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal
 from pitchpoint.analysis.shaft_tests import FOLDED
@@ -121,7 +121,7 @@ def mean_turn(
         )
     # meshes of other shafts at whole orders of this shaft remain in its average
     ratios = [parts.shaft(mesh.shafts[0]).order * mesh.teeth[0] / shaft.order for mesh in parts.meshes]
-    whole = {int(ratio) for ratio in ratios if ratio.denominator == 1 and ratio >= FEWEST_TEETH}
+    whole = {int(ratio) for ratio in ratios if ratio.denominator == 1 and ratio >= MIN_TEETH}
     # mesh harmonics at whole orders, up to the relevant harmonic number
     steps = [ratio.numerator for ratio in ratios if ratio.denominator <= FOLDED]
     counts = sorted({teeth} | {z for z in whole if 2 * z < wanted})

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.comb_chance import (
     CLIP,
-    FEWEST_LINES,
+    MIN_LINES,
     SHARES,
     chance_of_comb,
     evidence_of_comb,
@@ -49,7 +49,7 @@ HIGHEST_SHARE = 0.45
 """Highest line over the sample rate, below the transition band of anti-aliasing filters."""
 CLEAR_LINE = 0.1
 """p-value below which a high line is used to fit the period."""
-MOST_TRIALS = 200_000
+MAX_TRIALS = 200_000
 """Maximum number of trial periods of one search."""
 
 
@@ -189,7 +189,7 @@ def period_evidence(
             trial = T / (1.0 + abs(tolerance) * step / max(half, 1))
             comb = comb_lines(record, trial, harmonics)
             lines[i] = max(lines[i], comb.orders.size)
-            if comb.orders.size >= FEWEST_LINES:
+            if comb.orders.size >= MIN_LINES:
                 # the probability of very many lines saturates; the sum of log p-values breaks ties
                 chance, own, _ = evidence_of_comb(comb, harmonics)
                 grade = (max(chance, own), float(np.log(np.maximum(comb.p_value, 1e-300)).sum()))
@@ -298,8 +298,8 @@ def find_period(
 
 
 def _whole(harmonics: int) -> int:
-    if isinstance(harmonics, bool) or int(harmonics) != harmonics or harmonics < FEWEST_LINES:
-        raise SignalError(f"harmonics: {harmonics} (limit {FEWEST_LINES} or more); use a whole number")
+    if isinstance(harmonics, bool) or int(harmonics) != harmonics or harmonics < MIN_LINES:
+        raise SignalError(f"harmonics: {harmonics} (limit {MIN_LINES} or more); use a whole number")
     return int(harmonics)
 
 
@@ -315,9 +315,9 @@ def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Ar
 
     step = 1.0 / (STEPS_PER_LINE * harmonics * record.duration)
     trials = int((1.0 / low - 1.0 / high) / step) + 2
-    if trials > MOST_TRIALS:
+    if trials > MAX_TRIALS:
         raise SignalError(
-            f"{trials} trial periods (limit {MOST_TRIALS}); use a shorter record, narrower limits or fewer "
+            f"{trials} trial periods (limit {MAX_TRIALS}); use a shorter record, narrower limits or fewer "
             "harmonics"
         )
     frequency = np.linspace(1.0 / high, 1.0 / low, trials)
@@ -342,7 +342,7 @@ def _coarse(record: Record, low: float, high: float, harmonics: int) -> tuple[Ar
     score = np.zeros(trials)
     for share in SHARES:
         total, count = evidence[: harmonics // share].sum(axis=0), used[: harmonics // share].sum(axis=0)
-        for n in np.unique(count[count >= FEWEST_LINES]):
+        for n in np.unique(count[count >= MIN_LINES]):
             rows = count == n
             chances = [limited_sum_chance(s, int(n) * ((1, 8),)) for s in total[rows]]
             score[rows] = np.maximum(score[rows], -np.log10(chances))

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.analysis.sampled import as_signal
-from pitchpoint.analysis.tacho import FEWEST_PULSES, rising_edges
+from pitchpoint.analysis.tacho import MIN_PULSES, rising_edges
 
 Array = NDArray[np.float64]
 
@@ -78,7 +78,7 @@ def _of_a_pickup(x: Array, time: ArrayLike) -> bool:
 
 def _even(sizes: Array) -> bool:
     """Whether successive intervals or heights are alike."""
-    if sizes.size < FEWEST_PULSES:
+    if sizes.size < MIN_PULSES:
         return False
     ratio = sizes[1:] / sizes[:-1]
     return bool(np.mean(np.abs(np.log(ratio)) < np.log(EVEN)) >= FLAT)

@@ -17,7 +17,7 @@ NUMBERED = {"cmor": "cmor1.5-1.0", "shan": "shan1.5-1.0", "fbsp": "fbsp2-1-1.5"}
 
 PER_OCTAVE = 12
 """Default rows per octave; the amplitude of the complex Morlet wavelet drops to half within 0.28 octaves."""
-MOST_AMPLITUDES = 30_000_000
+MAX_AMPLITUDES = 30_000_000
 """Maximum number of amplitudes of one map: 0.24 GB."""
 
 
@@ -119,9 +119,9 @@ def scalogram(
             f"frequencies: {wrong[0]:.6g} Hz (limit {low:.6g} to below {high:.6g} Hz); use a longer record "
             "or a higher sample rate"
         )
-    if lines.size * x.size > MOST_AMPLITUDES:
+    if lines.size * x.size > MAX_AMPLITUDES:
         raise SignalError(
-            f"frequencies: {lines.size} rows of {x.size} samples (limit {MOST_AMPLITUDES // x.size} rows); "
+            f"frequencies: {lines.size} rows of {x.size} samples (limit {MAX_AMPLITUDES // x.size} rows); "
             "request fewer frequencies, or use a shorter or slower record"
         )
     family = _continuous(wavelet)

@@ -29,19 +29,19 @@ from pitchpoint.analysis.line_tests import (
 from pitchpoint.analysis.sampled import Array
 from pitchpoint.analysis.turning_parts import Shaft, TurningParts
 
-FEWEST_TURNS = 3.0
+MIN_TURNS = 3.0
 """Minimum number of shaft revolutions for points between the orders that are free of leakage."""
 RESOLVED = 8.0
 """Minimum number of revolutions of another shaft whose orders are single lines that can be omitted."""
-MOST_ORDERS = 6000
-FEWEST_LINES = 6
+MAX_ORDERS = 6000
+MIN_LINES = 6
 """Minimum number of comb lines for a rank test."""
 SMALLEST_COMB, SMALLEST_LINE, SMALLEST_SIDEBAND = 1e-4, 1e-2, 3e-2
 """Minimum amplitudes that are reported: of a comb and of a line over the RMS of the signal, of a sideband
 also over its mesh line. Every machine has smaller lines, and simulations without noise show them."""
 FOLDED = 40
 """Number of mesh harmonics whose alias images are omitted, for records without an anti-aliasing filter."""
-NEIGHBOURS, FEWEST_NEIGHBOURS = 16, 6
+NEIGHBOURS, MIN_NEIGHBOURS = 16, 6
 SIDEBANDS, HARMONICS, LOW_ORDERS, BANDS = 3, 5, 3, 6
 PASSES, SLIP = 3, 0.01
 """Maximum sideband number of ball passages, of one or several bearings, around mesh lines of healthy
@@ -109,20 +109,20 @@ class ShaftView:
         self.order = float(shaft.order)
         self.turns = self.order / spectrum.resolution
         top = 0.9 * spectrum.highest
-        self.highest = int(min(top / self.order, MOST_ORDERS))
+        self.highest = int(min(top / self.order, MAX_ORDERS))
         self.slower = [
             other
             for other in parts.shafts
             if other.order < shaft.order
             and (shaft.order / other.order).denominator == 1
-            and float(other.order) / spectrum.resolution >= FEWEST_TURNS
+            and float(other.order) / spectrum.resolution >= MIN_TURNS
         ]
         self.measures = [self._between(), *(self._orders_of(other) for other in self.slower)]
 
     @property
     def testable(self) -> bool:
         """Whether the record has enough revolutions."""
-        return self.turns >= FEWEST_TURNS and self.highest >= 1
+        return self.turns >= MIN_TURNS and self.highest >= 1
 
     def free(self, order: NDArray[Any]) -> NDArray[np.bool_]:
         """Mask of orders, shape (n,), that are separate from mesh lines and orders of other shafts."""
@@ -154,7 +154,7 @@ class ShaftView:
         if without:
             keep &= number % without != 0
         number = number[keep & (number > LOW_ORDERS)]
-        if number.size < FEWEST_LINES:
+        if number.size < MIN_LINES:
             return Measured(0.0, 1.0, self.order, 0.0, 0)
         power = self.spectrum.power(number * self.order)
         worst = None
@@ -196,7 +196,7 @@ class ShaftView:
         probability, score = 0.0, np.inf
         for place, level in self.measures:
             for side in neighbours(level, place, order, NEIGHBOURS):
-                if side.size < FEWEST_NEIGHBOURS:
+                if side.size < MIN_NEIGHBOURS:
                     return None
                 rank = (3 * side.size) // 4
                 base = float(np.sort(side)[rank - 1])

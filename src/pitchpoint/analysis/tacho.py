@@ -20,7 +20,7 @@ HYSTERESIS = 0.25
 """Hysteresis of the trigger below the middle of the range, over the range."""
 WINDOW = 9
 """Number of pulse intervals from which the local speed is estimated."""
-FEWEST_PULSES = 4
+MIN_PULSES = 4
 SHORT, LONG = 0.7, 1.5
 """Angle of an interval, in pulse pitches, below which a pulse may be surplus, above which one is missing."""
 LONGEST_GAP = 4
@@ -178,10 +178,9 @@ def tacho_angle(
     """
     ppr = whole(pulses_per_revolution, "pulses_per_revolution")
     edges, uncertainty = _edges(values, time, hysteresis)
-    if edges.size < FEWEST_PULSES:
+    if edges.size < MIN_PULSES:
         raise SignalError(
-            f"tacho: has {edges.size} pulses (limit {FEWEST_PULSES}); "
-            "use a longer record or check the channel"
+            f"tacho: has {edges.size} pulses (limit {MIN_PULSES}); use a longer record or check the channel"
         )
     pulses, doubled = _without_doubles(edges)
     pulses, share = _without_bad_ends(pulses)
@@ -327,7 +326,7 @@ def _pulses_in(edges: Array) -> Array:
 def _without_doubles(edges: Array) -> tuple[Array, Array]:
     """Edges without surplus ones that split an interval in two, and the surplus edges."""
     left_out: list[Array] = []
-    while edges.size > FEWEST_PULSES:
+    while edges.size > MIN_PULSES:
         share, duration = _pulses_in(edges), np.diff(edges)
         inner = duration[1:-1]
         # of a split interval, the longer part may fit by chance, the shorter part does not
@@ -373,7 +372,7 @@ def _refuse_no_train(pulses: Array, share: Array, edges: int) -> None:
     """Raise for long gaps, and for channels that are not an even train of pulses."""
     # surplus, cut off at the ends, or in an interval that is too long or too short
     wrong = edges - pulses.size + int(np.count_nonzero(np.abs(share - 1.0) > 1.0 - SHORT))
-    if wrong > max(1.0, LARGEST_MISFIT * edges) or pulses.size < FEWEST_PULSES - 1:
+    if wrong > max(1.0, LARGEST_MISFIT * edges) or pulses.size < MIN_PULSES - 1:
         raise SignalError(
             f"tacho: {wrong} of {edges} pulses are missing, doubled or displaced "
             f"(limit {LARGEST_MISFIT:.0%}): this is not an even train of pulses; check channel and threshold"

@@ -101,7 +101,7 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     return None
 
 
-_MOST = 100_000
+_MAX_VALUES = 100_000
 """Maximum number of values of a map in JSON output (2 MB); files contain all."""
 
 _TARGETS = {"csv": "analysis", "html": "page"}
@@ -233,12 +233,12 @@ def _highlights(result: xr.Dataset) -> None:
 
 
 def _plain(result: xr.Dataset, notes: Sequence[str]) -> Mapping[str, Any]:
-    """Output of `--json`; maps above `_MOST` values are decimated along their longest dimension."""
-    maps = [v for v in result.data_vars.values() if v.ndim > 1 and v.size > _MOST]
+    """Output of `--json`; maps above `_MAX_VALUES` values are decimated along their longest dimension."""
+    maps = [v for v in result.data_vars.values() if v.ndim > 1 and v.size > _MAX_VALUES]
     if maps:
         largest = max(maps, key=lambda v: v.size)
         dim = max(largest.sizes, key=lambda d: largest.sizes[d])
-        step, count = -(-largest.size // _MOST), result.sizes[dim]
+        step, count = -(-largest.size // _MAX_VALUES), result.sizes[dim]
         result = result.isel({dim: slice(None, None, step)})
         notes = [*notes, f"every {step}th of {count} values of {dim} is given; --csv FILE writes all of them"]
     variables = {

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from pitchpoint.sweep.cases import CaseResult
 
 _OPEN, _CLOSE = "([{", ")]}"
-MOST_ROWS = 60
-MOST_NOTES = 5
+MAX_ROWS = 60
+MAX_NOTES = 5
 
 
 def vary_option(function: Any) -> Any:
@@ -163,9 +163,9 @@ def run_varied(
         _print(f"{model.title or file}: {name}", results, list(paths))
         show(f"{len(results)} cases in {wall_s:.3g} s, written to {target}")
         notes = notes_of(results)
-        show_notes(notes[:MOST_NOTES])
-        if len(notes) > MOST_NOTES:
-            show(f"note: {len(notes) - MOST_NOTES} more notes on single cases are in the file")
+        show_notes(notes[:MAX_NOTES])
+        if len(notes) > MAX_NOTES:
+            show(f"note: {len(notes) - MAX_NOTES} more notes on single cases are in the file")
     return OK if error is None else exit_code_of(error)
 
 
@@ -284,7 +284,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
     else:
         columns += [f"{word} {mesh}".rstrip() for mesh in (meshes if several else [""]) for word in words]
     rows = []
-    for result in results[:MOST_ROWS]:
+    for result in results[:MAX_ROWS]:
         values = [str(result.values[path]) for path in paths]
         per_mesh = [mesh_cells(result, mesh, len(words)) for mesh in meshes]
         if result.status != OK and all(cell == NOTHING for cells in per_mesh for cell in cells):
@@ -294,7 +294,7 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
             rows += [[*values, *name, *cells] for name, cells in zip(named, per_mesh, strict=True)]
         else:
             rows.append([*values, *(cell for cells in per_mesh for cell in cells)])
-    notes = [f"{len(results) - MOST_ROWS} more cases are in the file"] if len(results) > MOST_ROWS else []
+    notes = [f"{len(results) - MAX_ROWS} more cases are in the file"] if len(results) > MAX_ROWS else []
     table(title, columns, rows, notes, keys=len(paths) + (rolled and several))
     for result in results:
         if result.status != OK:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 REFRESH = 10.0
 """Interval at which the table is rewritten during the computation [s]."""
-MOST_FAILURES = 5
+MAX_FAILURES = 5
 PROBE = 0.05
 """Simulated time of the shorter of the two runs from which `--dry-run` extrapolates [s]."""
 
@@ -101,7 +101,7 @@ def dataset(
         show(f"{summary['finished']} of {len(cases)} cases are in {folder.path}, the table is {table.path}")
         if others := folder.others(key for _, key in cases):
             show(f"note: {others} files in the folder are from other shards, plans or versions")
-        for words in table.failures()[:MOST_FAILURES]:
+        for words in table.failures()[:MAX_FAILURES]:
             show(words)
     return OK if error is None else exit_code_of(error)
 

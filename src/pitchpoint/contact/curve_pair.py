@@ -26,7 +26,7 @@ from pitchpoint.contact.curve_point import (
 )
 from pitchpoint.core.kernel import kernel
 
-MOST = 4
+MAX_CONTACTS = 4
 """Maximum number of simultaneous contacts of two curves; the deepest are used."""
 HIT = 5
 """Numbers per contact: gap, parameter and segment of A, parameter and segment of B."""
@@ -215,7 +215,7 @@ def nearest_normal(A, B, M, d, least, hits):
 
     >>> import numpy as np
     >>> from pitchpoint.contact.curve import circle
-    >>> one, hits = circle(0.5).rows, np.zeros((MOST, HIT))
+    >>> one, hits = circle(0.5).rows, np.zeros((MAX_CONTACTS, HIT))
     >>> bool(nearest_normal(one, one, np.eye(3), np.array([0.9, 0.0, 0.0]), 1.0, hits))
     True
     >>> round(float(hits[0, 0]), 9), round(float(hits[0, 1]), 9)
@@ -271,7 +271,7 @@ def _deep_contact(A, B, M, d, reach, best, hits):
 
 @kernel
 def contacts(A, B, M, d, reach, hits):
-    """Store all contacts of two curves in `hits` (MOST rows), deepest first; return their number and the gap.
+    """Store the deepest contacts in `hits` (MAX_CONTACTS rows); return their number and the gap.
 
     reach = (offset of A [m], maximum overlap of the regular search [m], maximum gap of the search [m], x, y
     and radius of the bounding circle of B [m], maximum overlap of all [m]). Row 0 holds the nearest common
@@ -283,7 +283,8 @@ def contacts(A, B, M, d, reach, hits):
     >>> from pitchpoint.contact.curve import circle
     >>> one = circle(0.5).rows
     >>> reach = np.array([0.0, 0.2, 1.0, 0.0, 0.0, 0.5, 0.2])
-    >>> n, gap = contacts(one, one, np.eye(3), np.array([0.9, 0.0, 0.0]), reach, np.zeros((MOST, HIT)))
+    >>> hits = np.zeros((MAX_CONTACTS, HIT))
+    >>> n, gap = contacts(one, one, np.eye(3), np.array([0.9, 0.0, 0.0]), reach, hits)
     >>> int(n), round(float(gap), 9)
     (1, -0.1)
     """
@@ -318,12 +319,12 @@ def contacts(A, B, M, d, reach, hits):
             at = n if gap < 0.0 else 0
             if gap < 0.0:
                 while at > 0 and hits[at - 1, 0] > gap:
-                    if at < MOST:
+                    if at < MAX_CONTACTS:
                         for c in range(HIT):
                             hits[at, c] = hits[at - 1, c]
                     at -= 1
-                n = min(n + 1, MOST)
-            if at < MOST and (gap < 0.0 or n == 0):
+                n = min(n + 1, MAX_CONTACTS)
+            if at < MAX_CONTACTS and (gap < 0.0 or n == 0):
                 hits[at, 0] = gap
                 hits[at, 1] = s
                 hits[at, 2] = ka

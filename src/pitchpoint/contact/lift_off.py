@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from pitchpoint.core.kernel import kernel
 
-MOST_STEPS = 60
+MAX_STEPS = 60
 """Maximum number of steps of a search; about six are needed."""
 
 

@@ -18,7 +18,7 @@ from pitchpoint.core.kernel import kernel
 PLANE, SPHERE, CYLINDER, CONE, TORUS, TRIANGLES = 0, 1, 2, 3, 4, 5
 RIM = 6
 """Circle in the plane z = 0 of its marker with a rounding radius: edge of a disc, tyre, ring."""
-LEAST = 1e-12
+MIN_DISTANCE = 1e-12
 """Distance from an axis or centre below which the direction away from it is undefined [m]."""
 
 NAMES = {"plane": PLANE, "sphere": SPHERE, "cylinder": CYLINDER, "cone": CONE, "torus": TORUS}
@@ -60,7 +60,7 @@ def distance(form, size, sense, y, W):
     rho = math.sqrt(y[0] * y[0] + y[1] * y[1])
     ux = y[0] / rho if rho > 0.0 else 1.0
     uy = y[1] / rho if rho > 0.0 else 0.0
-    around = max(rho, LEAST)
+    around = max(rho, MIN_DISTANCE)
     if form == CYLINDER:
         _around(W, sense / around, ux, uy)
         return sense * (rho - size[0]), sense * ux, sense * uy, 0.0
@@ -82,7 +82,7 @@ def distance(form, size, sense, y, W):
         z = y[2]
         tube = size[0]
     a = rho - rho_c
-    d = max(math.sqrt(a * a + z * z), LEAST)
+    d = max(math.sqrt(a * a + z * z), MIN_DISTANCE)
     n = (sense * a / d * ux, sense * a / d * uy, sense * z / d)
     radial(W, n, sense, d)
     if form == TORUS:  # circumferential curvature follows from the distance to the axis
@@ -124,7 +124,7 @@ def of_length(size, sense, y, W):
     rho = math.sqrt(y[0] * y[0] + y[1] * y[1])
     ux = y[0] / rho if rho > 0.0 else 1.0
     uy = y[1] / rho if rho > 0.0 else 0.0
-    around = max(rho, LEAST)
+    around = max(rho, MIN_DISTANCE)
     u = sense * (rho - size[0])
     v = abs(y[2]) - 0.5 * size[1]
     up = 1.0 if y[2] > 0.0 else -1.0

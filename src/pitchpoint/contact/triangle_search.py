@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.contact.surface import LEAST, radial
+from pitchpoint.contact.surface import MIN_DISTANCE, radial
 from pitchpoint.core.kernel import kernel, view
 
 F8 = np.dtype("f8")
@@ -28,7 +28,7 @@ NODE = 8
 CORNER, EDGE, INSIDE = 0, 3, 6
 SAME_SIDE = 0.8660254037844386
 """Cosine of the angle between normals (30 deg) below which two contacts of a sphere are merged."""
-MOST_PLACES = 4
+MAX_PLACES = 4
 """Maximum number of contacts of a sphere."""
 PLACE = 6
 """Numbers of a contact: distance, face, feature, point (3)."""
@@ -265,7 +265,7 @@ def signed_place(where, y, place, W):
         ny = node[4]
         nz = node[5]
     d = math.sqrt(dx * dx + dy * dy + dz * dz)
-    if d < LEAST:
+    if d < MIN_DISTANCE:
         size = math.sqrt(nx * nx + ny * ny + nz * nz)
         return 0.0, nx / size, ny / size, nz / size
     s = 1.0 if dx * nx + dy * ny + dz * nz >= 0.0 else -1.0
@@ -340,11 +340,11 @@ def sphere_places(where, y, radius, places):
     """Store the contacts of a sphere about y, outside a surface, in `places`; returns their number.
 
     Contacts whose normals differ by less than 30 deg are merged to the deepest one, so that a finer
-    triangulation does not increase the force; at most MOST_PLACES.
+    triangulation does not increase the force; at most MAX_PLACES.
 
     >>> from pitchpoint.contact.triangles import TriangleSurface
     >>> one = TriangleSurface(np.eye(3), np.array([[0, 1, 2]])).packed()
-    >>> places = np.zeros((MOST_PLACES, PLACE))
+    >>> places = np.zeros((MAX_PLACES, PLACE))
     >>> int(sphere_places(one.ctypes.data, np.ones(3), 1.2, places)), round(float(places[0, 0]), 6)
     (1, 1.154701)
     """
@@ -375,7 +375,7 @@ def sphere_places(where, y, radius, places):
                         places[kept, c] = places[h, c]
                 kept += 1
             n = kept
-            if not shadowed and n < MOST_PLACES:
+            if not shadowed and n < MAX_PLACES:
                 places[n, 0] = d
                 places[n, 1] = face
                 places[n, 2] = feature

@@ -16,7 +16,7 @@ from pitchpoint.contact.curve_point import WIDTH, arc_length
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import INCONSISTENT, OK, REFUSED
 from pitchpoint.elements.contacts.permanent import FORCE, hold
-from pitchpoint.elements.contacts.planar import LEAST_COSINE, place_contact
+from pitchpoint.elements.contacts.planar import MIN_COSINE, place_contact
 from pitchpoint.elements.contacts.record import PATHS, RECORD, set_curve
 from pitchpoint.elements.contacts.wrench import place_markers
 from pitchpoint.elements.kind import CONSTRAINT, Kind
@@ -54,7 +54,7 @@ def curve_on_curve(rec, ctl, fr, q, g, G):
         f = fr[b["i"]]
         o = fr[b["j"]]
         place_markers(b, f, o)
-        if not b["M"][2, 2] > LEAST_COSINE:
+        if not b["M"][2, 2] > MIN_COSINE:
             c["bad"] = e
             return REFUSED
         A = view(b["pool"] + 8 * b["start_i"], (b["rows_i"], WIDTH), F8)

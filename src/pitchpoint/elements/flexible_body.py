@@ -32,7 +32,7 @@ from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.joints import GUIDED
 from pitchpoint.multibody.mass_invariants import MassInvariants
 
-MOST = 30
+MAX_MODES = 30
 """Maximum number of modal coordinates of one body."""
 GROUP = 3
 """Modal coordinates per hidden body."""
@@ -50,30 +50,30 @@ RECORD = np.dtype(
         ("first", "f8", 3),  # s0 [kg m]
         ("inertia", "f8", (3, 3)),  # J0 [kg m^2]
         ("gravity", "f8", 3),  # world axes [m/s^2]
-        ("P", "f8", (3, MOST)),
-        ("C0", "f8", (3, MOST)),
-        ("A", "f8", (MOST, 3, MOST)),
-        ("J1", "f8", (MOST, 3, 3)),
-        ("J2", "f8", (MOST, MOST, 3, 3)),
-        ("modal", "f8", (MOST, MOST)),
-        ("K", "f8", (MOST, MOST)),
-        ("D", "f8", (MOST, MOST)),
-        ("geo", "f8", (LOADS, MOST, MOST)),
+        ("P", "f8", (3, MAX_MODES)),
+        ("C0", "f8", (3, MAX_MODES)),
+        ("A", "f8", (MAX_MODES, 3, MAX_MODES)),
+        ("J1", "f8", (MAX_MODES, 3, 3)),
+        ("J2", "f8", (MAX_MODES, MAX_MODES, 3, 3)),
+        ("modal", "f8", (MAX_MODES, MAX_MODES)),
+        ("K", "f8", (MAX_MODES, MAX_MODES)),
+        ("D", "f8", (MAX_MODES, MAX_MODES)),
+        ("geo", "f8", (LOADS, MAX_MODES, MAX_MODES)),
         # scratch: written and read within one call
-        ("eta", "f8", (3, MOST)),  # coordinates, first and second time derivatives
-        ("d_eta", "f8", (3, MOST)),
+        ("eta", "f8", (3, MAX_MODES)),  # coordinates, first and second time derivatives
+        ("d_eta", "f8", (3, MAX_MODES)),
         ("x", "f8", (3, 3)),  # a, alpha, omega in the axes of the frame
         ("d_x", "f8", (3, 3)),
         ("s", "f8", (3, 3)),  # s and its two time derivatives relative to the frame
         ("J", "f8", (3, 3)),
         ("dJ", "f8", (3, 3)),  # time derivative of J
-        ("Jk", "f8", (MOST, 3, 3)),
-        ("C", "f8", (3, MOST)),
-        ("Kg", "f8", (MOST, MOST)),
+        ("Jk", "f8", (MAX_MODES, 3, 3)),
+        ("C", "f8", (3, MAX_MODES)),
+        ("Kg", "f8", (MAX_MODES, MAX_MODES)),
         ("F", "f8", 6),  # wrench in the axes of the frame
-        ("Q", "f8", MOST),
+        ("Q", "f8", MAX_MODES),
         ("dF", "f8", 6),
-        ("dQ", "f8", MOST),
+        ("dQ", "f8", MAX_MODES),
         ("out", "i8"),
     ],
     align=True,
@@ -112,9 +112,9 @@ def flexible_row(
         Gravitational acceleration in world axes [m/s^2].
     """
     n = integrals.modal.shape[0]
-    if not 0 < n <= MOST or len(hidden) != -(-n // GROUP):
+    if not 0 < n <= MAX_MODES or len(hidden) != -(-n // GROUP):
         raise CompileError(
-            f"{n} modal coordinates on {len(hidden)} bodies (limit 1 to {MOST}, three on each)"
+            f"{n} modal coordinates on {len(hidden)} bodies (limit 1 to {MAX_MODES}, three on each)"
         )
     row = np.zeros(1, RECORD)
     r = row[0]

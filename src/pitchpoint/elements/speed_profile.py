@@ -23,9 +23,9 @@ Array = NDArray[np.float64]
 DEGREE = 8
 FIRST_PIECES = 2000
 """Initial number of pieces: a pulse of 1/10000 of the duration contains at least one sample point."""
-MOST_PIECES = 1_000_000
+MAX_PIECES = 1_000_000
 """Maximum number of pieces (about 100 MB)."""
-MOST_SPLITS = 34
+MAX_SPLITS = 34
 """Maximum number of halvings of an initial piece: sufficient for a kink, not for a jump."""
 RELATIVE, ABSOLUTE = 1e-9, 1e-12
 """Tolerances of the fit: relative to the maximum speed, and [rad/s]."""
@@ -103,7 +103,7 @@ def fit_pieces(
     Raises
     ------
     CompileError
-        If the speed jumps, or needs more than `MOST_PIECES`.
+        If the speed jumps, or needs more than `MAX_PIECES`.
 
     Examples
     --------
@@ -120,7 +120,7 @@ def fit_pieces(
     low, high = edges[:-1], edges[1:]
     kept: list[tuple[Array, Array]] = []
     greatest, count = 0.0, 0
-    for _ in range(MOST_SPLITS + 1):
+    for _ in range(MAX_SPLITS + 1):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         values = []
         for x in (nodes, between):
@@ -136,9 +136,9 @@ def fit_pieces(
             starts = np.concatenate([k[0] for k in kept])
             order = np.argsort(starts)
             return SpeedPieces(np.append(starts[order], end), np.concatenate([k[1] for k in kept])[order])
-        if count > MOST_PIECES:
+        if count > MAX_PIECES:
             raise CompileError(
-                f"a prescribed speed varies too fast from {begin:g} s to {end:g} s (limit {MOST_PIECES} "
+                f"a prescribed speed varies too fast from {begin:g} s to {end:g} s (limit {MAX_PIECES} "
                 "polynomials); give a shorter duration, or the speed as a table"
             )
         middle = middle[bad]

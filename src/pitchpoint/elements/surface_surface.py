@@ -27,7 +27,7 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contacts.crossed_cylinders import rim_place, rods_place
 from pitchpoint.elements.contacts.line import line_of_contact
-from pitchpoint.elements.contacts.record import EVENTS, MOST_STATIONS, RECORD, RESULTS, set_triangles
+from pitchpoint.elements.contacts.record import EVENTS, MAX_STATIONS, RECORD, RESULTS, set_triangles
 from pitchpoint.elements.contacts.triangles import points_on_shape, points_on_triangles
 from pitchpoint.elements.contacts.wrench import act, begin, finish
 from pitchpoint.elements.kind import FRAME, Kind
@@ -55,7 +55,7 @@ OUTPUTS = RESULTS
 
 def _set_line(record: np.void, radius: float, length: float, shared: float, stations: int) -> None:
     """Set the cylinder of body i and the Gauss points along its axis."""
-    if not 1 <= stations <= MOST_STATIONS or not min(radius, length) > 0.0:
+    if not 1 <= stations <= MAX_STATIONS or not min(radius, length) > 0.0:
         raise ValueError("line contact: radius and length (limit above 0), stations (limit 1 to 8)")
     x, w = np.polynomial.legendre.leggauss(stations)
     record["form_i"], record["stations"], record["length"] = CYLINDER, stations, shared

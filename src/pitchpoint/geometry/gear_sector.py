@@ -30,7 +30,7 @@ Gap = Callable[[str, float, FloatArray], FloatArray]
 
 DENSE = 241
 """Flank points from which the outline is chosen; their own chord error is 0.25 µm for m_n = 40 mm."""
-MOST_SLICES = 32
+MAX_SLICES = 32
 ROUND = 48
 """Minimum number of corners of a drawn bore; the number of teeth if that is larger."""
 
@@ -181,7 +181,7 @@ def slices_for(gear: CylindricalGear, error: float) -> FloatArray:
     step = math.sqrt(8.0 * error / (0.5 * abs(gear.d_a)))
     count = max(1, math.ceil(twist / step))
     # an even number of slices includes the middle plane
-    count = min(MOST_SLICES, count + count % 2) if count > 1 else 1
+    count = min(MAX_SLICES, count + count % 2) if count > 1 else 1
     return np.linspace(-0.5, 0.5, count + 1) * gear.b
 
 

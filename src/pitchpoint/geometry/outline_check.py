@@ -32,8 +32,8 @@ OFF_ROOT = 0.5
 """The same for the root circle, which varies more with the tool."""
 UNCOVERED = 0.1
 """Share of the usable flank that points may omit at either end; the last deviation is extrapolated."""
-MOST_POINTS = 2000
-LEAST_TOOTH, LEAST_FLANK = 10, 5
+MAX_POINTS = 2000
+MIN_TOOTH, MIN_FLANK = 10, 5
 # Distance from the tip in normal modules, and slope of deviation over roll length, that identify tip points.
 _EDGE, _STEEP = 0.02, 5.0
 # Share of a pitch by which the points of a tooth may extend into the next pitch.
@@ -83,13 +83,13 @@ def plane_points(points: ArrayLike, part: str, least: int) -> tuple[ComplexArray
     if plane.size:
         new = np.append(True, np.abs(np.diff(plane)) > 1e-12 * np.abs(plane).max())
         plane, index = plane[new], index[new]
-    if not least <= plane.size <= MOST_POINTS:
+    if not least <= plane.size <= MAX_POINTS:
         raise OutlineError(
             part,
             None,
             "points are too few" if plane.size < least else "points are too many",
             value=f"{plane.size}",
-            limit=f"{least} to {MOST_POINTS}",
+            limit=f"{least} to {MAX_POINTS}",
             remedy="give more points" if plane.size < least else "omit points",
         )
     return plane, index
@@ -272,13 +272,13 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
             "reverses towards the root on the flank",
             remedy="put the points in order from root to tip, or omit those that scatter",
         )
-    if path.size < LEAST_FLANK:
+    if path.size < MIN_FLANK:
         raise OutlineError(
             part,
             int(index[0]) if index.size else None,
             "points lie on the usable flank",
             value=f"{path.size}",
-            limit=f"at least {LEAST_FLANK}",
+            limit=f"at least {MIN_FLANK}",
             remedy="give more points; check the unit, normal_module and number_of_teeth",
         )
     length, missing = missing_material(gear, path)

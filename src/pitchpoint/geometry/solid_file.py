@@ -17,7 +17,7 @@ FloatArray = NDArray[np.float64]
 
 STEP = (".step", ".stp", ".p21")
 STL = (".stl", ".npy")
-MOST_TRIANGLES = 2_000_000
+MAX_TRIANGLES = 2_000_000
 """Maximum number of triangles of one solid."""
 
 
@@ -96,7 +96,7 @@ def _read(file: str, unit: float | None, stamp: int, size: int) -> SolidFile:
 
         return read_step(file)
     found = read_triangles(file)
-    for wrong in triangle_faults(found, unit, most=MOST_TRIANGLES):
+    for wrong in triangle_faults(found, unit, most=MAX_TRIANGLES):
         remedy = "close it" if wrong.text.endswith("the surface is open") else wrong.remedy
         raise GeometryError(wrong.text, where="file", value=wrong.value, limit=wrong.limit, remedy=remedy)
     millimetres = round(1e3 * unit, 9)

@@ -20,8 +20,8 @@ from pitchpoint.geometry.step_file import ask, named_solids, refused
 FloatArray = NDArray[np.float64]
 
 CHORDS = (1e-3, 4e-3, 1.6e-2)
-"""Chord errors relative to the size of a solid; the finest that does not exceed `MOST` triangles is used."""
-MOST = 50_000
+"""Chord errors relative to the size of a solid; the finest with at most `MAX_TRIANGLES` triangles is used."""
+MAX_TRIANGLES = 50_000
 """Maximum number of triangles of one drawn solid."""
 _ANGLE = 0.3
 """Maximum angle of the surface along a chord [rad]: resolves small radii, below that of sharp edges."""
@@ -77,14 +77,14 @@ def _answer(file: str, part: str, target: str) -> dict[str, Any]:
         raise refused(name, f"holds no solid '{part}'")
     for chord in CHORDS:
         corners = _corners(shape, chord)
-        if len(corners) <= MOST:
+        if len(corners) <= MAX_TRIANGLES:
             break
-    if not 0 < len(corners) <= MOST:
+    if not 0 < len(corners) <= MAX_TRIANGLES:
         raise GeometryError(
             f"the solid '{part}' of the file '{name}' has more triangles than can be drawn",
             where="file",
             value=str(len(corners)),
-            limit=str(MOST),
+            limit=str(MAX_TRIANGLES),
             remedy="omit small parts",
         )
     np.save(target, corners * _MM)

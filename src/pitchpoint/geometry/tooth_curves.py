@@ -26,9 +26,9 @@ ComplexArray = NDArray[np.complex128]
 Curve = Callable[[NDArray[np.float64]], ComplexArray]
 """Function that gives the points of a curve at parameters from 0 to 1."""
 
-MOST_DEGREE = 7
+MAX_DEGREE = 7
 """Maximum degree, above which curves are halved: not all CAD programs accept higher degrees."""
-LEAST_TOLERANCE = 1e-9
+MIN_TOLERANCE = 1e-9
 """Minimum tolerance relative to the size of a curve, limited by round-off."""
 _ARC = 1e-9
 """Share of half a pitch below which a root arc is omitted: the root is fully rounded."""
@@ -82,7 +82,7 @@ def bezier_curves(curve: Curve, tolerance: float) -> list[ComplexArray]:
     >>> bool(abs(bernstein(7, np.array([0.3])) @ quarter[0] - np.exp(0.15j * np.pi))[0] < 1e-6)
     True
     """
-    for degree in range(1, MOST_DEGREE + 1):
+    for degree in range(1, MAX_DEGREE + 1):
         nodes = 0.5 - 0.5 * np.cos(np.pi * np.arange(degree + 1) / degree)
         poles = np.linalg.solve(bernstein(degree, nodes), curve(nodes))
         poles[[0, -1]] = curve(np.array([0.0, 1.0]))
@@ -165,7 +165,7 @@ def pitch_curves(gear: CylindricalGear, tolerance: float = 1e-6) -> list[Complex
             value=f"{len(gear.outline.points)} points a tooth",
             remedy="export STL instead, or omit tooth_profile",
         )
-    limit = max(tolerance, LEAST_TOLERANCE) * gear.m_n
+    limit = max(tolerance, MIN_TOLERANCE) * gear.m_n
     found = [poles for piece in _pieces(tooth_form(gear)) for poles in bezier_curves(piece, limit)]
     for before, after in zip(found[:-1], found[1:], strict=True):
         after[0] = before[-1]
@@ -193,5 +193,5 @@ def twist_curves(angle: float, tolerance: float = 1e-6) -> list[ComplexArray]:
     """
     if angle == 0.0:
         return [np.ones(2, dtype=complex)]
-    limit = max(tolerance, LEAST_TOLERANCE)
+    limit = max(tolerance, MIN_TOLERANCE)
     return bezier_curves(lambda t: np.exp(1j * angle * (t - 0.5)), limit)

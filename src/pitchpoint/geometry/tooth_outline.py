@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.geometry.outline_check import (
-    LEAST_FLANK,
-    LEAST_TOOTH,
+    MIN_FLANK,
+    MIN_TOOTH,
     check_flank,
     check_height,
     check_simple,
@@ -145,7 +145,7 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
     >>> len(outline.points), bool(abs(outline.gap(gear, "left", [2.5e-3, 4e-3])).max() < 1e-15)
     (103, True)
     """
-    plane, index = plane_points(points, part, LEAST_TOOTH)
+    plane, index = plane_points(points, part, MIN_TOOTH)
     if np.angle(plane[-1]) < np.angle(plane[0]):
         plane, index = plane[::-1], index[::-1]
     plane, index = one_pitch(gear, plane, index, part)
@@ -203,7 +203,7 @@ def outline_from_flanks(
         r, half, _ = form.flank(_NOMINAL_POINTS)
         path = r * np.exp(1j * half)
         if points is not None:
-            read, index = plane_points(points, part, LEAST_FLANK)
+            read, index = plane_points(points, part, MIN_FLANK)
             read = read.conj() if part == "right" else read
             if read.imag.mean() < 0.0:
                 raise OutlineError(

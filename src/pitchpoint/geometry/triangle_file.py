@@ -22,8 +22,8 @@ from pitchpoint.core.errors import GeometryError, Message
 
 FloatArray = NDArray[np.float64]
 
-MOST_BYTES = 100_000_000
-MOST_TRIANGLES = 50_000
+MAX_BYTES = 100_000_000
+MAX_TRIANGLES = 50_000
 """Maximum number of triangles of a contact surface, limited by the time of preparation."""
 SMALLEST, LARGEST = 2e-4, 20.0
 """Plausible sizes of a contact body [m]; others indicate a wrong unit."""
@@ -138,7 +138,7 @@ def read_triangles(file: str | Path) -> Triangles:
 def _read(file: str, stamp: int, size: int) -> Triangles:
     """Read a file; a file with the same modification time and size is not read again."""
     name = Path(file).name
-    if size > MOST_BYTES:
+    if size > MAX_BYTES:
         raise _refused(name, f"is too large with {size / 1e6:.0f} MB", "100 MB", _COARSER)
     found = _numpy(file) if file.endswith(".npy") else _stl(name, Path(file).read_bytes())
     for array in (found.corners, found.normals):
@@ -199,7 +199,7 @@ def triangle_faults(
     open_edges: bool = False,
     hollow: bool = False,
     *,
-    most: int = MOST_TRIANGLES,
+    most: int = MAX_TRIANGLES,
 ) -> list[Message]:
     """Faults of a triangulated surface, the most severe first; a fault that prevents other checks is alone.
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-_FEW = 200
+_MAX_LISTED = 200
 
 
 def table_text(result: xr.Dataset) -> str:
@@ -38,7 +38,7 @@ def table_text(result: xr.Dataset) -> str:
         names = [name for name, v in result.data_vars.items() if v.dims and set(v.dims) <= set(dims)]
         for name, v in result.data_vars.items():
             if v.dims and name not in names:
-                values = v.values.tolist() if v.size <= _FEW else "not in this table"
+                values = v.values.tolist() if v.size <= _MAX_LISTED else "not in this table"
                 lines.append(f"# {_head(result, name)} over {', '.join(map(str, v.dims))}: {values}")
         heads = [str(dim) if dim not in result.coords else _head(result, dim) for dim in dims]
         lines.append(",".join(_quoted(head) for head in (*heads, *(_head(result, name) for name in names))))

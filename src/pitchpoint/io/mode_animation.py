@@ -22,7 +22,7 @@ from pitchpoint.io.target import write_file
 
 RADIUS = 0.1
 """Radius that converts a rotation to a displacement [m]."""
-MOST_NUMBERS = 6_000_000
+MAX_NUMBERS = 6_000_000
 """Maximum count of numbers for the nodes of one body in a file; more nodes are decimated."""
 Array = NDArray[np.float64]
 FORMATS = (".json", ".npz")
@@ -127,7 +127,7 @@ def write_mode_animation(
 
 def _node_motion(place: Array, shape: NDArray[np.complex128], frames: int) -> dict[str, NDArray[Any]]:
     """Indices of the stored nodes, their rest positions, and their motion (mode, frame, node, 3)."""
-    stride = -(-shape.size * frames // MOST_NUMBERS) or 1
+    stride = -(-shape.size * frames // MAX_NUMBERS) or 1
     kept = np.arange(0, len(place), stride)
     motion = np.moveaxis(cycle(shape[:, kept], frames), 0, 1)
     return {"node_number": kept, "node_place": place[kept], "node_motion": motion}

@@ -30,7 +30,7 @@ STATISTICS = ("min", "max", "mean", "rms")
 BLOCK_GROUP = "blocks"
 EVENT_GROUP = "events"
 
-MOST_CHANNELS = 6000
+MAX_CHANNELS = 6000
 """Maximum number of channels: HDF5 fails in SWMR mode with 8000 channels of two variables each, and takes
 minutes to close files well below this number."""
 
@@ -181,10 +181,10 @@ class ResultWriter(Closing):
         names = [c.name for c in channels]
         if len(set(names)) != len(names):
             raise ResultError("two channels have the same name; use unique names")
-        if len(names) > MOST_CHANNELS:
+        if len(names) > MAX_CHANNELS:
             raise ResultError(
                 f"{os.fspath(path)}: the run has {len(names)} channels, more than a result file takes (limit "
-                f"{MOST_CHANNELS}); choose which to store: channels: ['mesh_force[*]'] in the scenario, or "
+                f"{MAX_CHANNELS}); choose which to store: channels: ['mesh_force[*]'] in the scenario, or "
                 "--channels 'mesh_force[*]'"
             )
         if block < 1 or decimate < 1:

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 SAME = 1e-6
 """Positions that differ by less than this fraction of the length coincide."""
-MOST_PIECES = 2000
+MAX_PIECES = 2000
 """Maximum number of beam elements of one shaft; typical shafts have ten to a hundred."""
 
 
@@ -83,15 +83,15 @@ def _check(name: str, shaft: Shaft, report: Reader) -> None:
                 remedy="give diameters, not radii",
             )
     pieces = sum(s.length / (shaft.largest_piece or 2.0 * s.diameter) for s in shaft.sections)
-    if pieces > MOST_PIECES:
+    if pieces > MAX_PIECES:
         key = "sections" if shaft.largest_piece is None else "largest_piece"
         report.problem(
             (*at, key),
             f"would divide the shaft of {_mm(shaft.length)} into {pieces:.0f} beam elements",
             value=None if shaft.largest_piece is None else _mm(shaft.largest_piece),
-            limit=f"{MOST_PIECES} beam elements",
+            limit=f"{MAX_PIECES} beam elements",
             remedy="check the units of lengths and diameters, or give "
-            f"largest_piece: {_mm(1.01 * shaft.length / MOST_PIECES)} or more",
+            f"largest_piece: {_mm(1.01 * shaft.length / MAX_PIECES)} or more",
         )
 
 

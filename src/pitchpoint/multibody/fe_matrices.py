@@ -28,10 +28,10 @@ if TYPE_CHECKING:
 
     from scipy.sparse import coo_array
 
-MOST_BYTES = 2_000_000_000
+MAX_BYTES = 2_000_000_000
 """Maximum size of a file, and of an array in an archive [byte]."""
-MOST_ENTRIES = 200_000_000
-MOST_UNKNOWNS = 2_000_000
+MAX_ENTRIES = 200_000_000
+MAX_UNKNOWNS = 2_000_000
 
 SYMMETRIC, SQUARE = 6, 1
 FIELDS = "write fixed fields of 8 or 16 characters"
@@ -88,9 +88,9 @@ def checked(path: str | os.PathLike[str]) -> Path:
     file = Path(path)
     if not file.is_file():
         raise refuse(file, "file not found")
-    if file.stat().st_size > MOST_BYTES:
+    if file.stat().st_size > MAX_BYTES:
         raise refuse(
-            file, f"{file.stat().st_size} bytes (limit {MOST_BYTES})", remedy="reduce the model first"
+            file, f"{file.stat().st_size} bytes (limit {MAX_BYTES})", remedy="reduce the model first"
         )
     return file
 
@@ -163,8 +163,8 @@ def read_dmig(path: str | os.PathLike[str]) -> DmigFile:
         elif line[0] in "*+ " and column is not None:
             _term(file, number, line, found, column)
             count += 1
-            if count > MOST_ENTRIES:
-                raise refuse(file, f"more than {MOST_ENTRIES} entries", number)
+            if count > MAX_ENTRIES:
+                raise refuse(file, f"more than {MAX_ENTRIES} entries", number)
         elif line[0] in "*+ " and grid is not None:
             third = real(file, number, line[8:24].strip() or "0.", "x3")
             first, second = (real(file, number, t or "0.", "GRID") for t in grid[1])
@@ -319,8 +319,8 @@ def read_npz(path: str | os.PathLike[str]) -> Structure:
     try:
         with zipfile.ZipFile(file) as archive:
             for item in archive.infolist():
-                if item.file_size > MOST_BYTES:
-                    raise refuse(file, f"{item.filename}: {item.file_size} bytes (limit {MOST_BYTES})")
+                if item.file_size > MAX_BYTES:
+                    raise refuse(file, f"{item.filename}: {item.file_size} bytes (limit {MAX_BYTES})")
         with np.load(file, allow_pickle=False) as arrays:
             data = {name: np.asarray(arrays[name]) for name in arrays.files}
     except (*_DAMAGE, zipfile.BadZipFile, zlib.error) as error:

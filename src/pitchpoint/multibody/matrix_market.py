@@ -17,7 +17,7 @@ from typing import IO, Any, cast
 
 import numpy as np
 
-from pitchpoint.multibody.fe_matrices import MOST_ENTRIES, MOST_UNKNOWNS, checked, real, refuse
+from pitchpoint.multibody.fe_matrices import MAX_ENTRIES, MAX_UNKNOWNS, checked, real, refuse
 from pitchpoint.multibody.structure import Structure, make_structure
 
 LAYOUTS = ("coordinate", "array")
@@ -95,8 +95,8 @@ def _body(file: Path, lines: Iterator[str]) -> tuple[int, Any, Any, Any, bool]:
     symmetric = symmetry == "symmetric"
     whole = rows * (rows + 1) // 2 if symmetric else rows * columns
     entries = int(size[2]) if layout == "coordinate" else whole
-    if rows != columns or not 0 < rows <= MOST_UNKNOWNS or entries > MOST_ENTRIES:
-        raise refuse(file, f"{rows} x {columns} with {entries} entries (limit square, {MOST_UNKNOWNS} rows)")
+    if rows != columns or not 0 < rows <= MAX_UNKNOWNS or entries > MAX_ENTRIES:
+        raise refuse(file, f"{rows} x {columns} with {entries} entries (limit square, {MAX_UNKNOWNS} rows)")
     # an entry has at least two characters; compressed files are checked after reading
     if file.suffix != ".gz" and 2 * entries > file.stat().st_size + 1:
         raise refuse(file, f"its header specifies {entries} entries in {file.stat().st_size} bytes")
@@ -160,8 +160,8 @@ def read_places(path: str | os.PathLike[str]) -> tuple[Any, Any, Any]:
                 raise refuse(
                     file, "only some nodes list their displacements", number, "add digits such as 123 to all"
                 )
-            if len(places) > MOST_UNKNOWNS:
-                raise refuse(file, f"more than {MOST_UNKNOWNS} nodes", number)
+            if len(places) > MAX_UNKNOWNS:
+                raise refuse(file, f"more than {MAX_UNKNOWNS} nodes", number)
     if not places:
         raise refuse(file, "has no node", remedy="write one line x y z in m per node")
     if not digits[0]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MOST_UNKNOWNS = 2_000_000
+MAX_UNKNOWNS = 2_000_000
 """Maximum number of displacements."""
 
 
@@ -109,8 +109,8 @@ def make_structure(
         matrix = csc_array(given, dtype=float)
         if matrix.ndim != 2 or matrix.shape[0] != matrix.shape[1]:
             raise CompileError(f"{name}: {matrix.shape} is not square")
-        if matrix.shape[0] > MOST_UNKNOWNS:
-            raise CompileError(f"{name}: {matrix.shape[0]} displacements (limit {MOST_UNKNOWNS})")
+        if matrix.shape[0] > MAX_UNKNOWNS:
+            raise CompileError(f"{name}: {matrix.shape[0]} displacements (limit {MAX_UNKNOWNS})")
         if not np.all(np.isfinite(matrix.data)):
             raise CompileError(f"{name}: has entries that are not finite")
         off = abs(matrix - matrix.T)

@@ -26,7 +26,7 @@ from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.multibody.joints import Z
 
 TWO_PI = 6.283185307179586
-MOST_TILT = 0.8
+MAX_TILT = 0.8
 """Angle beta above which a tumbling body gets a new chart [rad]."""
 
 #: Displacements of a body relative to its joint frame, their rates, and their columns in world axes.
@@ -333,7 +333,7 @@ def start_charts_afresh(body, fr, charts, q, v, a, al, ap):
         o = body[b]
         if o["chart"] >= 0:
             d = o["dof"] + o["n"] - 3
-            if abs(q[d + 1]) > MOST_TILT:
+            if abs(q[d + 1]) > MAX_TILT:
                 _fresh_chart(charts[o["chart"]], d, q, v, a, al, ap)
                 fr[b]["turns"] = 0
                 changed += 1

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 HEIGHT, WITH_CURVES = "480px", "640px"
 """Height of a scene in a cell, without and with curves below it."""
-MOST_BYTES = 8_000_000
+MAX_BYTES = 8_000_000
 """Size limit of a scene in a notebook, including the viewer (0.7 MB): the file stores each scene."""
 FIRST = (
     "mesh_force",
@@ -36,7 +36,7 @@ FIRST = (
     "angle",
 )
 """First quantities of a summary."""
-MOST_ROWS = 8
+MAX_ROWS = 8
 
 
 def register() -> bool:
@@ -103,8 +103,8 @@ def _frame(scene: Callable[[], Scene]) -> str:
         frame = scene_frame(made, height=WITH_CURVES if made.channels else HEIGHT)
     except (PitchpointError, ValueError, OSError) as error:
         return _sentence(f"no scene: {error}")
-    if len(frame) > MOST_BYTES:
-        size = f"{len(frame) / 1e6:.0f} MB (limit {MOST_BYTES / 1e6:.0f} MB)"
+    if len(frame) > MAX_BYTES:
+        size = f"{len(frame) / 1e6:.0f} MB (limit {MAX_BYTES / 1e6:.0f} MB)"
         return _sentence(f"no scene: too large for a notebook, {size}; use `pitchpoint view` to write a page")
     notes = "".join(_sentence(note) for note in made.notes)
     return frame + notes
@@ -178,7 +178,7 @@ def _numbers(data: xr.Dataset) -> str:
     over_time = {str(name): v for name, v in data.data_vars.items() if v.dims == ("time",)}
     names = [name for kind in FIRST for name in over_time if name.partition("[")[0] == kind]
     rows = []
-    for name in names[:MOST_ROWS]:
+    for name in names[:MAX_ROWS]:
         x = np.asarray(over_time[name].values, dtype=np.float64)
         if np.isfinite(x).all():
             rows.append(_row(name, str(over_time[name].attrs.get("units", "")), x))
@@ -201,7 +201,7 @@ def _modes(data: xr.Dataset) -> str:
         f'<td class="num">{number(100.0 * float(ratio))}</td></tr>'
         for k, (frequency, ratio) in enumerate(found, start=1)
     ]
-    table = plain_table(("mode", "natural frequency [Hz]", "damping ratio [%]"), rows[:MOST_ROWS])
+    table = plain_table(("mode", "natural frequency [Hz]", "damping ratio [%]"), rows[:MAX_ROWS])
     return f'{drawings.STYLE}<div class="pp-shown">{table}</div>'
 
 
@@ -213,7 +213,7 @@ def _sweep(data: xr.Dataset) -> str:
     if not {"direction", "mesh_frequency", "statistic"} <= set(data.dims):
         return ""
     frequency, rows = data["mesh_frequency"].values, []
-    for name in [str(name) for name in data if str(name).startswith("deflection[")][:MOST_ROWS]:
+    for name in [str(name) for name in data if str(name).startswith("deflection[")][:MAX_ROWS]:
         owner = name.partition("[")[2].rstrip("]")
         for k, direction in enumerate(data["direction"].values):
             rms = data[name].sel(direction=direction, statistic="rms").dropna("mesh_frequency")

@@ -23,7 +23,7 @@ READ = {*TIME_QUANTITIES, *FORCE_PARTS, "normal_force"} - {"bearing_force", "cou
 """Quantities available as curves below the scene of a report."""
 NO_PARTS = ("lines", "pairs")
 """Mappings of a model that are not sections of its file."""
-MOST_NAMES = 6
+MAX_NAMES = 6
 """Maximum number of listed names."""
 
 
@@ -33,8 +33,8 @@ def counts_of(model: Model) -> list[tuple[str, str]]:
     for field in fields(model):
         section, parts = field.name, getattr(model, field.name)
         if isinstance(parts, Mapping) and parts and section not in NO_PARTS:
-            names = [_named(model, section, name) for name in list(parts)[:MOST_NAMES]]
-            more = f" and {len(parts) - MOST_NAMES} more" if len(parts) > MOST_NAMES else ""
+            names = [_named(model, section, name) for name in list(parts)[:MAX_NAMES]]
+            more = f" and {len(parts) - MAX_NAMES} more" if len(parts) > MAX_NAMES else ""
             found.append((f"{section.replace('_', ' ')}: {len(parts)}", f"{', '.join(names)}{more}"))
     return found
 

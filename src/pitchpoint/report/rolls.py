@@ -22,13 +22,13 @@ if TYPE_CHECKING:
 
 Array = np.ndarray
 POSITION = "mesh_phase_position"
-POINTS, FEWEST_POINTS, ALL_POINTS = 96, 16, 960
+POINTS, MIN_POINTS, ALL_POINTS = 96, 16, 960
 """Minimum number of points per period of a roll, and total number of points."""
 LARGE, POINTS_OF_LARGE = 100, 240
 """Number of coordinates above which a roll has fewer points: each then takes about 10 ms."""
-MOST_PERIODS, MOST_TURNS = 12, 60
+MAX_PERIODS, MAX_TURNS = 12, 60
 """Maximum number of rolled periods: for interacting meshes, and for gears with single-tooth deviations."""
-MOST_MESHES = 20
+MAX_MESHES = 20
 """Maximum number of rolled meshes, the first ones of the file."""
 SAME = 1e-3
 """Relative tolerance for equal periods, and for equal stiffness under load and by the law."""
@@ -60,13 +60,13 @@ def points_to_roll(coordinates: int) -> int:
 
 def periods_to_roll(model: Model, mesh: str, points: int = ALL_POINTS) -> int:
     """Number of rolled periods for a number of points: until everything repeats, within limits."""
-    most = MOST_TURNS if _single_teeth(model) else MOST_PERIODS
-    return min(periods_until_repeat(model, mesh), most, points // FEWEST_POINTS)
+    most = MAX_TURNS if _single_teeth(model) else MAX_PERIODS
+    return min(periods_until_repeat(model, mesh), most, points // MIN_POINTS)
 
 
 def points_per_period(periods: int, points: int = ALL_POINTS) -> int:
     """Points per period, fewer if many periods are rolled."""
-    return max(FEWEST_POINTS, min(POINTS, points // periods))
+    return max(MIN_POINTS, min(POINTS, points // periods))
 
 
 def _rates(model: Model, mesh: str) -> tuple[dict[str, float], float]:

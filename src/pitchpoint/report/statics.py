@@ -112,10 +112,10 @@ def _part_of(progress: Progress, before: int, parts: int, done: float, total: fl
 
 def rolled_meshes(model: Model, meshes: Iterable[str]) -> tuple[list[str], int]:
     """Meshes rolled for a report, and the number of further meshes that could be rolled."""
-    from pitchpoint.report.rolls import MOST_MESHES
+    from pitchpoint.report.rolls import MAX_MESHES
 
     turning = [name for name in meshes if rolls(model, name)]
-    return turning[:MOST_MESHES], len(turning[MOST_MESHES:])
+    return turning[:MAX_MESHES], len(turning[MAX_MESHES:])
 
 
 def rolls(model: Model, mesh: str) -> bool:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.mesh import record as mesh
-from pitchpoint.elements.mesh.tooth_pairs import MOST_SPLIT
+from pitchpoint.elements.mesh.tooth_pairs import MAX_SPLIT
 from pitchpoint.solvers.element_batches import Block, blocks_of, independent_batches, machines_of
 from pitchpoint.solvers.element_tangents import tangents
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
@@ -47,7 +47,7 @@ def shift(record: np.void, share: float) -> None:
 def cycle_nodes(record: np.void, flank: int, pool: Array, both: bool = False) -> tuple[Array, Array]:
     """Quadrature phases and weights of a flank for the mean over one mesh cycle.
 
-    Exact for the closed forms and for pair tables with up to `MOST_SPLIT` points: three Gauss points between
+    Exact for the closed forms and for pair tables with up to `MAX_SPLIT` points: three Gauss points between
     kinks (the total is a polynomial of degree four or less there), equal steps for a Fourier series, segment
     midpoints for a mesh table. Longer pair tables count as smooth on sixteen pieces. Slices and user-defined
     laws are sampled at 128 points. `both`: include the kinks of the other flank, which carries load, too.
@@ -83,7 +83,7 @@ def _kinks(record: np.void, flank: int, pool: Array) -> Array:
     eps, L = float(now["eps"]), float(now["L"])
     places = [0.0, eps, L, eps - L, 0.5 * eps]
     if n > 2:
-        places += list(np.linspace(0.0, eps, n if n <= MOST_SPLIT else 17)[1:-1])
+        places += list(np.linspace(0.0, eps, n if n <= MAX_SPLIT else 17)[1:-1])
     ends = lam * np.array(shared_width(record))
     if is_bevel(record):  # contact lines of bevel gears are spirals
         ends = lam * record["R_m"] * np.log1p(ends / (lam * record["R_m"])) if lam != 0.0 else ends

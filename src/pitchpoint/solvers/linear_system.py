@@ -33,14 +33,14 @@ from pitchpoint.system.elastic import modal_bodies
 from pitchpoint.system.meshes import mesh_names, mesh_records
 from pitchpoint.system.system import State, System
 
-MOST_MODES = 200
+MAX_MODES = 200
 """Largest system (number of modes) for which all modes are computed by default."""
 LOWEST = 40
 """Default number of modes of larger systems."""
 SPARSE = 0.3
 """Share of the modes up to which they are computed iteratively."""
 
-MOST_COORDINATES = 20_000
+MAX_COORDINATES = 20_000
 """Largest number of coordinates of a linear system; each matrix then takes three gigabytes."""
 
 
@@ -111,10 +111,10 @@ def linearise(
             "all bodies are fixed, so there are no modes; free a body (motion: torsion, planar or free)",
             SINGULAR,
         )
-    if count > MOST_COORDINATES:
+    if count > MAX_COORDINATES:
         raise CompileError(
             f"the machine has {count} coordinates, and each matrix of the linear system would take "
-            f"{8e-9 * count**2:.2g} GB (limit {MOST_COORDINATES} coordinates); analyse parts of it "
+            f"{8e-9 * count**2:.2g} GB (limit {MAX_COORDINATES} coordinates); analyse parts of it "
             "separately, or reduce the freedom of bodies (motion: torsion or planar) and the number of shaft "
             "pieces (largest_piece)"
         )
@@ -237,14 +237,14 @@ class Undamped:
 
 
 def lowest(linear: Linearised, count: int | None = None) -> Undamped:
-    """Undamped modes, lowest first: all of systems with up to `MOST_MODES`, or as many as are requested."""
+    """Undamped modes, lowest first: all of systems with up to `MAX_MODES`, or as many as are requested."""
     parts, rigid = linear.at_rest, linear.rigid
     total = linear.basis.shape[1]
-    wanted = total if total <= MOST_MODES else LOWEST
+    wanted = total if total <= MAX_MODES else LOWEST
     wanted = min(wanted if count is None else count, total)
     note = (f"the lowest {wanted} of {total} modes; give a number of modes to get more",)
     notes = note if count is None and wanted < total else ()
-    if total > MOST_MODES and wanted < SPARSE * total:
+    if total > MAX_MODES and wanted < SPARSE * total:
         found = lowest_modes(parts.M, parts.K, _sparse(linear.basis), rigid, wanted)
         return Undamped(*found, total, notes, None)
     basis = linear.basis if isinstance(linear.basis, np.ndarray) else linear.basis.toarray()

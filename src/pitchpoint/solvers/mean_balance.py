@@ -31,13 +31,13 @@ Array = NDArray[np.float64]
 
 POINTS = 720
 """Points per revolution at which a load is averaged; lower harmonics cancel exactly."""
-MOST_TURNS = 12
+MAX_TURNS = 12
 """Revolutions within which a load must repeat to count as periodic."""
 SAME = 1e-9
 """Relative difference below which two values, or two mesh frequencies, count as equal."""
 IN_CYCLE = 16
 """Instants per mesh cycle at which friction is averaged if all meshes have the same frequency."""
-MOST_COORDINATES = 300
+MAX_COORDINATES = 300
 """Largest number of coordinates for which friction is averaged: every instant needs an equilibrium."""
 CYCLES = 3
 """Cycles of the slowest mesh, with a Hann window, over which friction is averaged if frequencies differ."""
@@ -94,7 +94,7 @@ def _mean_over_angle(alone: System, state: State, k: int) -> float | None:
 
     first = torques(0)
     total = first.copy()
-    for turn in range(1, MOST_TURNS + 1):
+    for turn in range(1, MAX_TURNS + 1):
         values = torques(turn)
         if np.abs(values - first).max() <= SAME * np.abs(first).max():
             return float(total.mean()) / turn
@@ -109,7 +109,7 @@ def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
     """
     rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in system.banks(MESH))
     rates = np.zeros(0)
-    if rough and system.sizes["nd"] <= MOST_COORDINATES and not is_looped(system):
+    if rough and system.sizes["nd"] <= MAX_COORDINATES and not is_looped(system):
         body = system.program["body"]
         speeds = {
             name: float(state.v[spin_of(body, b)])

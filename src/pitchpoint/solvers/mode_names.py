@@ -31,9 +31,9 @@ MOTION = {
 
 TORSIONAL = 0.7
 """Kinetic energy share of the spins from which a mode counts as torsional."""
-ENOUGH = 0.8
+ENERGY_SHARE = 0.8
 """Energy share that the listed motions must cover."""
-MOST = 3
+MAX_MOTIONS = 3
 """Maximum number of motions listed."""
 
 
@@ -91,11 +91,11 @@ def _elastic(layout: Layout, parts: Parts, kinetic: Array, potential: Array) -> 
 def _motions(layout: Layout, kinetic: Array) -> str:
     """Motions with the largest shares, in descending order."""
     named, total = [], 0.0
-    for k in np.argsort(-kinetic, kind="stable")[:MOST]:
+    for k in np.argsort(-kinetic, kind="stable")[:MAX_MOTIONS]:
         body, _, motion = layout.coordinates[k].rpartition(".")
         named.append(f"{body} {MOTION.get(motion, motion)} {100.0 * kinetic[k]:.0f} %")
         total += float(kinetic[k])
-        if total >= ENOUGH:
+        if total >= ENERGY_SHARE:
             break
     return ", ".join(named)
 

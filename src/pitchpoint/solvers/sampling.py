@@ -21,7 +21,7 @@ from pitchpoint.system.residual import evaluate_events, observe
 from pitchpoint.system.workspace import MACH
 
 #: Columns of the running statistics. Sums are of x - reference, so that a large mean does not cost accuracy.
-COUNT, REFERENCE, SUM, SQUARES, LEAST, MOST, NEGATIVE, ZERO = range(8)
+COUNT, REFERENCE, SUM, SQUARES, MINIMUM, MAXIMUM, NEGATIVE, ZERO = range(8)
 
 #: Columns of a recorded event: time, index of the event function, direction (+1 rising, -1 falling).
 EVENT_COLUMNS = 3
@@ -161,7 +161,7 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorde
     if not bounded(kept):
         first = int(np.argmax(~(np.abs(kept) < GREATEST).all(axis=1)))
         kept, lost = kept[:first], kept[first].copy()
-    if lost is not None or not (bounded(sums[:, SUM]) and bounded(sums[:, LEAST : MOST + 1])):
+    if lost is not None or not (bounded(sums[:, SUM]) and bounded(sums[:, MINIMUM : MAXIMUM + 1])):
         status = UNBOUNDED  # any other status is a consequence of the divergence
     return Chunk(status, steps, kept, found[: min(events, len(found))], lost)
 
@@ -230,8 +230,8 @@ def read_statistics(sums: NDArray[np.float64]) -> Statistics:
         count=int(sums[0, COUNT]) if len(sums) else 0,
         mean=sums[:, REFERENCE] + mean,
         rms=np.sqrt(variance),
-        least=np.where(n > 0.0, sums[:, LEAST], np.nan),
-        most=np.where(n > 0.0, sums[:, MOST], np.nan),
+        least=np.where(n > 0.0, sums[:, MINIMUM], np.nan),
+        most=np.where(n > 0.0, sums[:, MAXIMUM], np.nan),
         share_negative=sums[:, NEGATIVE] / n,
         share_zero=sums[:, ZERO] / n,
     )
@@ -243,16 +243,16 @@ def accumulate(row, sums):
     if row.size > 0 and sums[0, COUNT] == 0.0:
         for k in range(row.size):
             sums[k, REFERENCE] = row[k]
-            sums[k, LEAST] = row[k]
-            sums[k, MOST] = row[k]
+            sums[k, MINIMUM] = row[k]
+            sums[k, MAXIMUM] = row[k]
     for k in range(row.size):
         x = row[k]
         d = x - sums[k, REFERENCE]
         sums[k, COUNT] += 1.0
         sums[k, SUM] += d
         sums[k, SQUARES] += d * d
-        sums[k, LEAST] = min(sums[k, LEAST], x)
-        sums[k, MOST] = max(sums[k, MOST], x)
+        sums[k, MINIMUM] = min(sums[k, MINIMUM], x)
+        sums[k, MAXIMUM] = max(sums[k, MAXIMUM], x)
         sums[k, NEGATIVE] += 1.0 if x < 0.0 else 0.0
         sums[k, ZERO] += 1.0 if x == 0.0 else 0.0
 

@@ -44,7 +44,7 @@ NEARER = 0.1
 """Shift of the damped modes over the lowest non-zero frequency."""
 STILL = 1e-5
 """Eigenvalue over that shift below which a mode is rigid: a double zero has half the digits only."""
-MOST_SHIFT = 1e6
+MAX_SHIFT = 1e6
 """Shift over the largest stiffness above which an eigenvalue below it means negative mass."""
 OWN = 0.5
 """Share of the element states in an eigenvector from which it counts as a mode of the states."""
@@ -64,7 +64,7 @@ def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tu
     lu, below = _factors(k, m, shift)
     while below:  # unstable: there are modes below the shift
         shift *= 100.0
-        if not shift <= MOST_SHIFT * float(abs(k).max()):
+        if not shift <= MAX_SHIFT * float(abs(k).max()):
             raise SolverError(NEGATIVE, SINGULAR)
         lu, below = _factors(k, m, shift)
     values, vectors = _complete(m, k, lu, shift, min(count + max(GUARD, count // 4), n - 1))

@@ -41,9 +41,9 @@ if TYPE_CHECKING:
 CHUNK_SECONDS = 0.15
 """Target wall time of one call of the compiled loop; progress and Ctrl-C are handled between calls."""
 
-MOST_EVENTS = 100_000
+MAX_EVENTS = 100_000
 """Maximum number of events recorded per chunk."""
-MOST_SAMPLES = 100_000
+MAX_SAMPLES = 100_000
 """Size of the sample buffer of a chunk of an adaptive method."""
 
 
@@ -224,7 +224,7 @@ class _Loop:
             sums = None if self.run_.steps < settle else self.sums.copy()
             every = self.every if self.sink is not None else 0
             chunk = self.run_.advance(
-                take, every=every, statistics=sums, events=MOST_EVENTS if self.watch else 0, **self.more
+                take, every=every, statistics=sums, events=MAX_EVENTS if self.watch else 0, **self.more
             )
             status = self._take(chunk, sums)
             if status != OK:
@@ -237,12 +237,12 @@ class _Loop:
         """Take the shorter last step up to the duration; it is not a sample."""
         self.run_.change_step(h)
         sums = self.sums.copy() if self.window < self.t_end else None
-        chunk = self.run_.advance(1, statistics=sums, events=MOST_EVENTS if self.watch else 0)
+        chunk = self.run_.advance(1, statistics=sums, events=MAX_EVENTS if self.watch else 0)
         return self._take(chunk, sums)
 
     def _dense(self, progress: Progress) -> int:
         sample = 1.0 / self.scenario.sample_rate if self.scenario.sample_rate else self.h
-        most = max(1, int(MOST_SAMPLES * sample / self.run_.longest))
+        most = max(1, int(MAX_SAMPLES * sample / self.run_.longest))
         n = min(1000, most)
         while self.run_.t < self.t_end - 1e-12 * max(1.0, abs(self.t_end)):
             begun = time.perf_counter()
@@ -254,7 +254,7 @@ class _Loop:
                 limit,
                 sample=sample,
                 statistics=sums,
-                events=MOST_EVENTS if self.watch else 0,
+                events=MAX_EVENTS if self.watch else 0,
                 restart=bool(self.watch),
                 most=n,
             )

@@ -13,7 +13,7 @@ from pitchpoint.multibody.constraints import schur_factor, schur_solve
 from pitchpoint.system.residual import FORCES, MASS, residual
 from pitchpoint.system.workspace import FACTORISATIONS, MACH, REDUNDANT
 
-MOST_PASSES = 200
+MAX_PASSES = 200
 SETTLED = 1e-13
 """Relative change of the accelerations at which the iteration of joint friction has converged."""
 PATIENCE = 3
@@ -166,7 +166,7 @@ def _settle_friction(at, t):
     least = math.inf
     stalled = 0
     patience = PATIENCE
-    for _ in range(MOST_PASSES):
+    for _ in range(MAX_PASSES):
         status = _correction(at, t)
         if status != OK:
             return status

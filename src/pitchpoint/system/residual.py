@@ -33,7 +33,7 @@ accelerations, and 2 if they are not requested (`link.heard`)."""
 ALL, SOONER, LATER = 0, 1, 2
 """Kinds that observe: all, those that need no accelerations, only the others (the first are then skipped)."""
 TWO_PI = 6.283185307179586
-MOST_TURN = 1e12  # maximum rotation in one step that is wrapped [rad]
+MAX_TURN = 1e12  # maximum rotation in one step that is wrapped [rad]
 
 
 @kernel
@@ -248,7 +248,7 @@ def wrap(at):
     fr = view(c["fr"], c["nb"], FRAME)
     for e in range(spins.shape[0]):
         d = spins[e, 0]
-        if not abs(q[d]) < MOST_TURN:
+        if not abs(q[d]) < MAX_TURN:
             # NaN, or too large for a meaningful angle: the integrator detects it
             continue
         if abs(q[d]) > 2.0 * TWO_PI:

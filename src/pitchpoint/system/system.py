@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pitchpoint.system.controller import SampledController
 
 TWO_PI = 6.283185307179586
-MOST_PRODUCTS = 12_000_000
+MAX_PRODUCTS = 12_000_000
 """Maximum number of joint pairs in the matrix (chain of 330 bodies); beyond it the matrix takes gigabytes
 and a step takes seconds."""
 Law = Callable[..., float] | int
@@ -298,7 +298,7 @@ def _check_bodies(bodies: Sequence[Body], named: Sequence[str]) -> None:
 
 def _check_depth(records: NDArray[np.void], named: Sequence[str], count: int) -> None:
     """Raise CompileError for chains of joints too long for the memory and time of the matrix."""
-    if count <= MOST_PRODUCTS:
+    if count <= MAX_PRODUCTS:
         return
     depth = [0] * records.size
     for b in range(1, records.size):
@@ -306,7 +306,7 @@ def _check_depth(records: NDArray[np.void], named: Sequence[str], count: int) ->
     last = int(np.argmax(depth))
     raise CompileError(
         f"{named[last - 1]}: is at the end of a chain of {depth[last]} joints, and the matrix has "
-        f"{count:.2g} pairs of joints (limit {MOST_PRODUCTS:.2g}); shorten the chain of "
+        f"{count:.2g} pairs of joints (limit {MAX_PRODUCTS:.2g}); shorten the chain of "
         "joints, or let its bodies move freely (motion: free) and connect them by bushings"
     )
 

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
     import xarray as xr
 
-_POINTS, _FEW, _ROWS = 8000, 50, 12
+_POINTS, _MAX_MARKERS, _ROWS = 8000, 50, 12
 """Maximum numbers of points of a curve, of marked points, and of rows with one plot each."""
 _LOGARITHMIC = 1e3
 """Ratio of largest to median value above which positive numbers have a logarithmic axis."""
@@ -123,7 +123,7 @@ def _curve(result: xr.Dataset, variable: xr.DataArray, words: str) -> go.Figure:
         x=(x[kept] * across.factor).astype(np.float32),
         y=(y[kept] * best.factor).astype(np.float32),
         # few numbers are drawn as points; a single one would not be visible as a line
-        mode="lines" if kept.size > _FEW else "lines+markers",
+        mode="lines" if kept.size > _MAX_MARKERS else "lines+markers",
         name=words,
         line={"color": theme.colour_of(str(variable.name), 0), "width": 1.3, "simplify": False},
     )

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 
-MOST_NAMES = 6
+MAX_NAMES = 6
 """Maximum number of modes with names in the legend; more modes are labelled at their lines."""
 HEIGHT, TOP, MARGINS, TEXT_HEIGHT = 460, 76, 124, 13
 """Height of the figure, its margin above, both margins and a line of text [pixels]."""
@@ -61,7 +61,7 @@ def plot_campbell(
         margin={"t": TOP},
         legend={"y": 1.1},
     )
-    crowded = modes.shape[1] > MOST_NAMES
+    crowded = modes.shape[1] > MAX_NAMES
     names = [mode_names[k] if k < len(mode_names) else f"mode {k + 1}" for k in range(modes.shape[1])]
     for k, name in enumerate(names):
         figure.add_scatter(

@@ -22,7 +22,7 @@ from pitchpoint.viz.svg import Array
 WIDTH = 480.0
 CHORD = 0.15
 """Maximum distance of chords from the tooth, invisible and with small files [pixels]."""
-FEWEST = 8
+MIN_POINTS = 8
 _TRIED = 24
 # Radial thickness of the ring drawn around an internal gear without a known rim, in modules below the root
 # circle.
@@ -64,14 +64,14 @@ def points_for(gear: Any, chord: float) -> int:
     from pitchpoint.geometry.outline_distance import N_FLANK, gear_line
 
     if gear.outline is not None:
-        return FEWEST
+        return MIN_POINTS
     fine = gear_line(gear).pitch
 
     def error(n: int) -> float:
         """Maximum distance of the fine tooth from a tooth with this number of points."""
         return float(np.abs(gear_line(gear, n).nearest(fine).distance).max())
 
-    n = int(np.clip(_TRIED * np.sqrt(error(_TRIED) / chord), FEWEST, N_FLANK))
+    n = int(np.clip(_TRIED * np.sqrt(error(_TRIED) / chord), MIN_POINTS, N_FLANK))
     while n < N_FLANK and error(n) > chord:
         n = min(int(np.ceil(1.15 * n)), N_FLANK)
     return n

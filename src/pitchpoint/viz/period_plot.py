@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _POINTS = 8000
-_LEAST = 1e-300
+_MIN_PROBABILITY = 1e-300
 _TITLE = "−log₁₀ of the probability in noise"
 
 
@@ -42,7 +42,7 @@ def plot_search(result: xr.Dataset, channel: str) -> list[go.Figure]:
         line={"color": theme.SERIES[0], "width": 1.3, "simplify": False},
         hovertemplate="%{x:.5g}: %{y:.3g}<extra></extra>",
     )
-    chance = max(float(result["p_value"]), _LEAST)
+    chance = max(float(result["p_value"]), _MIN_PROBABILITY)
     shown = f"{number(chance, 2)} (limit {number(float(result['false_alarm']))})"
     words = f"nothing found in {channel}: exact tests of the highest peaks give a probability of {shown}"
     top = max(float(score.max()), threshold)
@@ -89,7 +89,7 @@ def plot_evidence(result: xr.Dataset, channel: str) -> list[go.Figure]:
     """
     known = np.isfinite(result["p_value"].values)
     period = result["period"].values[known]
-    score: Array = -np.log10(np.maximum(result["p_value"].values[known], _LEAST))
+    score: Array = -np.log10(np.maximum(result["p_value"].values[known], _MIN_PROBABILITY))
     clock = scale("s", result["period"].values)
     figure = theme.figure(f"period, {channel}", _TITLE, height=340, bargap=0.6)
     if not period.size:

@@ -18,7 +18,7 @@ WIDTH_BLOCK, STEP = 104.0, 218.0
 """Width of a block, and distance between columns [pixels]."""
 WIDEST, THINNEST = 54.0, 1.5
 """Width of the band of the largest power, and minimum width of a band [pixels]."""
-GAP, HEAD, LEAST = 62.0, 44.0, 46.0
+GAP, HEAD, MIN_WIDTH = 62.0, 44.0, 46.0
 """Distance between blocks of a column, space above them, and height of a block [pixels]."""
 NEGLIGIBLE = 1e-6
 """Share of the largest power below which a band is not drawn."""
@@ -55,7 +55,7 @@ def power_flow_svg(flow: PowerFlow) -> str:
     unit = scale("W", [most])
     columns = _columns(len(flow.blocks), links)
     boxes = [
-        _Box(column, LEAST, (block.name, amount(block.speed, "rad/s")))
+        _Box(column, MIN_WIDTH, (block.name, amount(block.speed, "rad/s")))
         for column, block in zip(columns, flow.blocks, strict=True)
     ]
     ends: list[_Joined] = []

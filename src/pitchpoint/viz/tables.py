@@ -92,9 +92,9 @@ MEASURES = (
 )
 """Inspection dimensions, not in the nomenclature: identifier, symbol, dimension, unit, description."""
 MEASURE_ROWS = tuple(row[0] for row in MEASURES)
-MOST_COLUMNS = 6
+MAX_COLUMNS = 6
 """Maximum number of gears or meshes per table; more would not fit on paper and continue in another table."""
-MOST_ROWS = 30
+MAX_ROWS = 30
 """Rows of statistics shown; further rows are collapsed."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
 
@@ -112,9 +112,9 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     things
         SI values by identifier, by the name of the gear or mesh.
     """
-    if len(things) > MOST_COLUMNS:
+    if len(things) > MAX_COLUMNS:
         names = list(things)
-        parts = (names[k : k + MOST_COLUMNS] for k in range(0, len(names), MOST_COLUMNS))
+        parts = (names[k : k + MAX_COLUMNS] for k in range(0, len(names), MAX_COLUMNS))
         return "".join(quantity_table(rows, {name: things[name] for name in part}) for part in parts)
     head = "".join(f'<th scope="col" class="num">{escape(name)}</th>' for name in things)
     body = []

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from pitchpoint.analysis.diagnosis import Diagnosis, diagnose
-from pitchpoint.analysis.explaining import Strikes
+from pitchpoint.analysis.explaining import ImpactLines
 from pitchpoint.analysis.line_tests import fine_spectrum
 from pitchpoint.analysis.remarks import Note, grouped
 from pitchpoint.analysis.turning_parts import Bearing, TurningParts, train_parts
 
 RATE, TURNS = 413.3, 150.0
 INNER, BALL = 4.9477, 3.9839
-"""Strikes of a damaged inner ring; of a ball, 0.9 % from the first sideband of those of the inner ring."""
+"""Lines of a damaged inner ring; of a ball, 0.9 % from the first sideband of those of the inner ring."""
 
 
 def _parts(**orders: float) -> TurningParts:
@@ -29,7 +29,7 @@ def _turned() -> np.ndarray:
 def _knocks(
     turned: np.ndarray, order: float, *, carried: float = 0.0, depth: float = 0.0, late: float = 0.0
 ) -> np.ndarray:
-    """Strikes that ring at order 130; size and phase change with what carries the damage through the load."""
+    """Impacts that ring at order 130; size and phase change with what carries the damage through the load."""
     since = (turned * order + 0.3 + late * np.sin(2 * np.pi * carried * turned)) % 1 / order
     size = 1.0 + depth * (np.cos(2 * np.pi * carried * turned) + np.cos(4 * np.pi * carried * turned))
     return size * np.exp(-300 * since) * np.sin(2 * np.pi * 130 * since)
@@ -97,7 +97,7 @@ def test_a_chipped_tooth_is_named_beside_a_bearing() -> None:
 
 
 def test_a_ball_is_not_named_for_sidebands_that_are_stronger_than_the_strikes() -> None:
-    """Strikes that come early and late, as with a shaft out of true, have lower sidebands above all else."""
+    """Impacts that come early and late, as with a shaft out of true, have lower sidebands above all else."""
     turned, inner, ball = _turned(), 4.6477, 3.68
     knocks = 2.0 * _knocks(turned, inner, carried=1.0, depth=0.4, late=-0.2)
     found = diagnose({"acc": _healthy(turned) + knocks}, RATE, _parts(inner_ring=inner, rolling_element=ball))
@@ -130,7 +130,7 @@ def test_a_mesh_is_not_modulated_where_balls_pass_beside_loud_lines(
 
 
 SLOW = 1.5193
-"""Strikes of an outer ring; those of another one, three times as quick, have every third of its lines."""
+"""Lines of an outer ring; those of another one, three times as quick, have every third of its lines."""
 
 
 def _two_bearings(turned: np.ndarray, knocks: np.ndarray) -> set[tuple[str, str]]:
@@ -154,7 +154,7 @@ def test_strikes_three_times_as_quick_are_not_those_of_the_slow_bearing() -> Non
 
 def test_lines_of_strikes_stand_at_all_their_products() -> None:
     """k f + j n and those about a mesh; neither lines of the shaft nor of the mesh alone."""
-    strikes = Strikes(5.1, 1.0, np.array([21.0]))
+    strikes = ImpactLines(5.1, 1.0, np.array([21.0]))
     signal, envelope = (set(strikes.lines(30.0, envelope=which).round(6)) for which in (False, True))
     assert {5.1, 4.1, 13.2, 21 + 5.1 - 2, 21 - 2 * 5.1 + 1} <= signal <= envelope
     # the fourth harmonic and the mesh shake in time with their difference
@@ -164,14 +164,14 @@ def test_lines_of_strikes_stand_at_all_their_products() -> None:
 
 
 def test_a_ball_turns_with_its_cage_and_may_strike_one_ring_harder() -> None:
-    lines = set(Strikes(4.0, 0.4, np.empty(0), ball=True).lines(9.0, envelope=True).round(6))
+    lines = set(ImpactLines(4.0, 0.4, np.empty(0), ball=True).lines(9.0, envelope=True).round(6))
     assert {0.4, 0.8, 2.0, 1.6, 4.0, 4.4, 6.0} <= lines
 
 
 def test_lines_beside_strikes_are_no_larger_than_these() -> None:
-    """Strikes at 5.1 with the turns of a shaft next to them; what lies on the strikes is their own."""
+    """Impacts at 5.1 with the turns of a shaft next to them; what lies on the strikes is their own."""
     turned = np.arange(int(RATE * TURNS)) / RATE
-    strikes = Strikes(5.1, 1.0, np.empty(0))
+    strikes = ImpactLines(5.1, 1.0, np.empty(0))
 
     def beside(order: float, amplitude: float) -> bool:
         tones = 0.3 * np.cos(2 * np.pi * 5.1 * turned) + amplitude * np.cos(2 * np.pi * order * turned)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.curve import chain, circle, involute_piece, polygon, spline, vertex
-from pitchpoint.contact.curve_pair import HIT, MOST, contacts
+from pitchpoint.contact.curve_pair import HIT, MAX_CONTACTS, contacts
 from pitchpoint.contact.curve_point import arc_length, nearest, point_of
 
 pytestmark = pytest.mark.nojit
@@ -94,7 +94,7 @@ def test_the_nearest_place_is_the_nearest(name, place):
 def touch(A, B, d, angle=0.0, offset=0.0, depth=0.01, deepest=0.01):
     c, s = math.cos(angle), math.sin(angle)
     M = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-    hits = np.zeros((MOST, HIT))
+    hits = np.zeros((MAX_CONTACTS, HIT))
     reach = np.array([offset, depth, 1.0, *B.circle(), deepest])
     return (*contacts(A.rows, B.rows, M, np.array([*d, 0.0]), reach, hits), hits)
 
@@ -111,7 +111,7 @@ def test_deepest_first_and_no_more_than_four():
         [(r * math.cos(a), r * math.sin(a)) for a, r in zip(ANGLE, [0.05, 0.03] * 12, strict=True)]
     )
     n, gap, hits = touch(star, circle(0.0499, hole=True), (0.0, 1e-5))
-    assert n == MOST
+    assert n == MAX_CONTACTS
     assert np.all(np.diff(hits[:, 0]) >= 0.0)
     assert gap == hits[0, 0] == pytest.approx(-0.00011, rel=1e-9)  # the tip at 90 deg goes in first
 

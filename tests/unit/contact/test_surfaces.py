@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.contact.surface import CONE, CYLINDER, PLANE, SPHERE, TORUS, distance
 from pitchpoint.contact.triangle_search import (
-    MOST_PLACES,
+    MAX_PLACES,
     PLACE,
     nearest_place,
     points_of,
@@ -117,7 +117,7 @@ def test_a_point_is_inside_whatever_feature_is_nearest():
 def test_a_sphere_touches_once_per_side():
     surface = box((1.0, 1.0, 1.0), 3)
     packed = surface.packed()
-    places = np.zeros((MOST_PLACES, PLACE))
+    places = np.zeros((MAX_PLACES, PLACE))
     for y, n in (((0.0, 0.0, 0.55), 1), ((0.55, 0.0, 0.55), 1), ((0.55, 0.55, 0.55), 1)):
         assert sphere_places(packed.ctypes.data, np.array(y), 0.1, places) == n
     hollow = TriangleSurface(surface.vertices, surface.faces[:, ::-1]).packed()
@@ -129,7 +129,7 @@ def test_finer_triangles_do_not_multiply_the_places():
     for times in (1, 2, 3):
         surface = ball(0.3, times)
         hollow = TriangleSurface(surface.vertices, surface.faces[:, ::-1]).packed()
-        places = np.zeros((MOST_PLACES, PLACE))
+        places = np.zeros((MAX_PLACES, PLACE))
         assert sphere_places(hollow.ctypes.data, np.array([0.1, 0.0, 0.05]), 0.2, places) == 1
 
 

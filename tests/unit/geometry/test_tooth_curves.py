@@ -12,7 +12,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.mass_properties import section_integrals
 from pitchpoint.geometry.rack import BasicRack
-from pitchpoint.geometry.tooth_curves import MOST_DEGREE, bernstein, bezier_curves, pitch_curves, twist_curves
+from pitchpoint.geometry.tooth_curves import MAX_DEGREE, bernstein, bezier_curves, pitch_curves, twist_curves
 from pitchpoint.geometry.tooth_form import tooth_form, tooth_profile
 from pitchpoint.geometry.tooth_outline import outline_from_tooth
 
@@ -53,7 +53,7 @@ def test_area_and_polar_moment_are_those_of_the_exact_tooth(gear):
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6])
 def test_points_of_the_profile_lie_on_the_curves(gear, tolerance):
     curves = pitch_curves(gear, tolerance)
-    assert max(c.size for c in curves) <= MOST_DEGREE + 1
+    assert max(c.size for c in curves) <= MAX_DEGREE + 1
     line = points(curves, 400)
     line = np.append(line, line * np.exp(2j * math.pi / abs(gear.z)))  # the profile ends amid the next root
     xy = tooth_profile(gear, 60).points

@@ -10,7 +10,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.solid import gear_solid
 from pitchpoint.geometry.triangle_file import (
-    MOST_TRIANGLES,
+    MAX_TRIANGLES,
     Triangles,
     placed_triangles,
     read_triangles,
@@ -81,7 +81,7 @@ SLIVER = np.concatenate([BOX, [[[-15, -10, -5], [0, -10, -5], [15, -10, -5]]]])
 POINT = np.concatenate([BOX, [[[-15, -10, -5], [-15, -10, -5], [0, -10, -5]]]])
 FAULTS = {
     "nothing": (triangles(np.zeros((0, 3, 3))), {}, "has no triangles"),
-    "too many": (triangles(np.zeros((MOST_TRIANGLES + 1, 3, 3))), {}, "are too many"),
+    "too many": (triangles(np.zeros((MAX_TRIANGLES + 1, 3, 3))), {}, "are too many"),
     "not a number": (triangles(moved((3, 1), np.nan)), {}, "the first is number 4"),
     "metres instead of millimetres": (triangles(1e-3 * BOX), {}, "is an unlikely size"),
     "millimetres taken as metres": (triangles(10.0 * BOX), {"unit": 1.0}, "is an unlikely size"),

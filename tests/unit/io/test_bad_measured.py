@@ -200,7 +200,7 @@ def test_packed_arrays_are_bounded_by_their_declared_size(tmp_path, monkeypatch)
     path = tmp_path / "zeros.mat"
     packed_zeros(path, 1_000_000)
     assert read_measured(path, sample_rate=1.0)["x"].size == 1_000_000
-    monkeypatch.setattr("pitchpoint.io.measured.mat.MOST_BYTES", 3_000_000)
+    monkeypatch.setattr("pitchpoint.io.measured.mat.MAX_BYTES", 3_000_000)
     assert "1 million samples are chosen at once (limit 0 million)" in refusal(path, sample_rate=1.0)
     packed_zeros(path, 40_000_000)
     assert path.stat().st_size < 50_000

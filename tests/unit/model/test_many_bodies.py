@@ -11,7 +11,7 @@ import pytest
 from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.io.container import Header
 from pitchpoint.io.container import ResultError as TooMany
-from pitchpoint.io.writing import MOST_CHANNELS, Channel, ResultWriter
+from pitchpoint.io.writing import MAX_CHANNELS, Channel, ResultWriter
 from pitchpoint.model.checks.mobility import alone, tree_of, yielding
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.remarks.collect import warn_of_remarks
@@ -222,7 +222,7 @@ def test_a_chain_of_too_many_joints_is_refused_with_the_number_and_the_remedy():
 
 def test_a_run_of_too_many_channels_is_refused_before_its_file_is_made(tmp_path):
     target = tmp_path / "run.h5"
-    channels = [Channel(f"speed[b{k}]", "rad/s") for k in range(MOST_CHANNELS + 1)]
+    channels = [Channel(f"speed[b{k}]", "rad/s") for k in range(MAX_CHANNELS + 1)]
     with pytest.raises(
         TooMany,
         match=r"run\.h5: the run has 6001 channels, .*limit 6000\); choose which to store: channels: ",
@@ -268,6 +268,6 @@ def test_independent_trains_go_through_their_mesh_cycles_together(monkeypatch):
 
 
 def test_matrices_of_gigabytes_are_refused_with_their_size(monkeypatch):
-    monkeypatch.setattr("pitchpoint.solvers.linear_system.MOST_COORDINATES", 11)
+    monkeypatch.setattr("pitchpoint.solvers.linear_system.MAX_COORDINATES", 11)
     with pytest.raises(CompileError, match=r"has 12 coordinates, .* 1\.2e-06 GB \(limit 11 coordin"):
         find_modes(compile_model(model_of(free_bodies(2))))

@@ -200,7 +200,7 @@ def test_numpy_archives_that_are_wrong(tmp_path, monkeypatch):
     np.savez(file, K=np.eye(6), M=np.eye(6), places=np.array(["a"]))
     with pytest.raises(ModelError, match="does not contain real numbers"):
         read_npz(file)
-    monkeypatch.setattr(fe_matrices, "MOST_BYTES", 100)
+    monkeypatch.setattr(fe_matrices, "MAX_BYTES", 100)
     np.savez_compressed(file, K=np.zeros((50, 50)))
     with pytest.raises(ModelError, match="limit 100"):
         read_npz(file)

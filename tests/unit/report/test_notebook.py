@@ -185,7 +185,7 @@ def test_bevel_gears_and_their_pairs_show_tables() -> None:
 
 
 def test_a_scene_that_is_too_large_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(notebook, "MOST_BYTES", 100_000)
+    monkeypatch.setattr(notebook, "MAX_BYTES", 100_000)
     text = model_html(loads_model(SHORT))
     assert "<iframe" not in text and "pitchpoint view" in text
 

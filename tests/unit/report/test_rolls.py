@@ -202,7 +202,7 @@ def test_rolls_of_large_machines_have_fewer_points_and_the_page_says_which(monke
 
 
 def test_of_many_meshes_only_the_first_ones_are_rolled_and_the_page_says_so(monkeypatch) -> None:
-    monkeypatch.setattr("pitchpoint.report.rolls.MOST_MESHES", 1)
+    monkeypatch.setattr("pitchpoint.report.rolls.MAX_MESHES", 1)
     found, notes = collect(train(middle=(57, 19)), [], silent)
     assert found.mesh_cycles["first"].errors and not found.mesh_cycles["second"].errors
     assert (

@@ -14,7 +14,7 @@ from pitchpoint.core.errors import MissingDependencyError
 from pitchpoint.geometry.solid_mass import solid_of_triangles
 from pitchpoint.geometry.step_triangles import step_triangles
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.report.scene.cad_files import MOST, fewer_triangles
+from pitchpoint.report.scene.cad_files import MAX_TRIANGLES, fewer_triangles
 from pitchpoint.report.scene.rest import rest_scene
 from pitchpoint.report.scene.shapes import turned_profile
 from pitchpoint.viz.scene.file import scene_texts
@@ -56,13 +56,13 @@ def test_fewer_triangles_are_the_same_body():
 def test_a_solid_of_too_many_triangles_is_drawn_coarser_in_its_place(tmp_path: Path):
     points, triangles = ball(0.1, 110, 250)
     points = points + np.array([0.0, 0.0, 0.3])
-    assert len(triangles) > MOST
+    assert len(triangles) > MAX_TRIANGLES
     np.save(tmp_path / "ball.npy", points[triangles])
     model = tmp_path / "model.yaml"
     model.write_text(MODEL.format(solid="file: ball.npy, unit: 1 m"), encoding="utf-8")
     found = Seen(*scene_texts(rest_scene(load_model(str(model)))))
     part = found.solid("part")
-    assert 0.3 * MOST < len(found.array(part["triangles"])) <= MOST
+    assert 0.3 * MAX_TRIANGLES < len(found.array(part["triangles"])) <= MAX_TRIANGLES
     middle = found.array(part["points"]).mean(axis=0)
     assert np.abs(middle - [0.0, 0.0, 0.3]).max() < 1e-3
 

@@ -13,7 +13,7 @@ import xarray as xr
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.components.tooth_faults import RootCrack
-from pitchpoint.report.scene.marks import MOST, contact_marks, fault_marks, scene_marks, tooth_in_mesh
+from pitchpoint.report.scene.marks import MAX_MARKS, contact_marks, fault_marks, scene_marks, tooth_in_mesh
 from pitchpoint.viz.scene.contacts import ContactFlank, FlankSurface, SceneContact
 from tests.support.scene_models import PAIR, seen
 
@@ -114,7 +114,7 @@ def test_of_many_impacts_the_strongest_are_kept():
     rattle = 40e-6 * (0.6 + 0.4 * time) * np.sin(2 * math.pi * 200.0 * time)
     marks, notes = scene_marks(MODEL, result(time, rattle), [contact(0.001 * time)], time)
     impacts = [mark for mark in marks if mark.kind == "impact"]
-    assert len(impacts) == MOST
+    assert len(impacts) == MAX_MARKS
     assert min(mark.time for mark in impacts) > 0.7, "later ones are faster"
     assert any("marks of impact" in note and "strongest" in note for note in notes)
     assert [mark.time for mark in marks] == sorted(mark.time for mark in marks)

@@ -20,7 +20,7 @@ from tests.support.scene_reader import Seen
 
 PAIRS, SAMPLES, RATE = 5, 19_991, 500.0
 SPEED, RATIO = 150.0, 23 / 41
-MOST = 3e6
+MAX_BYTES = 3e6
 
 GEARS = """\
   a{k}: {{number_of_teeth: 23, normal_module: {m} mm, helix_angle: 15 deg, hand: left, face_width: 30 mm, profile_shift_coefficient: 0.2}}
@@ -98,7 +98,7 @@ def test_ten_gears_with_2000_frames_take_less_than_3_megabytes(long):
     assert sum(arrow["kind"] == "bearing" for arrow in header["arrows"]) == 4 * PAIRS
     for contact in header["contacts"]:
         assert np.any(read.array(contact["flanks"][0]["forces"]))
-    assert len(scene_page(scene).encode()) < MOST
+    assert len(scene_page(scene).encode()) < MAX_BYTES
 
 
 def near(read: np.ndarray, truth: np.ndarray, error: float) -> None:

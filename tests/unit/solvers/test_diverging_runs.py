@@ -31,7 +31,7 @@ from tests.unit.solvers.test_time_loops import oscillator
 EXAMPLES = Path(__file__).parents[3] / "examples"
 METHODS = ("generalized_alpha", "rk4", "adams", "runge_kutta", "gstiff", "wstiff", "dassl", "constant_bdf")
 FACTORS = (3, 10, 30, 100, 300, 1000)
-MOST_STEPS = 400
+MAX_STEPS = 400
 PATIENCE = 3.0
 """Processor time after which a run is asked to stop [s]."""
 
@@ -49,7 +49,7 @@ def machine(file, name):
     return system, scenario, step
 
 
-def ending(file, name, method, step, most=MOST_STEPS):
+def ending(file, name, method, step, most=MAX_STEPS):
     """How a run of so many steps ends: status, sentence, whether all that it keeps are proper numbers."""
     system, scenario, _ = machine(file, name)
     chosen = replace(

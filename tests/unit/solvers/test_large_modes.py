@@ -48,7 +48,7 @@ def sparse_ways(monkeypatch):
     """A switch: systems of any size are taken as large from now on."""
 
     def switch():
-        for name, value in (("MOST_MODES", 1), ("SPARSE", 2.0)):
+        for name, value in (("MAX_MODES", 1), ("SPARSE", 2.0)):
             monkeypatch.setattr(linear_system, name, value)
         monkeypatch.setattr(free_directions, "LARGE", 1)
         monkeypatch.setattr(frequency_response, "LARGE", 1)

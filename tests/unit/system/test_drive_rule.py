@@ -47,7 +47,7 @@ def test_a_jump_is_refused_with_its_time():
 
 
 def test_what_no_pieces_can_hold_is_refused(monkeypatch):
-    monkeypatch.setattr(speed_profile, "MOST_PIECES", 10_000)
+    monkeypatch.setattr(speed_profile, "MAX_PIECES", 10_000)
     with pytest.raises(CompileError, match="shorter duration, or the speed as a table"):
         pieces_of(FormulaLaw("100 + 10*sin(2*pi*1000*t)"), 20.0)
 

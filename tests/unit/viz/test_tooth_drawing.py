@@ -19,7 +19,7 @@ from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.geometry.outline_distance import gear_line
 from pitchpoint.geometry.tooth_form import tooth_profile
-from pitchpoint.viz.gear_drawing import FEWEST, active_diameters, mesh_zone_svg, points_for
+from pitchpoint.viz.gear_drawing import MIN_POINTS, active_diameters, mesh_zone_svg, points_for
 from pitchpoint.viz.labels import spread
 from pitchpoint.viz.tooth_drawing import STEP, tooth_svg
 from tests.support.cli_files import ISO_EX1, written
@@ -121,7 +121,7 @@ def test_chords_of_drawings_stay_within_their_distance(gear: CylindricalGear) ->
         n = points_for(gear, chord)
         off = np.abs(gear_line(gear, n).nearest(fine[:, 0] + 1j * fine[:, 1]).distance).max()
         assert off <= chord
-        assert n == FEWEST or off > 0.4 * chord
+        assert n == MIN_POINTS or off > 0.4 * chord
 
 
 def test_preview_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

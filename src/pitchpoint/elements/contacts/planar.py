@@ -24,7 +24,7 @@ from pitchpoint.elements.contacts.wrench import act, begin, finish, moved, put, 
 from pitchpoint.multibody.channels import F8, frame_args
 from pitchpoint.multibody.vectors import column, cross, dot, plus, triple
 
-LEAST_COSINE = 0.1
+MIN_COSINE = 0.1
 """Minimum cosine between the planes of two curves; at larger tilt the curve of i is seen edge-on."""
 
 
@@ -114,7 +114,7 @@ def planar_contact(rec, ctl, fr, kk):
         begin(b, f, g)
         if b["form_i"] == SPHERE:
             _without_axes(b)
-        elif not b["M"][2, 2] > LEAST_COSINE:
+        elif not b["M"][2, 2] > MIN_COSINE:
             c["bad"] = e
             return REFUSED
         A = view(b["pool"] + 8 * b["start_i"], (b["rows_i"], WIDTH), F8)

@@ -14,14 +14,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.contact.curve import Curve
-from pitchpoint.contact.curve_pair import HIT, MOST
+from pitchpoint.contact.curve_pair import HIT, MAX_CONTACTS
 from pitchpoint.contact.impact import CONTACT_LAW
 from pitchpoint.contact.surface import TRIANGLES
-from pitchpoint.contact.triangle_search import MOST_PLACES, PLACE
+from pitchpoint.contact.triangle_search import MAX_PLACES, PLACE
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.elements.signal import Pool
 
-MOST_STATIONS = 8
+MAX_STATIONS = 8
 """Maximum number of points along a contact line."""
 
 RECORD = np.dtype(
@@ -44,7 +44,7 @@ RECORD = np.dtype(
         ("margin", "f8"),  # maximum gap that is searched and reported [m]
         ("length", "f8"),  # reference length of the contact line for the law [m]
         ("stations", "i8"),  # Gauss points along the contact line; 0: no line contact
-        ("along", "f8", (MOST_STATIONS, 2)),  # their positions from 0 to 1, and weights
+        ("along", "f8", (MAX_STATIONS, 2)),  # their positions from 0 to 1, and weights
         ("ev", "i8"),
         ("pool", "i8"),
         ("start_i", "i8"),  # curve or triangles of body i in the pool
@@ -58,14 +58,14 @@ RECORD = np.dtype(
         ("M", "f8", (3, 3)),  # axes of marker i in those of marker j
         ("d", "f8", 3),  # position of marker i relative to marker j, axes of j
         ("reach", "f8", 7),
-        ("hits", "f8", (MOST, HIT)),
+        ("hits", "f8", (MAX_CONTACTS, HIT)),
         ("Q", "f8", 3),
         ("n", "f8", 3),
         ("y", "f8", 3),  # a point in axes of the marker of a surface
         ("V", "f8", (3, 3)),  # Hessian of the distance there, in axes of the marker
         ("W", "f8", (3, 3)),  # the same in world axes
         ("hit", "f8", PLACE),  # contact point on triangles
-        ("touching", "f8", (MOST_PLACES, PLACE)),
+        ("touching", "f8", (MAX_PLACES, PLACE)),
         ("dQ", "f8", (3, 12)),  # derivatives of Q and n for the motions of bodies i and j
         ("dn", "f8", (3, 12)),
         ("h", "f8"),  # gap [m]

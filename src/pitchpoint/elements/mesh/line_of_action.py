@@ -24,7 +24,7 @@ from pitchpoint.multibody.channels import F8
 
 FARTHEST = 2.0**40
 """Travel in base pitches above which tooth pairs are not counted: the solution has diverged."""
-MOST_PAIRS = 1e4
+MAX_PAIRS = 1e4
 """Length of the path of contact in base pitches above which the solution is invalid."""
 
 
@@ -131,7 +131,7 @@ def countable(u, travel, pitch, eps):
     eps
         Length of the path of contact in pitches [-].
     """
-    if abs(u) + abs(travel) < FARTHEST * pitch and abs(eps) < MOST_PAIRS:
+    if abs(u) + abs(travel) < FARTHEST * pitch and abs(eps) < MAX_PAIRS:
         return OK
     return UNBOUNDED
 

@@ -28,7 +28,7 @@ _NAMES = [name for name, _ in EVENTS]
 _FRONT = 8 * _NAMES.index("pair_entry")
 _BACK = 8 * _NAMES.index("back_pair_entry")
 
-_LEAST = 1e-15
+_MIN_DISTANCE = 1e-15
 """Minimum magnitude [m] of a contact event function, so that its sign is defined."""
 _AWAY = 10.0
 """Offset of the event functions of the flank farther from contact: suppresses their sign changes."""
@@ -110,7 +110,7 @@ def add_friction_torques(b, n_out, f, g):
 @kernel
 def contact_event(distance, force):
     """Contact event function from a distance [m]: positive if the flank has a force, else negative."""
-    return max(distance, _LEAST) if force > 0.0 else min(distance, -_LEAST)
+    return max(distance, _MIN_DISTANCE) if force > 0.0 else min(distance, -_MIN_DISTANCE)
 
 
 @kernel

@@ -19,7 +19,7 @@ import math
 
 from pitchpoint.contact.elastic import series_overlap
 from pitchpoint.contact.flank_law import flank_energy
-from pitchpoint.contact.lift_off import MOST_STEPS, narrowed, secant
+from pitchpoint.contact.lift_off import MAX_STEPS, narrowed, secant
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate, pair_table, pair_table_rate
 from pitchpoint.core.kernel import call, kernel, view
 from pitchpoint.core.status import OK
@@ -40,7 +40,7 @@ from pitchpoint.elements.mesh.record import N_OUT, RECORD
 from pitchpoint.elements.mesh.sums import add_node
 from pitchpoint.multibody.channels import F8
 
-MOST_SPLIT = 64
+MAX_SPLIT = 64
 """Maximum number of table points at which contact lines are split (three nodes per point on a line). The
 table of `energy` has 129 smooth points; without splitting its stiffness error is below 3.4e-5 of the mean."""
 
@@ -122,7 +122,7 @@ def _edge(b, what, p_0, x_q, a, c, f_a, f_c):
     bracket = (a, c, f_a, f_c, 0)
     small = 1e-14 * (abs(f_a) + abs(f_c))
     z = c
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         z = secant(bracket)
         f = _over(b, what, p_0, x_q, z)
         if abs(f) <= small:
@@ -218,7 +218,7 @@ def exact_line(b, watch, p_0, x_q, deviating):
             z_4 = (-now["xi_A"] / b["p_bt"] - p_0) / lam
         a = max(a, min(u, v))
         end = min(end, max(u, v))
-        split = b["n_table"] > 2 and b["n_table"] <= MOST_SPLIT
+        split = b["n_table"] > 2 and b["n_table"] <= MAX_SPLIT
     elif p_0 < 0.0 or p_0 > eps:
         return 0.0
     if now["tilt"] != 0.0:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.geometry.bevel.blank import BevelBlank, bevel_blank
 from pitchpoint.geometry.bevel.tooth import at_cone, bevel_tooth, placed
-from pitchpoint.geometry.gear_sector import DENSE, MOST_SLICES, ROUND, Pieces, Sector, thinned
+from pitchpoint.geometry.gear_sector import DENSE, MAX_SLICES, ROUND, Pieces, Sector, thinned
 from pitchpoint.geometry.triangle_file import join_corners
 
 if TYPE_CHECKING:
@@ -125,7 +125,7 @@ def bevel_outline(
     return BevelOutline(region, cones, np.concatenate(parts))
 
 
-def bevel_slices(gear: BevelGear, error: float, most: int = MOST_SLICES) -> FloatArray:
+def bevel_slices(gear: BevelGear, error: float, most: int = MAX_SLICES) -> FloatArray:
     """Cone distances [m] of the slices of a tooth, from R_i to R_e, shape (n,).
 
     Parameters

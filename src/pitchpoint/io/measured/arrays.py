@@ -29,10 +29,10 @@ from pitchpoint.io.measured.record import (
     refused,
 )
 
-MOST_BYTES = 1_000_000_000
+MAX_BYTES = 1_000_000_000
 """Size of the unpacked arrays of one file, and of the chosen ones in double precision [bytes]: 18 MB of
 packed zeros may become a thousand times as much."""
-_MOST_COLUMNS = 4096
+_MAX_COLUMNS = 4096
 _TEXT = 200
 
 
@@ -225,7 +225,7 @@ def _split(found: Found, length: int | None) -> list[tuple[str, Any]]:
     n, m = found.extent
     rows = (n == length) if length in (n, m) else n > m
     count = m if rows else n
-    if count > _MOST_COLUMNS:
+    if count > _MAX_COLUMNS:
         return []
     return [(f"{found.name}[{k}]", (slice(None), k) if rows else k) for k in range(count)]
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from pitchpoint.core.child import python_command, python_environment
 from pitchpoint.io.container import FORMAT
-from pitchpoint.io.measured.arrays import MOST_BYTES, Arrays, Found, stated_rate
+from pitchpoint.io.measured.arrays import MAX_BYTES, Arrays, Found, stated_rate
 from pitchpoint.io.measured.record import (
     RATE_NAMES,
     STEP_NAMES,
@@ -33,7 +33,7 @@ from pitchpoint.io.unmarked_file import DAMAGE
 if TYPE_CHECKING:
     import h5py
 
-_MOST_OBJECTS = 20_000
+_MAX_OBJECTS = 20_000
 _PACKED = 1100
 """Maximum compression ratio of an array (deflate: 1032)."""
 _SMALL = 1 << 24
@@ -94,7 +94,7 @@ def read_hdf5(path: Path, wanted: Wanted) -> Record:
     try:
         with h5py.File(path, "r") as file:
             matlab = file.userblock_size > 0
-            most = max(MOST_BYTES, _WIDEST * path.stat().st_size) // _WIDEST
+            most = max(MAX_BYTES, _WIDEST * path.stat().st_size) // _WIDEST
             found = Arrays(path, "MAT 7.3" if matlab else "HDF5", most)
             for name, value in _attributes(file).items():
                 _take_attribute(found, name, value)
@@ -116,13 +116,13 @@ def _datasets(path: Path, file: h5py.File) -> Iterator[tuple[str, h5py.Dataset]]
     while stack:
         prefix, group = stack.pop(0)
         for key in group:
-            if len(seen) > _MOST_OBJECTS:
+            if len(seen) > _MAX_OBJECTS:
                 raise refused(
                     path,
                     "",
                     f"{len(seen)} objects",
                     "are too many",
-                    f"{_MOST_OBJECTS}",
+                    f"{_MAX_OBJECTS}",
                     "export the channels",
                 )
             if key.startswith("#") or not isinstance(group.get(key, getlink=True), h5py.HardLink):

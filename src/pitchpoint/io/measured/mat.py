@@ -18,14 +18,14 @@ from pathlib import Path
 
 import numpy as np
 
-from pitchpoint.io.measured.arrays import MOST_BYTES, Arrays, Found
+from pitchpoint.io.measured.arrays import MAX_BYTES, Arrays, Found
 from pitchpoint.io.measured.record import MeasuredError, Record, Wanted, refused, truncated
 
 _MATRIX, _COMPRESSED = 14, 15
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
 _CELL, _STRUCT, _OBJECT, _CHAR, _SPARSE = 1, 2, 3, 4, 5
 _NUMERIC = range(6, 16)
-_MOST_PARTS = 10_000
+_MAX_PARTS = 10_000
 
 
 def read_mat5(path: Path, data: bytes, wanted: Wanted) -> Record:
@@ -35,12 +35,12 @@ def read_mat5(path: Path, data: bytes, wanted: Wanted) -> Record:
         raise refused(
             path, "byte 126", repr(mark), "is not a mark of byte order", "IM or MI", "save the file again"
         )
-    found = Arrays(path, "MAT", MOST_BYTES // 8)
+    found = Arrays(path, "MAT", MAX_BYTES // 8)
     order = "<" if mark == b"IM" else ">"
     unpacked = 0
     for kind, body in _elements(path, memoryview(data)[128:], order):
         if kind == _COMPRESSED:
-            content = _unpacked(path, body, order, MOST_BYTES - unpacked)
+            content = _unpacked(path, body, order, MAX_BYTES - unpacked)
             unpacked += len(content)
             for inner, part in _elements(path, memoryview(content), order):
                 if inner == _MATRIX:
@@ -57,7 +57,7 @@ def _unpacked(path: Path, packed: memoryview, order: str, room: int) -> bytes:
         tag = machine.decompress(packed, 8)
         size = int(np.frombuffer(tag, f"{order}u4", 1, 4)[0]) if len(tag) == 8 else 0
         if size > room:
-            raise _too_large(path, size + MOST_BYTES - room)
+            raise _too_large(path, size + MAX_BYTES - room)
         plain = tag + machine.decompress(machine.unconsumed_tail, size + 8)
     except zlib.error as error:
         raise _damaged(path, f"a packed array cannot be unpacked ({error})") from error
@@ -68,7 +68,7 @@ def _unpacked(path: Path, packed: memoryview, order: str, room: int) -> bytes:
 
 def _too_large(path: Path, size: int) -> MeasuredError:
     remedy = "export fewer or shorter channels"
-    limit = f"{MOST_BYTES / 1e6:.0f} MB"
+    limit = f"{MAX_BYTES / 1e6:.0f} MB"
     return refused(path, "", f"{size / 1e6:.0f} MB", "are what its arrays take unpacked", limit, remedy)
 
 
@@ -141,9 +141,9 @@ def _matrix(path: Path, data: memoryview, order: str, owner: str, found: Arrays,
 
 def _limited(path: Path, elements: Iterator[tuple[int, memoryview]]) -> Iterator[tuple[int, memoryview]]:
     for count, element in enumerate(elements):
-        if count > _MOST_PARTS:
+        if count > _MAX_PARTS:
             raise refused(
-                path, "", f"{count} parts", "are too many in one variable", f"{_MOST_PARTS}", "split it"
+                path, "", f"{count} parts", "are too many in one variable", f"{_MAX_PARTS}", "split it"
             )
         yield element
 

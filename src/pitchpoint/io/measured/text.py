@@ -45,7 +45,7 @@ _PROBE = 20
 """Number of rows used to distinguish numbers from text."""
 _CLOCK = 200
 """Number of rows used to find the resolution of a time axis."""
-_MOST_REMARKS = 1000
+_MAX_REMARKS = 1000
 _BLOCK = 1 << 23
 """Block size for reading [bytes]; a block requires about ten times as much memory."""
 
@@ -163,7 +163,7 @@ def _text(path: Path, data: bytes, code: str) -> _Text | None:
             return None
         lines = block.splitlines()
         blocks.append((begin, end, before))
-        if len(remarks) < _MOST_REMARKS and any(mark in block for mark in _REMARK):
+        if len(remarks) < _MAX_REMARKS and any(mark in block for mark in _REMARK):
             remarks += [(before + k, x) for k, x in enumerate(lines) if x.lstrip().startswith(_REMARK)]
         found = ((before + k, line) for k, line in enumerate(lines) if _is_row(line))
         head += itertools.islice(found, _PROBE + _CLOCK - len(head))
@@ -174,7 +174,7 @@ def _text(path: Path, data: bytes, code: str) -> _Text | None:
         raise refused(
             path, "", "no line", "holds numbers", "2 or more rows", "name the file that holds the record"
         )
-    return _Text(data, code, blocks, head, last, remarks[:_MOST_REMARKS])
+    return _Text(data, code, blocks, head, last, remarks[:_MAX_REMARKS])
 
 
 def _layout(path: Path, text: _Text) -> _Layout:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.parts import Parts
 
-MOST_TILT = math.radians(85.0)
+MAX_TILT = math.radians(85.0)
 """Maximum initial beta, well below the singularity of alpha and spin [rad]."""
 
 
@@ -32,12 +32,12 @@ def check_joints(parts: Parts, report: Reader) -> None:
         if joint.type in FUNCTIONS:
             _functions(joint, at, report)
         _friction(joint, at, report)
-        if joint.type in ("spherical", "free", "shaft") and abs(joint.start.get("beta", 0.0)) > MOST_TILT:
+        if joint.type in ("spherical", "free", "shaft") and abs(joint.start.get("beta", 0.0)) > MAX_TILT:
             report.problem(
                 (*at, "start", "beta"),
                 "is close to a right angle or above, where alpha and spin cannot be distinguished",
                 value=f"{math.degrees(joint.start['beta']):.6g} deg",
-                limit=f"<= {math.degrees(MOST_TILT):.6g} deg",
+                limit=f"<= {math.degrees(MAX_TILT):.6g} deg",
                 remedy="rotate the joint and its bodies by `axes` instead",
             )
         for key in ("start", "speed"):

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
     from pitchpoint.model.scenario import Scenario
 
-MOST_STEPS = 1e12
+MAX_STEPS = 1e12
 """Maximum number of steps of a run; more indicate a wrong time step or sampling rate."""
 
 
@@ -204,11 +204,11 @@ def _time(scenario: Scenario, at: Place, report: Reader) -> None:
         ("step", scenario.duration / scenario.step if scenario.step else 0.0),
         ("sample_rate", scenario.duration * (scenario.sample_rate or 0.0)),
     ):
-        if count > MOST_STEPS:
+        if count > MAX_STEPS:
             report.problem(
                 (*at, key),
                 f"gives {count:.2g} steps for the duration",
-                limit=f"<= {MOST_STEPS:g} steps",
+                limit=f"<= {MAX_STEPS:g} steps",
                 remedy=f"correct {key} or duration, or remove {key}",
             )
 

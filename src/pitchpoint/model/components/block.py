@@ -17,7 +17,7 @@ from pitchpoint.model.keys import choice, key, positive, quantities, quantity, t
 
 INPUT = "name of the input signal"
 UNIT = "unit of the signal in results"
-LEAST_AND_MOST = "minimum and maximum"
+MIN_AND_MAX = "minimum and maximum"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,7 +36,7 @@ class Limits:
 
     form: ClassVar[str] = "limits"
     input: str = text(INPUT)
-    limits: tuple[float, float] = key("values", LEAST_AND_MOST, length=(2, 2))
+    limits: tuple[float, float] = key("values", MIN_AND_MAX, length=(2, 2))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -117,7 +117,7 @@ class Pid:
     filter_time: float = quantity(
         "time", "time constant of the derivative filter, required with derivative", 0.0, minimum=0.0
     )
-    limits: tuple[float, float] | None = key("values", LEAST_AND_MOST, None, length=(2, 2), display="none")
+    limits: tuple[float, float] | None = key("values", MIN_AND_MAX, None, length=(2, 2), display="none")
     tracking_time: float | None = positive(
         "time", "tracking time constant of the anti-windup", None, display="from the gains"
     )

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pitchpoint.model.components.marker import Axes, Marker, Triple
 from pitchpoint.model.keys import boolean, component, integer, key, positive, quantities, quantity
 
-MOST_MODES = 30
+MAX_MODES = 30
 """Maximum number of modes of one elastic body."""
 
 
@@ -59,7 +59,7 @@ class ElasticBody:
         False,
     )
     modes: int | None = integer(
-        "number of modes, lowest first", None, minimum=1, maximum=MOST_MODES, one_of="count"
+        "number of modes, lowest first", None, minimum=1, maximum=MAX_MODES, one_of="count"
     )
     below: float | None = positive(
         "frequency", "instead of modes: all modes up to this frequency, at most 30", None, one_of="count"

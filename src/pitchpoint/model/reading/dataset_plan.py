@@ -20,7 +20,7 @@ from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import shown
 
 OWN = ("factors", "jitter")
-MOST_CASES = 10_000_000
+MAX_CASES = 10_000_000
 RESERVED = ("case", "file", "status", "status_code", "sentence", "seed", "steps")
 """Columns of every table of cases in addition to the labels."""
 _SHARE = Key("quantity", "standard deviation over the value", "dimensionless", minimum=0.0, maximum=1.0)
@@ -77,8 +77,8 @@ def read_plan(data: Any, reader: Reader, file: str | None = None) -> DatasetPlan
     if reader.problems:
         raise ModelError(in_order(reader.problems), file)
     plan = DatasetPlan(**values, file=file, lines=reader.lines, allow_code=reader.allow_code)
-    if len(plan) > MOST_CASES:
-        limit = f"at most {MOST_CASES}"
+    if len(plan) > MAX_CASES:
+        limit = f"at most {MAX_CASES}"
         raise ModelError([Message("factors", f"give {len(plan)} cases", None, limit, "split the plan")], file)
     return plan
 

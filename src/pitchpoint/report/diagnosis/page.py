@@ -13,7 +13,7 @@ from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.words import percent
 from pitchpoint.viz.report.page import Section, page
 
-MOST_CHANNELS = 3
+MAX_CHANNELS = 3
 NOT_HEALTHY = (
     "This does not prove that the machine is healthy: a fault below the detection limits given below is not "
     "detected. The plots show the evidence that is closest to a finding."
@@ -49,7 +49,7 @@ def shown_channels(study: Study) -> list[str]:
     """Channels with findings, the most certain first; without findings the channel closest to one."""
     found = dict.fromkeys(finding.channel for finding in study.diagnosis.findings)
     if found:
-        return list(found)[:MOST_CHANNELS]
+        return list(found)[:MAX_CHANNELS]
     evidence = study.diagnosis.evidence
     return [min(evidence, key=lambda e: (e.probability, e.threshold - e.value)).channel]
 

@@ -16,7 +16,7 @@ from pitchpoint.analysis.findings import Evidence
 from pitchpoint.analysis.indicators import signal_indicators
 from pitchpoint.analysis.line_tests import FineSpectrum, fine_spectrum
 from pitchpoint.analysis.sampled import SignalError
-from pitchpoint.analysis.shaft_tests import FEWEST_TURNS
+from pitchpoint.analysis.shaft_tests import MIN_TURNS
 from pitchpoint.analysis.turning_parts import Shaft
 from pitchpoint.report.diagnosis.study import Study
 from pitchpoint.report.diagnosis.tables import HARMONICS, indicator_tables
@@ -50,7 +50,7 @@ def add_channel(section: Section, study: Study, channel: str) -> None:
     )
     turns = [row for s in study.parts.shafts for row in gear_turns(channel, s.name, over, study.parts)]
     # an average of one or two turns still contains the vibration of all other shafts
-    rows = [row for row in turns if row.turn.averages >= FEWEST_TURNS]
+    rows = [row for row in turns if row.turn.averages >= MIN_TURNS]
     for evidence in questions(study, channel):
         for view in _views(study, spectrum, evidence):
             _add_orders(section, study, spectrum, study.parts.shaft(evidence.shaft), view, unit)

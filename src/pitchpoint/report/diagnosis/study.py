@@ -29,7 +29,7 @@ PREFERRED = (
     ("transmission_error", "mesh_force"),
 )
 """Quantities of result files tested by default: sensors first, then internal quantities."""
-MOST = 6
+MAX_LISTED = 6
 RESIDUE = 1e-6
 """Variation over that of another channel of the unit below which a simulated channel shows solver errors."""
 
@@ -234,7 +234,7 @@ def preferred(names: Sequence[str]) -> list[str]:
         found = [name for quantity in group for name in names if name.partition("[")[0] == quantity]
         if found:
             # spread over the list, because neighbours are often from one shaft
-            count = min(MOST, len(found))
+            count = min(MAX_LISTED, len(found))
             return [found[k * len(found) // count] for k in range(count)]
     return []
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.geometry.bevel.sector import bevel_outline, bevel_sector, bevel_slices
 from pitchpoint.model.components.tooth_faults import PitchError
-from pitchpoint.report.scene.gears import ERRORS, FINEST, MOST_POINTS
+from pitchpoint.report.scene.gears import ERRORS, FINEST, MAX_POINTS
 from pitchpoint.viz.scene.content import SceneLevel, ScenePiece, SceneSolid
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def _levels(
         outline = bevel_outline(
             shape,
             error,
-            None if asked is None else min(asked, MOST_POINTS),
+            None if asked is None else min(asked, MAX_POINTS),
             min(10.0 * error, coarse[-1]) if finest else error,
         )
         sector = bevel_sector(

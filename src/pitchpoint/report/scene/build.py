@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-MOST_FRAMES = 2000
+MAX_FRAMES = 2000
 NUMBERS = 8e5
 """Maximum count of numbers of all tracks: more bodies have fewer frames."""
 PIECES = (500, 200)
@@ -188,7 +188,7 @@ class _Record:
         if result is None:
             return cls(None, np.zeros(1, np.int64), np.zeros(1))
         time = np.asarray(result["time"].values, dtype=np.float64)
-        most = int(min(MOST_FRAMES, max(100.0, NUMBERS / (7.0 * bodies))))
+        most = int(min(MAX_FRAMES, max(100.0, NUMBERS / (7.0 * bodies))))
         step = max(1, -(-(time.size - 1) // (most - 1)))
         samples = np.arange(0, time.size, step)
         return cls(result, samples, time[samples])

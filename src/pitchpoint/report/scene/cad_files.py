@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
-MOST = 50_000
+MAX_TRIANGLES = 50_000
 """Maximum number of triangles of a solid: more make a page large and slow without visible benefit."""
 _CELLS, _COARSER = 512, 0.75
 """Initial number of grid cells along a solid for merging corners, and its reduction per attempt."""
 
 
-def surface_of(reference: SolidReference, most: int = MOST) -> tuple[Array, Indices]:
+def surface_of(reference: SolidReference, most: int = MAX_TRIANGLES) -> tuple[Array, Indices]:
     """Points [m] in the axes of the file, shape (n, 3), and triangles of the solid of a body.
 
     Parameters

@@ -20,7 +20,7 @@ from pitchpoint.model.sections import groups_of
 from pitchpoint.report.scene import shapes
 from pitchpoint.report.scene.places import placed_solid
 from pitchpoint.report.scene.schematics import BAR, bar, link, piston, stand_in, stretched
-from pitchpoint.report.scene.supports import LEAST, shaft_radius
+from pitchpoint.report.scene.supports import DEFAULT_RADIUS, shaft_radius
 from pitchpoint.viz.scene.content import SceneSolid
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
     place = place_of(at.model, part.ends[0])
     known = None if place is None else _radius(at.model, at, part.ends[0], place)
     # 0.1 % larger than the shaft, because coincident surfaces flicker
-    radius = max(1.001 * (known or LEAST * at.size), part.clearance)
+    radius = max(1.001 * (known or DEFAULT_RADIUS * at.size), part.clearance)
     bore = radius + 0.5 * part.clearance
     sides = _round(part.clearance, radius)
     rings = (shapes.disc(radius, 1.3 * radius, 0.0, sides), shapes.disc(BUSH * bore, radius, bore, sides))
@@ -108,7 +108,7 @@ def _bushing(at: Places, name: str, part: Any) -> list[SceneSolid]:
     marks = [other if end == GROUND else end for end, other in zip(ends, ends[::-1], strict=True)]
     places = [place_of(model, end) for end in marks]
     known = [_radius(model, at, m, p) for m, p in zip(marks, places, strict=True) if p is not None]
-    radius = max(LEAST * at.size, *(r or 0.0 for r in known))
+    radius = max(DEFAULT_RADIUS * at.size, *(r or 0.0 for r in known))
     rings = {
         "sleeve": shapes.disc(1.3 * radius, 2.2 * radius, 1.002 * radius, 32),
         "ring": shapes.disc(2.0 * radius, 1.6 * radius, 1.35 * radius, 32),

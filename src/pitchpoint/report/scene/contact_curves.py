@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 Part = tuple[str, str, shapes.Surface]
 """Name of a solid, its end (BODY or BODY.MARKER), and its surface in the frame of the end."""
 
-POINTS, MOST = 6, 96
+POINTS, MAX_POINTS = 6, 96
 """Minimum number of points of a segment of a curve, and of a whole curve."""
 
 
@@ -76,7 +76,7 @@ def curve_points(curve: Curve) -> tuple[Array, bool]:
     """Points along a curve, shape (n, 2) [m], and whether it is closed."""
     from pitchpoint.contact.curve_point import point_of
 
-    share = np.linspace(0.0, 1.0, max(POINTS, MOST // len(curve.rows)) + 1)
+    share = np.linspace(0.0, 1.0, max(POINTS, MAX_POINTS // len(curve.rows)) + 1)
     rows = np.ascontiguousarray(curve.rows)
     line = np.array([point_of(rows, k, t)[:2] for k in range(len(rows)) for t in share])
     # adjacent segments share a point

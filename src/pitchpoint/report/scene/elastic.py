@@ -27,7 +27,7 @@ Read = Callable[[str], "Array | None"]
 
 RINGS = 4
 """Number of rings of corners along every segment of a beam."""
-MOST_NODES = 300
+MAX_NODES = 300
 BAR = 0.008
 """Half width of the bars between nodes, relative to the size of the machine."""
 
@@ -108,7 +108,7 @@ def _nodes(model: Model, name: str, at: Places, read: Read) -> SceneSolid:
     from pitchpoint.system.rules.elastic_body import file_nodes
 
     places, shape = file_nodes(model, name)
-    kept = np.arange(0, len(places), -(-len(places) // MOST_NODES))
+    kept = np.arange(0, len(places), -(-len(places) // MAX_NODES))
     places, shape = places[kept], shape[kept]
     # a length of zero would not define an edge
     edges = np.argwhere(minimum_spanning_tree(cdist(places, places) + 1e-9).toarray())

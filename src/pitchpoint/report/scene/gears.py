@@ -47,7 +47,7 @@ DAMAGED = (24, 48)
 """Maximum points of a damaged flank and slices of a damaged tooth, coarse and fine."""
 NOTHING = 1e-9
 """Gaps below this are not drawn [m]."""
-MOST_POINTS = 400
+MAX_POINTS = 400
 """Maximum number of points of a flank per slice."""
 
 
@@ -174,7 +174,7 @@ class _Teeth:
     def _resolution(self) -> int | None:
         """Points of a flank requested by the model, limited by the page size."""
         asked = self.gear.drawing_resolution
-        return None if asked is None else min(asked, MOST_POINTS)
+        return None if asked is None else min(asked, MAX_POINTS)
 
     def _grid(self, layer: int, flank: int, tooth: int) -> Array | None:
         """Grid of a flank in a layer."""

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Span = tuple[float, float]
 
-MOST = 100
+MAX_MARKS = 100
 """Maximum number of marks of one kind in one mesh; the longest or strongest are retained."""
 SEEN = 0.25
 """Maximum tooth pairs per sample interval at which events between samples are detected."""
@@ -58,12 +58,12 @@ def scene_marks(
         found = [*contact_marks(result, contact, time), *fault_marks(model, contact, frames)]
         for kind in dict.fromkeys(mark.kind for mark, _ in found):
             same = sorted((one for one in found if one[0].kind == kind), key=lambda one: -one[1])
-            marks += [mark for mark, _ in same[:MOST]]
-            if len(same) > MOST:
+            marks += [mark for mark, _ in same[:MAX_MARKS]]
+            if len(same) > MAX_MARKS:
                 size = "strongest" if kind == "impact" else "longest"
                 words = kind.replace("_", " ")
                 notes.append(
-                    f"mesh {contact.name}: {len(same)} marks of {words}; the {MOST} {size} are shown"
+                    f"mesh {contact.name}: {len(same)} marks of {words}; the {MAX_MARKS} {size} are shown"
                 )
         passing = _passing(contact, frames)
         if passing * _step(time) > SEEN:

@@ -35,14 +35,14 @@ QUANTITIES = (
     "speed",
 )
 """Quantities with spectra, the main ones first."""
-MOST = 12
+MAX_LINES = 12
 MAPS = 4
 """Maximum number of channels with spectra, and of those with maps over time."""
 LINES, MAP_LINES, PIECES = 1500, 256, 160
 """Maximum numbers of lines of a spectrum and of a map (reduced by group maxima), and of segments of a map."""
 ROUND_OFF = 1e-9
 """Relative variation up to which a channel counts as constant."""
-FEWEST = 64
+MIN_SAMPLES = 64
 """Minimum number of samples for a spectrum."""
 ORDERS = 4.5
 """Maximum order in numbers of teeth of the first gear: four mesh harmonics."""
@@ -77,7 +77,7 @@ def scene_spectra(
         Settling time omitted from spectra [s]; maps include it.
     """
     time = np.asarray(result["time"].values, dtype=np.float64)
-    if time.size < FEWEST:
+    if time.size < MIN_SAMPLES:
         return [], []
     inside = settled_part(time, settle_time)
     spectra: list[SceneSpectrum] = []
@@ -106,7 +106,7 @@ def _chosen(result: xr.Dataset, inside: NDArray[np.bool_]) -> list[str]:
         same = {n: values for n, values in same.items() if np.isfinite(values).all()}
         largest = max((float(np.abs(values).max()) for values in same.values()), default=0.0)
         found += [n for n, values in same.items() if np.ptp(values[inside]) > ROUND_OFF * largest]
-    return found[:MOST]
+    return found[:MAX_LINES]
 
 
 def _owner(channel: str) -> str:

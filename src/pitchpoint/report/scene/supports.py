@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 SPINDLE = 0.35
 """Radius of a spindle, relative to the smallest root radius on it."""
-LEAST = 0.02
+DEFAULT_RADIUS = 0.02
 """Radius of the rotating part in a bearing if unknown, relative to the size of the machine."""
 INNER, OUTER = (1.0, 1.3), (1.5, 1.85)
 """Radii of both rings relative to that of the shaft."""
@@ -77,7 +77,7 @@ def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
     for name, part in model.bearings.items():
         if part.body not in model.bodies:
             continue
-        radius = shaft_radius(model, part.body, part.position[2]) or LEAST * at.size
+        radius = shaft_radius(model, part.body, part.position[2]) or DEFAULT_RADIUS * at.size
         for z in ring_places(model, name):
             for word, (low, high) in (("inner", INNER), ("outer", OUTER)):
                 seat = at.own(part.body, (0.0, 0.0, z))
@@ -122,7 +122,7 @@ def _carrier(model: Model, at: Places, name: str, pins: list[tuple[Joint, Array]
             half = 0.5 * model.gears[gear].face_width
             low.append(place[2] + middle - half)
             high.append(place[2] + middle + half)
-        radius = spindle_radius(model, planet) or LEAST * at.size
+        radius = spindle_radius(model, planet) or DEFAULT_RADIUS * at.size
         reach.append((float(np.hypot(place[0], place[1])), radius, place))
     thick = 0.25 * (max(high) - min(low))
     bottom = min(low) - 0.3 * thick
@@ -196,7 +196,9 @@ def _frame(model: Model, at: Places, name: str, parts: list[tuple[str, Array]]) 
     corners = []
     for body, place in parts:
         axis = at.world(body)[1][:, 2]
-        radius = shaft_radius(model, body, float((place - at.origin(body)) @ axis)) or LEAST * at.size
+        radius = (
+            shaft_radius(model, body, float((place - at.origin(body)) @ axis)) or DEFAULT_RADIUS * at.size
+        )
         corners.append(_reach(place, axis, OUTER[1] * radius, 0.5 * WIDE * radius))
         for gear in seated(model, body).values():
             middle = at.world(body, (0.0, 0.0, gear.middle))[0]

@@ -24,7 +24,7 @@ from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
-MOST_STEPS = 60
+MAX_STEPS = 60
 CLOSED = 2e-15
 """Largest residual of a closed row, relative to its coordinates [m/m, rad/rad]."""
 OPEN = 1e-8
@@ -33,7 +33,7 @@ REDUNDANT = 1e-9
 """Singular value over the largest below which rows count as redundant."""
 STIFF = 1e4
 """Weight of modal coordinates of elastic bodies: loops are closed by rigid motion if possible."""
-MOST_TURN = 0.3
+MAX_TURN = 0.3
 """Largest step of an angle [rad]: the rows are too nonlinear beyond it."""
 
 
@@ -145,7 +145,7 @@ def _walk(system: System, state: State, keep: Collection[int]) -> None:
     of the design position is retained.
     """
     kept = np.fromiter(keep, int, len(keep))
-    turns = np.abs(state.q[kept]) / MOST_TURN
+    turns = np.abs(state.q[kept]) / MAX_TURN
     count = int(np.ceil(turns.max(initial=0.0)))
     if count <= 1:
         return
@@ -184,7 +184,7 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
     turning = system.weight[free] != 1.0
     weight = _reluctance(system)[free]
     last = np.inf
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         G = _rows(system, state)[0][chosen]
         g = system.workspace.g[chosen].copy()
         size = float(np.abs(g).max())
@@ -196,7 +196,7 @@ def _close(system: System, state: State, keep: Collection[int], rows: list[int] 
             return  # limited by rounding or a double root
         last = size
         longest = float(np.abs(step[turning]).max(initial=0.0))
-        state.q[free] += step * min(1.0, MOST_TURN / longest if longest > 0.0 else 1.0)
+        state.q[free] += step * min(1.0, MAX_TURN / longest if longest > 0.0 else 1.0)
     evaluate.residual(system, state)
     if np.abs(system.workspace.g[chosen]).max() <= OPEN:
         return

@@ -25,7 +25,7 @@ from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
-MOST_STEPS = 300
+MAX_STEPS = 300
 FIRST = 1e2
 """Mass factor 1/tau^2 of the first step [1/s^2]."""
 LONGEST = 0.3
@@ -81,7 +81,7 @@ def rest_of_mechanism(system: System, state: State, kept: tuple[int, ...], toler
     holds = loop_rows(system)
     here = _closed(system, state, kept, drawn=True)
     mu = FIRST
-    for count in range(MOST_STEPS):
+    for count in range(MAX_STEPS):
         G, R, acting = _balanced(system, here, free, holds)
         Z = _directions(G[:, free], system.weight[free])
         left = Z.T @ R[free]

@@ -110,9 +110,9 @@ PARALLEL = 1e-6
 """Sine of the angle between two surfaces up to which they count as equal, if their distance is zero."""
 NOTHING = 1e-11
 """Distance [m] below which two states count as equal."""
-MOST_ITERATIONS = 40
-MOST_PROJECTIONS = 5
-MOST_BISECTIONS = 100
+MAX_ITERATIONS = 40
+MAX_PROJECTIONS = 5
+MAX_BISECTIONS = 100
 FARTHEST = 1e-2
 """Largest step [m] along a surface; a larger one means that no equilibrium is near."""
 
@@ -201,7 +201,7 @@ def rest_between(system: System, one: State, two: State, free: Indices, goal: Ar
     """
     near, far = evaluate.residual(system, one), evaluate.residual(system, two)
     step = (two.q - one.q)[free]
-    for _ in range(MOST_BISECTIONS):  # far from the origin rounding may exceed NOTHING
+    for _ in range(MAX_BISECTIONS):  # far from the origin rounding may exceed NOTHING
         if float(np.abs((two.q - one.q) * system.weight)[free].max()) <= NOTHING:
             break
         middle = one.copy()
@@ -227,7 +227,7 @@ def _rest_on(
     n = len(chosen)
     share = np.full(n, 0.5)
     try:
-        for _ in range(MOST_ITERATIONS):
+        for _ in range(MAX_ITERATIONS):
             normal = slopes(system, state, chosen, free) * size
             back = np.linalg.pinv(normal)
             state = _onto(system, state, chosen, free, size[:, None] * back)
@@ -259,7 +259,7 @@ def _rest_on(
 
 def _onto(system: System, state: State, chosen: Sequence[Surface], free: Indices, back: Array) -> State:
     """Project a state onto (curved) surfaces, much closer than the distance of its two sides."""
-    for _ in range(MOST_PROJECTIONS):
+    for _ in range(MAX_PROJECTIONS):
         height = heights(system, state, chosen)
         if np.abs(height).max() < 0.01 * BESIDE:
             break

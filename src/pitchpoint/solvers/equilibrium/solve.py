@@ -60,7 +60,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 LOAD = torque.KIND.name
-MOST_ITERATIONS = 400
+MAX_ITERATIONS = 400
 TOLERANCE = 1e-9
 """Residual over the largest load, up to which a state counts as equilibrium."""
 FIRST = 1e4
@@ -187,7 +187,7 @@ def _pseudo_time(
     swings = np.isin(free, tangent.joints)
     passing: set[Surface] = set()  # surfaces without an equilibrium at the last trial
     mu = FIRST
-    for count in range(MOST_ITERATIONS):
+    for count in range(MAX_ITERATIONS):
         whole = tangent.at(state, count)
         # positions are rounded as 1 m and 1 rad: the resulting force error limits the residual
         rounded = ROUNDING * weight * (abs(whole) @ (np.abs(state.q) + 1.0) + damping)

@@ -42,7 +42,7 @@ from pitchpoint.system.linear import factor, solve
 from pitchpoint.system.residual import FORCES, NEWTON, residual
 from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, VALID
 
-MOST_ITERATIONS = 8
+MAX_ITERATIONS = 8
 DRIFT = 0.1
 """Relative change of cd up to which a matrix is reused."""
 AGED = 0.25
@@ -220,7 +220,7 @@ def iterate(at, where, spare):
     aged = clock[VALID] != 0 and c["nc"] > 0
     if aged:
         keep_guess(at)
-    for _ in range(MOST_ITERATIONS + n["patience"]):
+    for _ in range(MAX_ITERATIONS + n["patience"]):
         fresh = clock[VALID] == 0
         status = residual(at, n["t"], NEWTON if fresh else FORCES, n["cm"], n["cd"], 1.0)
         clock[EVALUATIONS] += 1
@@ -259,7 +259,7 @@ def iterate(at, where, spare):
             return OK
         if full > 1 and size <= STUCK and size > SLOW_RATE * last:
             return OK
-        if full > 0 or (last > 0.0 and theta > SLOW_RATE) or count >= MOST_ITERATIONS:
+        if full > 0 or (last > 0.0 and theta > SLOW_RATE) or count >= MAX_ITERATIONS:
             clock[VALID] = 0
             if full >= n["patience"]:
                 return DIVERGED if size >= last else SLOW

@@ -31,7 +31,7 @@ from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import MACH, STEPS, VALID
 
-MOST_MATRICES = 12
+MAX_MATRICES = 12
 """Maximum number of full Newton iterations of the stabilised form."""
 ROUND_OFF = 4e-15
 """Smallest tolerance relative to the size of the machine [m], and for angles [rad]: a few rounding units."""
@@ -253,7 +253,7 @@ def start(
     w.ctl[0]["bad"] = w.ctl[0]["badkind"] = -1
     run = Run(system, h, rho_inf, tolerance, state.t)
     if form == "SI2" and system.sizes["nc"]:
-        run.iteration = new_iteration(system.sizes["nd"], system.sizes["nc"], True, MOST_MATRICES)
+        run.iteration = new_iteration(system.sizes["nd"], system.sizes["nc"], True, MAX_MATRICES)
     evaluate.check(system, run.go_on(), state)
     if system.sizes["ne"]:
         evaluate.check(system, evaluate.fill_events(system, state.t, w.arrays["ev0"]), state)

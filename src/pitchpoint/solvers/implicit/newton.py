@@ -23,8 +23,8 @@ from pitchpoint.system.linear import factor, solve
 from pitchpoint.system.residual import FORCES, NEWTON, residual
 from pitchpoint.system.workspace import EVALUATIONS, ITERATIONS, MACH, REDUNDANT, STAGE_ROWS, VALID
 
-MOST_ITERATIONS = 12
-MOST_REFRESHES = 3
+MAX_ITERATIONS = 12
+MAX_REFRESHES = 3
 SLOW_RATE = 0.5
 FADING = 1.2
 """Growth of the contraction rate per step without measurement, as the matrix becomes outdated."""
@@ -43,8 +43,8 @@ ASTRAY = 0.75
 """Ratio of successive corrections with an old matrix from which they are undone."""
 GUESS = 2
 """First of two rows of the stages that store the prediction."""
-MOST_BISECTIONS = 60
-MOST_TRIES = 6
+MAX_BISECTIONS = 60
+MAX_TRIES = 6
 """Number of bisections towards a jump; the error of each is the relative error of the reused matrix."""
 
 
@@ -121,7 +121,7 @@ def _at_jump(at, t, cm, cd, tol, failure):
     e = stage[0, :nd]
     beyond = stage[1, :nd]
     view(m["clock"], 16, I8)[VALID] = 0  # the next step needs a new matrix in any case
-    for _ in range(MOST_TRIES):
+    for _ in range(MAX_TRIES):
         status, _ = _correction(at, t, cm, cd, x, True)
         if status != OK:
             return status
@@ -133,7 +133,7 @@ def _at_jump(at, t, cm, cd, tol, failure):
         here = 1.0  # correction on this side and on the other, relative to e
         there = 1.0
         width = 1.0  # distance of both sides, relative to e
-        for k in range(MOST_BISECTIONS):
+        for k in range(MAX_BISECTIONS):
             _move(q, v, a, e, width, cm, cd)
             status, share = _correction(at, t, cm, cd, e, False)
             if status != OK:
@@ -265,7 +265,7 @@ def newton_step(at, t, cm, cd, tol):
     aged = clock[VALID] != 0 and nc > 0  # rows with an old matrix
     if aged:
         keep_guess(at)
-    for _ in range(MOST_ITERATIONS * (2 + MOST_REFRESHES)):
+    for _ in range(MAX_ITERATIONS * (2 + MAX_REFRESHES)):
         fresh = clock[VALID] == 0
         status = residual(at, t, NEWTON if fresh else FORCES, cm, cd, 1.0)
         clock[EVALUATIONS] += 1
@@ -310,10 +310,10 @@ def newton_step(at, t, cm, cd, tol):
             return OK
         if size <= 1e-3 * tol:
             return OK
-        if full > 0 or (theta > SLOW_RATE and last > 0.0) or count >= MOST_ITERATIONS:
-            if full >= MOST_ITERATIONS:
+        if full > 0 or (theta > SLOW_RATE and last > 0.0) or count >= MAX_ITERATIONS:
+            if full >= MAX_ITERATIONS:
                 return _at_jump(at, t, cm, cd, tol, DIVERGED if size >= before else SLOW)
-            if refreshes >= MOST_REFRESHES:
+            if refreshes >= MAX_REFRESHES:
                 full += 1  # stiff contact within the step: the matrix changes with every iterate
             refreshes += 1
             clock[VALID] = 0

@@ -19,7 +19,7 @@ from pitchpoint.system.workspace import MACH, REJECTED, STAGE_ROWS, VALID
 
 DIVISION = 4
 """Factor between successive divisions of a step."""
-MOST_PARTS = 64
+MAX_PARTS = 64
 KEPT = OLD + 2
 """First row of the stages with saved values of a step: both accelerations, a, multipliers."""
 
@@ -178,7 +178,7 @@ def divided_step(at, t, h, rho, tol, iteration, code):
     view(view(view(at, 1, CTL)[0]["mach"], 1, MACH)[0]["clock"], 16, I8)[REJECTED] += 1
     status = DIVERGED
     parts = DIVISION
-    while parts <= MOST_PARTS:
+    while parts <= MAX_PARTS:
         bring_step(at)
         _other_step(at, 1.0 / parts)
         for p in range(1, parts + 1):

@@ -28,7 +28,7 @@ STICKS = 1e-9
 """Relative slip up to which a clutch sticks."""
 BALANCED = 1e-9
 """Residual torque over the largest torque up to which trains count as balanced."""
-MOST_PASSES = 4
+MAX_PASSES = 4
 UNWANTED = 1e-6
 """Weight of clutch torques relative to balancing torques in the balance of a train."""
 
@@ -68,7 +68,7 @@ def settle_clutches(
     limits = np.array([float(record["ratio"]) for _, record in clutches])
     loads = balancing_loads(system) if balanced else []
     turning = rotations(system, held)[:, rows]
-    for _ in range(MOST_PASSES):
+    for _ in range(MAX_PASSES):
         left = found.reaction[rows]
         if float(np.abs(left).max()) <= BALANCED * max(1.0, _largest(system)):
             break

@@ -23,8 +23,8 @@ from pitchpoint.system.system import State, System
 
 Array = NDArray[np.float64]
 
-MOST_STEPS = 20
-MOST_TURNS = 50
+MAX_STEPS = 20
+MAX_TURNS = 50
 """Maximum number of alternations between the machine and the states that depend on its loads."""
 AT_REST = 1e-9
 """Relative rate of a state, and relative residual torque, that count as zero."""
@@ -64,7 +64,7 @@ def _rest(system: System, state: State, held: Sequence[int]) -> Equilibrium | No
     except SolverError:
         here = state
     states = signal_states(system)
-    for _ in range(MOST_TURNS):
+    for _ in range(MAX_TURNS):
         try:
             found = _with_states_kept(system, here, held)
             settled = _settled(system, found.state)
@@ -97,7 +97,7 @@ def _balanced(
     )
     idle = idle[~moving]
     open_ = [n for n, spin in enumerate(held) if spin not in known]
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         left = found.reaction[open_]
         if not idle.size or np.all(np.abs(left) <= AT_REST * _acting(system, found.state)[list(held)][open_]):
             break
@@ -168,7 +168,7 @@ def _settled(system: System, state: State) -> State | None:
     found = state.copy()
     if not free.size:
         return found
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         rates = evaluate.residual(system, found)[free]
         slope = evaluate.matrix(system, found, 0.0, 1.0, 0.0, EXACT)[np.ix_(free, free)]
         step = -np.linalg.lstsq(slope, rates, rcond=1e-12)[0]

@@ -33,7 +33,7 @@ from pitchpoint.system.workspace import VALID
 
 KINDS = {"gstiff": FIXED, "wstiff": VARIABLE, "dassl": LEADING, "constant_bdf": CONSTANT}
 FORMS = ("I3", "SI2", "SI1")
-MOST_ORDER = 6
+MAX_ORDER = 6
 LASTING = 12
 """Maximum number of full Newton iterations of constant_bdf, whose step should not be shortened."""
 HASTY = 3
@@ -222,8 +222,8 @@ def _check(kind: str, form: str, order: int, largest_step: float) -> None:
         raise SolverError(f"unknown kind {kind!r}; choose one of {', '.join(KINDS)}", NOT_FINITE)
     if form not in FORMS:
         raise SolverError(f"unknown form {form!r}; choose one of {', '.join(FORMS)}", NOT_FINITE)
-    if not 1 <= order <= MOST_ORDER:
-        raise SolverError(f"the order must be 1 ... {MOST_ORDER}, not {order!r}", NOT_FINITE)
+    if not 1 <= order <= MAX_ORDER:
+        raise SolverError(f"the order must be 1 ... {MAX_ORDER}, not {order!r}", NOT_FINITE)
     if not largest_step > 0.0 or (kind == "constant_bdf" and not math.isfinite(largest_step)):
         raise SolverError(
             f"the step must be positive, and finite for constant_bdf, not {largest_step!r}", NOT_FINITE

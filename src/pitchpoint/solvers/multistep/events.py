@@ -18,7 +18,7 @@ from pitchpoint.system.workspace import MACH
 
 LOCATED = 1e-5
 """Largest distance of the end of a step after its event, relative to the trial step."""
-MOST_TRIES = 10
+MAX_TRIES = 10
 ROOM = 5
 """Size of the event buffer in the search for the first event of a step."""
 
@@ -128,7 +128,7 @@ def step_to_event(at, where, spare):
     go_back(at, where)
     if 0.0 <= share <= 1.0:
         reach = min(h, share * h + extra)
-    for tries in range(MOST_TRIES):
+    for tries in range(MAX_TRIES):
         b["limit"] = min(limit, t + reach) if reach < h else limit
         status = call(b["step"], at, where, 0)
         b["limit"] = limit
@@ -141,13 +141,13 @@ def step_to_event(at, where, spare):
         if share < 0.0:
             return NOT_FINITE
         if share > 1.0:
-            if tries == 0 or tries == MOST_TRIES - 1 or used < 0.9 * reach or extra > h:
+            if tries == 0 or tries == MAX_TRIES - 1 or used < 0.9 * reach or extra > h:
                 _pass_on(at)
                 return OK  # no event, or the step became too short to reach it
             extra *= 8.0  # the step ended just before the event
             reach = used + extra
         else:
-            if (1.0 - share) * used <= room or tries == MOST_TRIES - 1:
+            if (1.0 - share) * used <= room or tries == MAX_TRIES - 1:
                 b["event"] = 1
                 return OK
             reach = share * used + extra

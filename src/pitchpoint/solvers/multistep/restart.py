@@ -23,7 +23,7 @@ from pitchpoint.system.workspace import MACH, VALID
 
 ORDER_AFTER = 3
 """Order of the first step, equal to the number of known derivatives of the rates."""
-MOST_TRIES = 3
+MAX_TRIES = 3
 """Number of trial spacings, each an eighth of the previous one: the motion may be faster after the event."""
 FIRST_SHARE = 0.25
 """Target error of the first step over the tolerance."""
@@ -170,7 +170,7 @@ def resume(at, where, spare):
     set_allowed(at, where)
     h = b["h"]
     view(view(c["mach"], 1, MACH)[0]["clock"], 16, I8)[VALID] = 0
-    tries = MOST_TRIES
+    tries = MAX_TRIES
     while _derive(at, where, h) == 0:
         tries -= 1
         if tries == 0 or b["kind"] == CONSTANT:

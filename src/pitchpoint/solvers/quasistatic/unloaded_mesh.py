@@ -14,7 +14,7 @@ from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
 NEWTON_STEPS = 40
-MOST_BISECTIONS = 100
+MAX_BISECTIONS = 100
 DEPTH = 1e-13
 """Penetration that counts as first contact of an unloaded flank [m]."""
 
@@ -93,7 +93,7 @@ def unloaded_error(system: System, clear: State, m: int, contact: float) -> floa
             reach *= 4.0
     if math.isnan(outside):
         raise nowhere
-    for _ in range(MOST_BISECTIONS):
+    for _ in range(MAX_BISECTIONS):
         if abs(inside - outside) * radius <= DEPTH:
             break
         state.q[spin] = 0.5 * (inside + outside)

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import CompileError, Message, ModelError, PitchpointError
 from pitchpoint.elements.flexible_body import (
     GROUP,
-    MOST,
+    MAX_MODES,
     RECORD,
     flexible_row,
     interface_bodies,
@@ -87,7 +87,7 @@ def elastic_parts(
     name
         Name of the body and of its frame.
     structure, modes
-        Matrices of the body and at most `MOST` modes, from `craig_bampton` or with the nodes at a joint
+        Matrices of the body and at most `MAX_MODES` modes, from `craig_bampton` or with the nodes at a joint
         fixed.
     nodes
         Nodes for joints, forces and constraints, by name.
@@ -113,8 +113,8 @@ def elastic_parts(
         If there are too many modes, or the frame has a mass.
     """
     n = modes.frequency.size
-    if not 0 < n <= MOST:
-        raise CompileError(f"{name}: {n} modes (limit 1 to {MOST}); select modes with Modes.select")
+    if not 0 < n <= MAX_MODES:
+        raise CompileError(f"{name}: {n} modes (limit 1 to {MAX_MODES}); select modes with Modes.select")
     place, world = (np.asarray(x, float) for x in pose or (np.zeros(3), np.eye(3)))
     base = _massless(
         frame or Body(motion=FLOATING, position=place, axes=world, inertia=np.zeros((3, 3)), name=name), name
@@ -303,14 +303,14 @@ def _read(
     check_mass(structure)
     nodes = tuple(_node(structure, word, np.array(place)) for word, place in wanted)
     if static_shapes:
-        modes = _static(structure, nodes, count or MOST)
+        modes = _static(structure, nodes, count or MAX_MODES)
     elif below is not None:
         modes = craig_bampton(structure, nodes, below=6.0 * below).select(below=below)
     else:
-        modes = craig_bampton(structure, nodes, 2 * (count or MOST)).select(count=count)
-    if below is not None and not 0 < modes.frequency.size <= MOST:
+        modes = craig_bampton(structure, nodes, 2 * (count or MAX_MODES)).select(count=count)
+    if below is not None and not 0 < modes.frequency.size <= MAX_MODES:
         raise CompileError(
-            f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MOST}); use `modes` instead"
+            f"{modes.frequency.size} modes below {below:g} Hz (limit 1 to {MAX_MODES}); use `modes` instead"
         )
     if modes.frequency.size:
         check_speed(structure, float(modes.frequency[0]))
@@ -323,7 +323,7 @@ def _static(structure: Structure, nodes: tuple[int, ...], count: int) -> Modes:
     if needed > count:
         raise CompileError(
             f"static_shapes: the nodes can deflect in {needed} shapes, and {count} modes are requested "
-            f"(limit {MOST}); use fewer nodes, or omit static_shapes"
+            f"(limit {MAX_MODES}); use fewer nodes, or omit static_shapes"
         )
     return craig_bampton(structure, nodes, count - needed)
 

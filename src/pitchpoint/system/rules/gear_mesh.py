@@ -28,7 +28,7 @@ from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
-from pitchpoint.system.rules.gear_seat import put_seats, sits_off
+from pitchpoint.system.rules.gear_displacement import is_displaced, set_displacements
 from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, put_losses, usual_slope
 from pitchpoint.system.rules.places import Places
 from pitchpoint.system.rules.separation import separation_grids
@@ -214,7 +214,7 @@ def mesh_bank(places: Places) -> Bank:
             turn1=_turn(axes.T @ seats[0][3]),
             turn2=_turn(axes.T @ seats[1][3]),
             fixed=all(_only_spins(model, b) for b in (one, two))
-            and not any(sits_off(g) for g in gears)
+            and not any(is_displaced(g) for g in gears)
             and skew == (0.0, 0.0),
             widths=(gears[0].face_width, gears[1].face_width),
         )
@@ -226,7 +226,7 @@ def mesh_bank(places: Places) -> Bank:
             row["n_pair"] = math.ceil(pair.eps_gamma) + 1
             worn = worn_flanks(pair, law_of_mesh.stiffness, gears, (mesh.offset1, mesh.offset2))
             separation_grids(row, gears, pool.add, worn)
-        put_seats(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
+        set_displacements(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
         law = mesh.stiffness
         where = f"meshes.{name}.stiffness.python"
         laws.append(user_law(law.python, where).function if isinstance(law, UserStiffness) else None)

@@ -18,7 +18,7 @@ from pitchpoint.viz.mesh_cycle_plot import (
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report.page import Section
 
-MOST_CYCLES = 4
+MAX_CYCLES = 4
 """Maximum number of stiffness cycles in a plot."""
 ROUND_OFF_WAY = 1e-6
 """Travel before contact at mid-face that counts as round-off [base pitches]: zero for spur gears."""
@@ -46,7 +46,7 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
 def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:
     s = cycle.stiffness
     loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
-    count = min(_drawn_cycles(cycle), MOST_CYCLES) if loaded else 2
+    count = min(_drawn_cycles(cycle), MAX_CYCLES) if loaded else 2
     caption = (
         f"Mesh stiffness over {_count(count)}: mean {number(float(s.mean))}, "
         f"from {number(float(s.minimum))} to {number(float(s.maximum))}, "

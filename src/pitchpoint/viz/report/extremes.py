@@ -13,7 +13,7 @@ from pitchpoint.analysis.statistics import signal_statistics
 from pitchpoint.viz.quantities import Array, Channel, Scale, channels, number, scale, span
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES, channel_word, listed, settled_part
-from pitchpoint.viz.tables import MOST_ROWS, plain_table
+from pitchpoint.viz.tables import MAX_ROWS, plain_table
 
 
 def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
@@ -64,8 +64,8 @@ def _add_table(
     if rows:
         at = f"at [{clock.unit}]"
         head = ("channel", "unit", "mean", "rms (alternating)", "minimum", at, "maximum", at)
-        section.add(plain_table(head, rows[:MOST_ROWS]))
-        more = rows[MOST_ROWS:]
+        section.add(plain_table(head, rows[:MAX_ROWS]))
+        more = rows[MAX_ROWS:]
         folded = f"<details><summary>{len(more)} more channels</summary>{plain_table(head, more)}</details>"
         section.add(folded if more else "")
     zeros, others = len(wanted) - len(moving), len(found) - len(wanted)

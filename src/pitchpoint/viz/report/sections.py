@@ -39,7 +39,7 @@ from pitchpoint.viz.tables import (
     quantity_table,
 )
 
-MOST_LINES = 8
+MAX_LINES = 8
 DETAIL_PERIODS = 12
 WIDE, HALF = 5000, 2400
 """Points of a curve across the page, and of one of two next to each other: above one bucket per pixel."""
@@ -163,7 +163,7 @@ def _add_signals(
     section: Section, time: Array, group: Sequence[Channel], state: Array | None, steady: bool
 ) -> None:
     """Add plots of the signals of one quantity over the whole run and, if steady, over the last periods."""
-    drawn = group[:MOST_LINES]
+    drawn = group[:MAX_LINES]
     part = _last_periods(time, drawn[0].values) if steady else slice(None)
     end, rows = None, signal_rows(drawn)
     if part.start is not None:
@@ -222,8 +222,8 @@ def _last_periods(time: Array, values: Array) -> slice:
 
 def _caption(group: Sequence[Channel]) -> str:
     """Caption: description of a single channel, or the number of channels not drawn."""
-    if len(group) > MOST_LINES:
-        more = len(group) - MOST_LINES
+    if len(group) > MAX_LINES:
+        more = len(group) - MAX_LINES
         verb = "is" if more == 1 else "are"
         return f"{more} more {channel_word(more)} of this kind {verb} in the result file."
     long = group[0].long_name

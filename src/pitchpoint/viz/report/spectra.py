@@ -30,7 +30,7 @@ from pitchpoint.viz.run_record import (
 from pitchpoint.viz.spectrum_plots import Shafts
 
 QUANTITIES = ("deflection", "mesh_force")
-MOST_CHANNELS = 8
+MAX_CHANNELS = 8
 
 
 def spectrum_section(
@@ -56,7 +56,7 @@ def spectrum_section(
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         window = settled_part(time, run.settle_time)
         orders = run.highest_order or highest_order
-        for channel in picked[:MOST_CHANNELS]:
+        for channel in picked[:MAX_CHANNELS]:
             signal = Channel(channel.name, channel.values[window], channel.unit, channel.long_name)
             angle = turning_angle(run, found, (shafts or {}).get(owner(channel), ""))
             if angle is None:

@@ -17,8 +17,8 @@ from pitchpoint.viz.tables import plain_table
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-MOST_ROWS = 100
-MOST_MODES = 40
+MAX_ROWS = 100
+MAX_MODES = 40
 QUANTITIES = (("deflection", "rms"), ("mesh_force", "max"))
 WORDS = {"rms": "rms (alternating)", "max": "maximum"}
 
@@ -42,11 +42,11 @@ def mode_section(modes: Any) -> Section:
     held = f"; motion prescribed by the scenario: {escape(', '.join(modes.held))}" if modes.held else ""
     section.add(f"<p>Linearised about the loaded state with mean mesh stiffness{held}.</p>")
     section.add(
-        plain_table(("mode", "dominant motion", "natural frequency", "damping ratio"), body[:MOST_MODES])
+        plain_table(("mode", "dominant motion", "natural frequency", "damping ratio"), body[:MAX_MODES])
     )
     total = max(modes.total, len(body))
-    if total > MOST_MODES:
-        section.add(f"<p>The lowest {MOST_MODES} of {total} modes; use pitchpoint modes for all.</p>")
+    if total > MAX_MODES:
+        section.add(f"<p>The lowest {MAX_MODES} of {total} modes; use pitchpoint modes for all.</p>")
     return section
 
 
@@ -56,7 +56,7 @@ def signal_section(lines: Sequence[Sequence[str]]) -> Section:
     if lines:
         rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines]
         head = ("signal", "type", "inputs", "used by")
-        section.add(plain_table(head, rows[:MOST_ROWS], numbers=False))
+        section.add(plain_table(head, rows[:MAX_ROWS], numbers=False))
     return section
 
 
@@ -69,8 +69,8 @@ def case_section(tables: Mapping[str, Any]) -> Section:
         section.add(f"<h3>{escape(name)}</h3>" if len(tables) > 1 else "")
         paths = list(dict.fromkeys(path for case in table.cases for path in case["values"]))
         section.add(_table(table.cases, paths))
-        if len(table.cases) > MOST_ROWS:
-            section.add(f"<p>{len(table.cases) - MOST_ROWS} more cases are in the result file.</p>")
+        if len(table.cases) > MAX_ROWS:
+            section.add(f"<p>{len(table.cases) - MAX_ROWS} more cases are in the result file.</p>")
         numeric = [p for p in paths if len({c["numbers"].get(p) for c in table.cases}) > 1]
         if len(numeric) == 1:
             for quantity, statistic in QUANTITIES:
@@ -91,7 +91,7 @@ def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
         scales.append(scale(units[0], values))
         head.append(f"{channel_label(name)}, {WORDS[statistic]} [{scales[-1].unit}]")
     body = []
-    for case in cases[:MOST_ROWS]:
+    for case in cases[:MAX_ROWS]:
         cells = [f'<th scope="row">{escape(case["values"].get(paths[0], "–"))}</th>'] if paths else []
         cells += [f"<td>{escape(case['values'].get(p, '–'))}</td>" for p in paths[1:]]
         cells.append(f"<td>{escape(case['sentence'])}</td>")

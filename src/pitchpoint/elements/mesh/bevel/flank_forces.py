@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.contact.flank_law import flank_energy
-from pitchpoint.contact.lift_off import MOST_STEPS, narrowed, secant
+from pitchpoint.contact.lift_off import MAX_STEPS, narrowed, secant
 from pitchpoint.contact.pair_shape import pair_shape, pair_shape_rate
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh.bevel.record import N_OUT, N_OWN, PHASE
@@ -116,7 +116,7 @@ def _edge(b, p_0, a, c, x_a, x_c):
     bracket = (a, c, x_a, x_c, 0)
     small = 1e-15 * (abs(x_a) + abs(x_c))
     R = c
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         R = secant(bracket)
         x = _depth(b, p_0, R)
         if abs(x) <= small:

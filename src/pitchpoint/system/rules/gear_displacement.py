@@ -17,20 +17,20 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
 
 
-def sits_off(gear: Gear) -> bool:
+def is_displaced(gear: Gear) -> bool:
     """Whether a gear has eccentricity or wobble above zero."""
     seats = (fault for fault in gear.faults.values() if isinstance(fault, Eccentricity | Wobble))
     return any(fault.severity * fault.amount > 0.0 for fault in seats)
 
 
-def put_seats(
+def set_displacements(
     row: Any, gears: Sequence[Gear], tooth_0: Sequence[float], keep: Callable[[NDArray[np.float64]], int]
 ) -> None:
     """Set the fields of displaced gears of a mesh record; unchanged for ideally mounted gears.
 
     `tooth_0`: angles of the centres of teeth 0 at spin 0, from the x axes of the bodies [rad].
     """
-    if any(sits_off(gear) for gear in gears):
+    if any(is_displaced(gear) for gear in gears):
         places = np.array([_place(g, angle) for g, angle in zip(gears, tooth_0, strict=True)])
         row["displaced"], row["seats"] = 1, keep(displaced(places))
 
