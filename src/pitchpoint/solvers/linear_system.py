@@ -268,7 +268,8 @@ def damped_modes(
     if modes.whole is None and _is_undamped(linear, modes, left):
         return np.asarray(1j * modes.omega, np.complex128), modes.shapes.astype(np.complex128)
     if modes.whole is None:
-        return nearest_damped((M, D, K), _sparse(linear.basis), linear.states, modes.omega, modes.shapes)
+        basis = _sparse(linear.basis)
+        return nearest_damped((M, D, K), basis, linear.rigid, linear.states, modes.omega, modes.shapes)
     omega, shapes = modes.whole
     if linear.states:
         values, found = damped_with_states(M, D, K, shapes, omega, linear.states, left)

@@ -42,6 +42,10 @@ ROUNDS = 8
 """Maximum number of rounds to find missing modes."""
 NEARER = 0.1
 """Shift of the damped modes over the lowest non-zero frequency."""
+NONE = 1e-12
+"""Sum of the forces on a rigid rotation over the sum of their magnitudes up to which they cancel."""
+SAME = 1e-9
+"""Part of a shape outside the rigid rotations without forces up to which it is one of them."""
 STILL = 1e-5
 """Eigenvalue over that shift below which a mode is rigid: a double zero has half the digits only."""
 MAX_SHIFT = 1e6
@@ -60,14 +64,17 @@ def lowest_modes(M: Array, K: Array, basis: Any, rigid: Array, count: int) -> tu
     """
     m, k, scale = scaled_pencil(M, K, basis)
     n = m.shape[0]
-    shift = SHIFT * max(float(abs(k).max()), 1e-300)
+    shift = least = SHIFT * max(float(abs(k).max()), 1e-300)
     lu, below = _factors(k, m, shift)
     while below:  # unstable: there are modes below the shift
         shift *= 100.0
         if not shift <= MAX_SHIFT * float(abs(k).max()):
             raise SolverError(NEGATIVE, SINGULAR)
         lu, below = _factors(k, m, shift)
-    values, vectors = _complete(m, k, lu, shift, min(count + max(GUARD, count // 4), n - 1))
+    known = _without_forces((k,), m, _coordinates(basis, rigid) / scale[:, None])
+    values, vectors = np.zeros(known.shape[1]), known
+    if shift > least or known.shape[1] < count:
+        values, vectors = _complete(m, k, lu, shift, known, min(count + max(GUARD, count // 4), n - 1))
     omega, shapes = sorted_modes(m, k, scale, values, vectors, basis, rigid, M)
     return omega[:count], shapes[:count]
 
@@ -93,12 +100,12 @@ def _factors(k: Any, m: Any, shift: float) -> tuple[Any, int]:
     raise SolverError("a free direction has neither mass nor stiffness, so it has no frequency", SINGULAR)
 
 
-def _complete(m: Any, k: Any, lu: Any, shift: float, count: int) -> tuple[Array, Array]:
-    """Lowest eigenvalues and eigenvectors, with a check of their number."""
+def _complete(m: Any, k: Any, lu: Any, shift: float, known: Array, count: int) -> tuple[Array, Array]:
+    """Lowest eigenvalues and eigenvectors, with a check of their number; some eigenvectors are known."""
     n = m.shape[0]
-    vectors = np.zeros((n, 0))
+    vectors = known
     values = np.zeros(0)
-    missing = count
+    missing = max(count - known.shape[1], GUARD)
     for turn in range(ROUNDS):
         more = _lanczos(m, k, lu, shift, vectors, min(missing, n - 1 - vectors.shape[1]), turn)
         both = np.hstack([vectors, more])
@@ -140,7 +147,12 @@ def _lanczos(m: Any, k: Any, lu: Any, shift: float, found: Array, count: int, tu
 
 
 def nearest_damped(
-    matrices: tuple[Array, Array, Array], basis: Any, states: Sequence[int], omega: Array, shapes: Array
+    matrices: tuple[Array, Array, Array],
+    basis: Any,
+    rigid: Array,
+    states: Sequence[int],
+    omega: Array,
+    shapes: Array,
 ) -> tuple[Complex, Complex]:
     """Damped modes that correspond to the lowest undamped modes.
 
@@ -150,6 +162,8 @@ def nearest_damped(
         M, D and K at speed, shape (nd, nd) each.
     basis
         Free directions, sparse, shape (nd, n).
+    rigid
+        Free rigid rotations, shape (r, nd).
     states
         Coordinates whose rates are states of force elements.
     omega, shapes
@@ -165,20 +179,80 @@ def nearest_damped(
     SolverError
         If the iteration does not converge.
     """
-    from scipy.sparse import csc_array
-    from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs, splu
-
     A, B = _first_order(matrices, basis, states)
-    size, n, m = A.shape[0], basis.shape[1], len(omega)
+    n = basis.shape[1]
+    m, here = B[n : 2 * n, n : 2 * n], A[n : 2 * n]
+    loose = _without_forces((A[n:, :n], A[n:, n : 2 * n], here.T), m, _coordinates(basis, rigid))
+    known = (omega == 0.0) & _inside(loose, m, _coordinates(basis, shapes))
+    values, found = np.zeros(len(omega), np.complex128), shapes.astype(np.complex128)
+    if known.all() and not states:
+        return values, found
+    own, z = _iterate((A, B), matrices[0], basis, loose, states, omega[~known], shapes[~known])
+    count = int(np.sum(~known))
+    values[~known], found[~known] = own[:count], z[:count]
+    return np.concatenate([values, own[count:]]), np.concatenate([found, z[count:]])
+
+
+def _coordinates(basis: Any, shapes: Array) -> Array:
+    """Coordinates of shapes (m, nd) in the free directions, shape (n, m)."""
+    from scipy.sparse.linalg import splu
+
+    return np.asarray(splu((basis.T @ basis).tocsc()).solve(np.asarray(basis.T @ shapes.T)))
+
+
+def _without_forces(forces: Sequence[Any], m: Any, rigid: Array) -> Array:
+    """Rigid rotations (n, r) on which no stiffness or damping acts, orthonormal by the mass matrix.
+
+    Their eigenvalue of zero is exact and separate from all others; an iteration would give the double one of
+    first-order form half the digits only, and fail if there are hundreds.
+    """
+    size, free = abs(rigid), np.ones(rigid.shape[1], bool)
+    for matrix in forces:
+        bound = (abs(matrix) @ size).max(axis=0, initial=0.0)
+        free &= abs(matrix @ rigid).max(axis=0, initial=0.0) <= NONE * bound
+    rigid = rigid[:, free]
+    L = np.linalg.cholesky(rigid.T @ (m @ rigid))
+    return np.asarray(np.linalg.solve(L, rigid.T).T)
+
+
+def _inside(loose: Array, m: Any, shapes: Array) -> NDArray[np.bool_]:
+    """Which mass-normalised shapes (n, m) are in the space of the rigid rotations without forces."""
+    return np.asarray(((loose.T @ (m @ shapes)) ** 2).sum(axis=0) > 1.0 - SAME)
+
+
+def _iterate(
+    pencil: tuple[Any, Any],
+    M: Array,
+    basis: Any,
+    loose: Array,
+    states: Sequence[int],
+    omega: Array,
+    shapes: Array,
+) -> tuple[Complex, Complex]:
+    """Damped modes as in `nearest_damped`, in the complement of the rigid rotations without forces."""
+    from scipy.sparse import csc_array
+    from scipy.sparse.linalg import ArpackError, LinearOperator, eigs, splu
+
+    A, B = pencil
+    n, m = basis.shape[1], len(omega)
+    size = A.shape[0] - 2 * loose.shape[1]
     moving = omega[omega > 0.0]
     shift = NEARER * float(moving.min() if moving.size else 1.0)
-    lu = splu((A - shift * B).tocsc())
-    inverse = LinearOperator((size, size), matvec=lambda x: lu.solve(B @ np.asarray(x).ravel()), dtype=float)
+    lu, carried = splu((A - shift * B).tocsc()), B[n : 2 * n, n : 2 * n] @ loose
+
+    def solve(x: Array) -> Array:
+        """Solve with the factors and remove the rigid rotations from positions and rates."""
+        y = np.asarray(lu.solve(B @ np.asarray(x).ravel()))
+        for part in (y[:n], y[n : 2 * n]):
+            part -= loose @ (carried.T @ part)
+        return y
+
     count = min(2 * (m + max(GUARD, m // 4)) + len(states), size - 2)
-    start = np.random.default_rng(0).standard_normal(size)
+    start = solve(np.random.default_rng(0).standard_normal(A.shape[0]))
+    inverse = LinearOperator(A.shape, matvec=solve, dtype=float)
     try:
         found, y = eigs(inverse, count, which="LM", v0=start, ncv=min(size, 2 * count + 20))
-    except ArpackNoConvergence as problem:
+    except ArpackError as problem:
         raise SolverError(
             "the iteration for the damped modes did not converge; request another number of modes", DIVERGED
         ) from problem
@@ -187,9 +261,9 @@ def nearest_damped(
     values, y = values[upper], y[:, upper]
     values = np.where(np.abs(values.imag) <= 1e-10 * np.abs(values), values.real, values)
     z = np.asarray((basis @ y[:n]).T, dtype=np.complex128)
-    carried = np.linalg.norm(y[2 * n :], axis=0) / np.linalg.norm(y, axis=0)
-    first = best_match(_likeness(csc_array(matrices[0]), omega, shapes, values, z))
-    rest = np.setdiff1d(np.flatnonzero(carried > OWN), first)
+    share = np.linalg.norm(y[2 * n :], axis=0) / np.linalg.norm(y, axis=0)
+    first = best_match(_likeness(csc_array(M), omega, shapes, values, z))
+    rest = np.setdiff1d(np.flatnonzero(share > OWN), first)
     rest = rest[np.argsort(np.abs(values[rest]), kind="stable")]
     still = np.zeros(values.size, bool)
     still[first[omega == 0.0]] = True

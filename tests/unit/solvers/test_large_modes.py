@@ -85,6 +85,20 @@ def test_multiple_roots_are_complete():
     assert mass == pytest.approx(np.eye(18), abs=1e-8)
 
 
+@pytest.mark.parametrize("count", [6, 203])
+def test_hundreds_of_free_rotations(count):
+    """Two hundred pairs of discs: the double zeros are exact, and any number of them can be requested."""
+    b = 1e-5
+    found = find_modes(chains(200, 2, b * STIFFNESS), count=count)
+    high = math.sqrt(2.0 * STIFFNESS / INERTIA)
+    expected = np.repeat([0.0, high], 200)[:count]
+    assert 2.0 * math.pi * found.frequency == pytest.approx(expected, rel=1e-9)
+    assert not found.eigenvalue[:200].any()
+    assert found.damping_ratio[200:] == pytest.approx(0.5 * b * expected[200:], rel=1e-9)
+    assert INERTIA * found.shape @ found.shape.T == pytest.approx(np.eye(count), abs=1e-8)
+    assert found.names[0] in ("rigid rotation of d0, d1", "rigid rotation of d1, d0")
+
+
 def test_chains_tied_by_a_ratio():
     """Two free chains geared 1 : 2 at one end: 299 free directions, one rotation left.
 
