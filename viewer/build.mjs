@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scripts that pages carry, licences at their heads: viewer.js, which is src/main.js with three.js and uPlot, and
-// plots.js, which is plotly.js for Cartesian axes as it is published.
+// Builds the scripts that are embedded in pages, with their licences as headers: viewer.js (src/main.js with
+// three.js and uPlot) and plots.js (the published build of plotly.js for Cartesian axes).
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,7 +8,7 @@ import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
 
-/** The notice at the head of a script. @param {string} file */
+/** Licence notice as the header comment of a script. @param {string} file */
 function banner(file) {
   const notice = readFileSync(join(here, file), "utf8").trim();
   if (notice.includes("*/")) throw new Error(`${file} would end the comment it becomes`);
@@ -17,14 +17,17 @@ function banner(file) {
 
 /** @param {string} name of the script @param {string} script */
 function write(name, script) {
-  // A page carries the script inside <script>: none of these may appear in it.
+  // The script is embedded in a <script> element, where these sequences would end or hide it.
   const text = script.replace(/<\/script/gi, "<\\/script").replace(/<!--/g, "<\\!--");
   const out = join(here, "../src/pitchpoint/viz/assets", name);
   writeFileSync(out, text);
   console.log(`${out}: ${(text.length / 1000).toFixed(0)} kB`);
 }
 
-/** three.js from its sources, so that what is not used stays out, and its shaders without comments and indents. */
+/**
+ * Bundles three.js from its sources, so that unused modules are dropped, and strips comments and indentation
+ * from its shaders.
+ */
 const lean = {
   name: "lean-three",
   setup(build) {
@@ -54,7 +57,7 @@ const result = await build({
   target: "es2022",
   loader: { ".css": "text" },
   legalComments: "none",
-  // escapes keep the script readable to pages that declare no encoding
+  // Escape sequences keep the script valid in pages that declare no encoding.
   charset: "ascii",
   banner: { js: banner("LICENSES.txt") },
 });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Forces as arrows: three parts in three colours at one point, drawn over the solids so that none is hidden.
+// Force arrows: up to three components per point of action, each in its own colour, drawn on top of the
+// solids.
 import {
   BufferGeometry,
   ConeGeometry,
@@ -16,9 +17,9 @@ import { FORCES, STATES, colourOfForce } from "./colours.js";
 import { lerp } from "./frames.js";
 import { Z } from "./poses.js";
 
-const MOST_BEARINGS = 8; // whose forces are shown without asking
+const MOST_BEARINGS = 8; // with more bearings, bearing forces are hidden by default
 
-/** An arrow of length 1 along z, 1 thick at its head. */
+/** Arrow of unit length along z with a head of unit diameter. */
 function arrowShape() {
   const shaft = new CylinderGeometry(0.19, 0.19, 0.72, 12, 1, false).translate(0, 0.36, 0);
   const head = new ConeGeometry(0.5, 0.3, 16, 1, false).translate(0, 0.85, 0);
@@ -31,14 +32,18 @@ function arrowShape() {
 }
 
 /**
- * Value of an arrow at an instant.
- * @typedef {{name: string, kind: string, unit: string, state: number|null, vectors: Record<string, Vector3>, at: Vector3, values: Record<string, number>, total: number}} Force
+ * Force at one instant.
+ * @typedef {{name: string, kind: string, unit: string, state: number|null, vectors: Record<string, Vector3>,
+ *   at: Vector3, values: Record<string, number>, total: number}} Force
  */
 
 export class Arrows {
   /**
-   * @param {any} scene @param {import("three").Group} root of what is drawn over the solids
-   * @param {import("./poses.js").Poses} poses @param {Element} element @param {number} radius of the scene [m]
+   * @param {any} scene
+   * @param {import("three").Group} root group drawn on top of the solids
+   * @param {import("./poses.js").Poses} poses
+   * @param {Element} element
+   * @param {number} radius of the scene [m]
    */
   constructor(scene, root, poses, element, radius) {
     this.arrows = scene.arrows;
@@ -46,7 +51,8 @@ export class Arrows {
     this.radius = radius;
     this.scale = 1;
     this.kinds = new Set(this.arrows.map((arrow) => arrow.kind));
-    // forces of single pairs repeat those of the meshes, and many bearings hide what they hold
+    // The forces of tooth pairs duplicate those of the meshes, and the arrows of many bearings obscure the
+    // parts.
     this.shown = new Set(this.kinds);
     this.shown.delete("pair");
     if (this.arrows.filter((arrow) => arrow.kind === "bearing").length > MOST_BEARINGS)
@@ -83,16 +89,16 @@ export class Arrows {
         ]),
       ),
     );
-    // One scale for all, so that arrows can be compared by eye.
+    // A common scale makes arrow lengths comparable.
     this.size = Math.max(0, ...this.arrows.map((arrow) => arrow.size ?? 0));
   }
 
-  /** Length of an arrow of the largest force [m]. */
+  /** Length of the arrow of the largest force [m]. */
   get longest() {
     return 0.55 * this.radius * this.scale;
   }
 
-  /** All forces at the instant of the poses. @returns {Force[]} */
+  /** Forces at the current instant. @returns {Force[]} */
   forces() {
     const { where } = this.poses;
     return this.arrows.map((arrow) => {
@@ -112,7 +118,7 @@ export class Arrows {
         if (frame) (TURN.extractRotation(frame), vector.applyMatrix4(TURN));
         vectors[part] = vector;
       }
-      // states do not blend: that of the frame before counts
+      // Contact states are discrete and are not interpolated: the preceding frame applies.
       const row = arrow.state ? (where.share === 1 ? where.low + 1 : where.low) : 0;
       const byte = arrow.state ? arrow.state.data[arrow.state.count > 1 ? row : 0] : null;
       const state = byte === 255 ? -1 : byte;
@@ -129,7 +135,7 @@ export class Arrows {
     });
   }
 
-  /** Where arrows of the present directions end when they are longest, for a picture that holds them. */
+  /** Tips of the arrows at their maximum length in the current directions; the fitted view includes them. */
   ends() {
     if (this.hidden || !(this.size > 0)) return [];
     return this.forces().flatMap((force, k) =>
@@ -145,7 +151,7 @@ export class Arrows {
     );
   }
 
-  /** @param {number} visible world length of a pixel [m] */
+  /** @param {number} visible size of a pixel in the scene [m] */
   update(visible) {
     this.now = this.forces();
     this.now.forEach((force, k) => {
@@ -178,7 +184,7 @@ const TURNED = new Quaternion();
 const DIRECTION = new Vector3();
 const SIZE = new Vector3();
 
-/** Length of the longest of vectors. @param {import("./scene_file.js").Numbers} data */
+/** Maximum length of the vectors of a table. @param {import("./scene_file.js").Numbers} data */
 function longestRow(data) {
   let most = 0;
   for (let k = 0; k < data.length; k += 3)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hundreds of solids in one call: all corners in one mesh, places in a texture that the shader looks up.
+// Draws hundreds of solids in one draw call: one mesh holds all vertices, and the shader reads the pose of
+// each solid from a texture.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -11,7 +12,7 @@ import {
   RGBAFormat,
 } from "three";
 
-const WIDTH = 1024; // texels a row, a multiple of the four that a place takes
+const WIDTH = 1024; // texels per row, a multiple of the four texels of a pose
 
 export class Batch extends Mesh {
   /** @param {any[]} parts of Solids @param {import("three").MeshLambertMaterial} material */
@@ -51,7 +52,7 @@ export class Batch extends Mesh {
     parts.reduce((at, { geometry: { attributes } }) => (this.first.push(at), at + attributes.position.array.length), 0);
     const rows = Math.ceil((4 * parts.length) / WIDTH);
     this.places = new DataTexture(new Float32Array(4 * WIDTH * rows), WIDTH, rows, RGBAFormat, FloatType);
-    // the members move about: no sphere around them is worth keeping
+    // The solids move, so that a bounding sphere would have to be updated in every frame.
     this.frustumCulled = false;
     this.matrixAutoUpdate = false;
     material.vertexColors = true;
@@ -83,7 +84,7 @@ export class Batch extends Mesh {
     this.places.needsUpdate = true;
   }
 
-  /** Take over the corners of a member that has bent. @param {number} member */
+  /** Copy the vertices of a deformed solid into the batch. @param {number} member */
   bend(member) {
     const { attributes } = this.parts[member].geometry;
     for (const name of ["position", "normal"]) {
@@ -95,7 +96,11 @@ export class Batch extends Mesh {
     }
   }
 
-  /** As if every member were a mesh. @param {import("three").Raycaster} ray @param {any[]} hits */
+  /**
+   * Intersect each solid as if it were a separate mesh.
+   * @param {import("three").Raycaster} ray
+   * @param {any[]} hits
+   */
   raycast(ray, hits) {
     this.parts.forEach((part, k) => {
       ONE.geometry = part.geometry;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solid that bends between several bodies: every point lies between two of them.
+// A solid that deforms with several bodies: each point is interpolated between two of them.
 import { Matrix4 } from "three";
 
 const GROUND = new Matrix4();
@@ -8,8 +8,8 @@ const of = (frames, body) => (body < 0 ? GROUND : frames[body]);
 export class Blend {
   /**
    * @param {{bodies: number[], first?: any, second: any, weight: any}} blend
-   * @param {import("three").BufferGeometry} geometry whose points are moved
-   * @param {Uint32Array} source point of the solid behind each point of the geometry
+   * @param {import("three").BufferGeometry} geometry its points are moved
+   * @param {Uint32Array} source index of the point of the solid for each point of the geometry
    * @param {import("./poses.js").Poses} poses
    */
   constructor(blend, geometry, source, poses) {
@@ -19,14 +19,18 @@ export class Blend {
     this.poses = poses;
     this.points = geometry.attributes.position.array.slice();
     this.normals = geometry.attributes.normal.array.slice();
-    // from the frame at rest of the first body to that of each other one
+    // Transformations at rest from the frame of the first body to that of each body.
     const first = of(poses.rest, blend.bodies[0]);
     this.toBody = blend.bodies.map((body) => of(poses.rest, body).clone().invert().multiply(first));
     this.moved = blend.bodies.map(() => new Matrix4());
     this.drawn = blend.bodies.map(() => new Matrix4());
   }
 
-  /** @param {number} visible [m] @param {number} reach largest distance of a point [m] @returns {boolean} whether it has moved */
+  /**
+   * @param {number} visible smaller displacements are not drawn [m]
+   * @param {number} reach maximum distance of a point from the origin [m]
+   * @returns {boolean} whether the geometry has changed
+   */
   update(visible, reach) {
     const { blend, poses, moved, drawn } = this;
     const inverse = of(poses.world, blend.bodies[0]).clone().invert();
@@ -37,7 +41,7 @@ export class Blend {
         change = Math.max(change, Math.abs(matrix.elements[i] - drawn[k].elements[i]) * (i < 12 ? reach : 1));
       }
     });
-    // most shafts bend by less than a pixel: then nothing is sent to the graphics card
+    // Most shafts deflect by less than a pixel; their data are not uploaded again.
     if (change <= visible) return false;
     moved.forEach((matrix, k) => drawn[k].copy(matrix));
     const { position, normal } = this.geometry.attributes;

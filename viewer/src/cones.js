@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane of action of bevel gears, whose rays meet in the apex: places in it, and forces along it.
+// Plane of action of bevel gears, whose rays meet at the apex: positions in it, and forces along it.
 import { Vector3 } from "three";
 
 /**
- * A place of the plane of action in the mesh frame.
- * @param {number[] | undefined} cone mean cone distance and pitch cone angle of gear 2 of bevel gears
+ * Position in the plane of action, in the mesh frame.
+ * @param {number[] | undefined} cone bevel gears: mean cone distance and pitch cone angle of gear 2
  * @param {Vector3} normal direction of the line of action
- * @param {number} x on the path, at the mean cone distance @param {number} z on the width: R_m ln(R/R_m)
+ * @param {number} x on the path of contact, at the mean cone distance
+ * @param {number} z along the face width: R_m ln(R/R_m)
  */
 export function place(cone, normal, x, z) {
   if (!cone) return normal.clone().multiplyScalar(x).setZ(z);
@@ -20,9 +21,12 @@ export function place(cone, normal, x, z) {
 }
 
 /**
- * Parts of the force of a pair on gear 2, in the mesh frame; they refer to the axis of that gear.
- * @param {number[]} cone @param {number} alpha pressure angle @param {number} tangent of the base spiral angle
- * @param {number} force along the base tangent, front positive @param {number} x where on the path it acts
+ * Components of the force of a tooth pair on gear 2, in the mesh frame, with respect to the axis of gear 2.
+ * @param {number[]} cone
+ * @param {number} alpha pressure angle
+ * @param {number} tangent of the base spiral angle
+ * @param {number} force along the base tangent, positive on front flanks
+ * @param {number} x position on the path of contact
  */
 export function alongPairs(cone, alpha, tangent, force, x) {
   const [middle, delta] = cone;
@@ -30,7 +34,8 @@ export function alongPairs(cone, alpha, tangent, force, x) {
     side = force < 0 ? -1 : 1;
   const c = Math.cos(x / middle),
     s = Math.sin(x / middle);
-  // along the line of action and along the pitch ray: across the ray of the place, and against the spiral
+  // From the directions across and along the ray through the contact to those of the line of action and the
+  // pitch ray.
   const across = size * (c - side * tangent * s),
     ray = size * (-s - side * tangent * c);
   const towards = across * Math.sin(alpha);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact lines as thin rods in the colours of their loads; balls at their ends distinguish front and back flanks.
+// Contact lines as thin rods, coloured by load; spheres at their ends distinguish front and back flanks.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -12,11 +12,14 @@ import {
 import { STATES } from "./colours.js";
 import { litColour } from "./load_colours.js";
 
-const AROUND = 6; // corners of a rod
-const MOST = 24; // lines of a mesh that are drawn
+const AROUND = 6; // vertices around a rod
+const MOST = 24; // maximum number of lines drawn per mesh
 
 export class ContactLines {
-  /** @param {import("./contacts.js").Contact} contact @param {import("three").Group} root of what is drawn over the solids */
+  /**
+   * @param {import("./contacts.js").Contact} contact
+   * @param {import("three").Group} root group drawn on top of the solids
+   */
   constructor(contact, root) {
     this.contact = contact;
     this.stations = contact.contact.flanks[0].loads?.shape[2] ?? 2;
@@ -52,9 +55,15 @@ export class ContactLines {
     });
   }
 
-  /** @param {import("./contacts.js").Line[]} lines @param {boolean} on @param {number} visible world length of a pixel [m] @param {number} maximum of the colours @param {any} shade what they show */
+  /**
+   * @param {import("./contacts.js").Line[]} lines
+   * @param {boolean} on
+   * @param {number} visible size of a pixel in the scene [m]
+   * @param {number} greatest upper end of the colour scale
+   * @param {any} shade quantity shown by the colours
+   */
   update(lines, on, visible, greatest, shade) {
-    // of flanks that carry nothing only the nearer ones are shown
+    // Unloaded lines are shown only on the side with the smaller gap.
     const both = this.contact.penetration();
     const nearer = both[1] >= both[-1] ? 1 : -1;
     const drawn = on ? lines.filter((line) => line.force || line.side === nearer).slice(0, MOST) : [];
@@ -64,7 +73,7 @@ export class ContactLines {
     const loaded = Boolean(this.contact.contact.flanks[0].loads);
     const thick = Math.min(2.6 * visible || Infinity, 0.07 * this.contact.contact.base_pitch);
     drawn.forEach((line, n) => {
-      // a law without tooth pairs gives the flank in contact, not the load of each pair
+      // A mesh law without tooth pairs gives the flank in contact, but not the load of each pair.
       const carries = loaded ? line.force !== 0 : both[line.side] > 0;
       const radius = carries ? thick : 0.4 * thick;
       ALONG.subVectors(line.to, line.from);

@@ -1,17 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the teeth of a mesh touch at an instant: straight lines in the plane of action, and what they carry.
+// Contact lines of a mesh at an instant, straight lines in the plane of action, and the loads on them.
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { alongPairs, place as placed } from "./cones.js";
 import { lerp } from "./frames.js";
 
 /**
- * A contact line: two ends in the world, its pair and side, force along the base tangent and loads along it.
- * @typedef {{pair: number, slot: number, side: number, from: Vector3, to: Vector3, at: (share: number) => Vector3, force: number, loads: Float64Array, centre: Vector3, ray: number, ends: [number, number][]}} Line  ends: places on path and width
+ * A contact line: end points in the world, pair and flank side, force along the base tangent, loads along the
+ * line. `ends`: positions of the end points on path of contact and face width.
+ * @typedef {{pair: number, slot: number, side: number, from: Vector3, to: Vector3, at: (share: number) =>
+ *   Vector3, force: number, loads: Float64Array, centre: Vector3, ray: number, ends: [number, number][]}}
+ *   Line
  */
 
 const modulo = (a, n) => ((a % n) + n) % n;
 
-/** Pairs whose lines reach the face at a travel, and the part of the width where they do. @param {any} contact @param {any} flank @param {number} travel */
+/**
+ * Tooth pairs whose contact lines lie on the face at a given travel, and the part of the width that they
+ * cover.
+ * @param {any} contact
+ * @param {any} flank
+ * @param {number} travel
+ */
 export function reached(contact, flank, travel) {
   const slope = flank.side * Math.tan(contact.base_helix);
   const [low, high] = contact.width,
@@ -33,7 +42,7 @@ export function reached(contact, flank, travel) {
 }
 
 export class Contact {
-  /** @param {any} contact of a scene @param {import("./poses.js").Poses} poses */
+  /** @param {any} contact entry of the scene @param {import("./poses.js").Poses} poses */
   constructor(contact, poses) {
     this.contact = contact;
     this.poses = poses;
@@ -43,7 +52,7 @@ export class Contact {
     this.matrix = new Matrix4();
   }
 
-  /** Mesh frame in the world at the instant of the poses: towards gear 2, along the tangent, along the axis. */
+  /** Mesh frame in the world at the current instant: x towards gear 2, y tangential, z axial. */
   frame() {
     const { contact, poses } = this;
     const { where } = poses;
@@ -52,13 +61,13 @@ export class Contact {
     return this.matrix.compose(POINT, TURN, ONE);
   }
 
-  /** Direction of the line of action of one side, in the mesh frame. @param {number} side */
+  /** Direction of the line of action for one flank side, in the mesh frame. @param {number} side */
   normal(side) {
     const alpha = lerp(this.contact.pressure_angle, this.poses.where);
     return new Vector3(Math.sin(alpha), side * Math.cos(alpha), 0);
   }
 
-  /** Contact lines of all pairs in reach. @returns {Line[]} */
+  /** Contact lines of all tooth pairs on the face. @returns {Line[]} */
   lines() {
     const frame = this.frame();
     return this.contact.flanks.flatMap((flank) => {
@@ -92,7 +101,10 @@ export class Contact {
     });
   }
 
-  /** Force and loads of a pair between two frames; in a frame in which another pair has its slot, it has none. */
+  /**
+   * Interpolated force and loads of a tooth pair. They are zero in a frame where another pair occupies its
+   * column.
+   */
   #carried(flank, pair) {
     const loads = new Float64Array(flank.loads ? flank.loads.shape[2] : 2);
     let force = 0;
@@ -111,13 +123,13 @@ export class Contact {
     return { force, loads };
   }
 
-  /** Penetration of front and back flanks, below 0 their distance [m]. */
+  /** Penetration of front and back flanks, negative for a gap [m]. */
   penetration() {
     const { penetration } = this.contact;
     return { 1: lerp(penetration, this.poses.where, 0), "-1": lerp(penetration, this.poses.where, 1) };
   }
 
-  /** Forces of single pairs, as arrows. @param {Line[]} lines */
+  /** Forces of the tooth pairs in the form of arrows. @param {Line[]} lines */
   pairForces(lines) {
     const frame = this.matrix;
     const alpha = lerp(this.contact.pressure_angle, this.poses.where);
@@ -146,7 +158,7 @@ export class Contact {
   }
 }
 
-/** Largest number of a table. @param {any} table */
+/** Maximum of a table. @param {any} table */
 function most(table) {
   let found = 0;
   for (const x of table?.data ?? []) if (x > found) found = x;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals that are smooth over flat edges and split over sharp ones: teeth look like teeth.
+// Vertex normals: smooth across small dihedral angles, split at sharp edges, so that tooth edges remain
+// visible.
 
 /**
- * @param {ArrayLike<number>} points 3 a point
- * @param {ArrayLike<number>} triangles 3 a triangle
- * @param {number} creases edges sharper than this stay sharp [degrees]
- * @returns {{points: Float32Array, normals: Float32Array, index: Uint32Array, source: Uint32Array}}
- *   points are repeated where normals differ; source gives which point of the solid each one is
+ * @param {ArrayLike<number>} points three coordinates per point
+ * @param {ArrayLike<number>} triangles three indices per triangle
+ * @param {number} creases edges with a larger angle between their faces are sharp [degrees]
+ * @returns {{points: Float32Array, normals: Float32Array, index: Uint32Array, source: Uint32Array}} points
+ *   are duplicated where normals differ; `source` is the index of the original point of each one
  */
 export function creaseNormals(points, triangles, creases = 40) {
   const count = points.length / 3;
@@ -28,7 +29,7 @@ export function creaseNormals(points, triangles, creases = 40) {
     area[f] = size;
     if (size) face.set([nx / size, ny / size, nz / size], 3 * f);
   }
-  // faces around each point, as one list with starts
+  // Triangle corners at each point in one list, with the start index of each point.
   const starts = new Uint32Array(count + 1);
   for (let k = 0; k < triangles.length; k++) starts[triangles[k] + 1]++;
   for (let p = 0; p < count; p++) starts[p + 1] += starts[p];

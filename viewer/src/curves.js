@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The panel below the scene: which channels are drawn, chosen from a list one can search, and spectra.
+// The panel below the scene: plots of channels selected from a searchable list, and spectra.
 import { button, el } from "./dom.js";
 import { Plots } from "./plots.js";
 import { Spectra } from "./spectra.js";
@@ -55,7 +55,7 @@ export class Curves {
     this.element.hidden = !this.labels.size && !this.spectra.names.length;
   }
 
-  /** Channels that hold all words of the search. */
+  /** Channels that contain all words of the search text. */
   matches() {
     const wanted = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
     return [...this.labels].filter(([name, label]) => {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements in one line each.
+// Constructors of page elements and controls.
 
 /**
- * @param {string} tag @param {Record<string, any>} properties attributes, on… listeners, or properties
+ * @param {string} tag
+ * @param {Record<string, any>} properties attributes, event listeners (on…) or properties
  * @param {...(Node|string|null|undefined)} children
  * @returns {any}
  */
@@ -18,14 +19,15 @@ export function el(tag, properties = {}, ...children) {
   return node;
 }
 
-/** A button that states what it does to those who hover and to those who listen. */
+/** A button whose purpose is given to the tooltip and to screen readers. */
 export function button(text, title, onclick, properties = {}) {
   return el("button", { type: "button", title, "aria-label": title, onclick, ...properties }, text);
 }
 
 /**
- * A slider over powers of ten with its value next to it.
- * @param {{label: string, title: string, least: number, most: number, value: number, show: (x: number) => string, changed: (x: number) => void}} what
+ * A logarithmic slider with its value next to it.
+ * @param {{label: string, title: string, least: number, most: number, value: number, show: (x: number) =>
+ *   string, changed: (x: number) => void}} what
  */
 export function logSlider({ label, title, least, most, value, show, changed }) {
   const span = Math.log(most / least);
@@ -45,7 +47,11 @@ export function logSlider({ label, title, least, most, value, show, changed }) {
   return { row: el("label", { className: "ppv-slider" }, el("span", {}, label), input, output), set, input };
 }
 
-/** @param {string} label @param {[string, string][]} options value and text @param {(value: string) => void} changed */
+/**
+ * @param {string} label
+ * @param {[string, string][]} options value and text
+ * @param {(value: string) => void} changed
+ */
 export function choice(label, options, changed, title = label) {
   const select = el(
     "select",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The points of a surface that reach farthest, in directions spread evenly: what a view has to hold.
+// Extreme points of a surface in evenly distributed directions; a fitted view must contain them.
 import { Vector3 } from "three";
 
-/** Half a turn of the golden section: directions along such a spiral are spread evenly. */
+/** Golden angle [rad]: points on a spiral with this step are evenly distributed over the sphere. */
 const GOLDEN = Math.PI * (3 - Math.sqrt(5));
 
 /** @param {number} count @returns {Vector3[]} */
@@ -15,8 +15,11 @@ export function directions(count) {
 }
 
 /**
- * Every n-th point would miss the rim of a ring where n suits its teeth; these do not.
- * @param {import("three").BufferAttribute} points @param {Vector3[]} ways @returns {Vector3[]} one a direction, none twice
+ * Extreme points of a surface. Sampling every n-th point could miss the outline of a ring gear if n matches
+ * its number of points per tooth.
+ * @param {import("three").BufferAttribute} points
+ * @param {Vector3[]} ways directions
+ * @returns {Vector3[]} at most one per direction, without duplicates
  */
 export function extremes(points, ways) {
   const { array, count } = points;

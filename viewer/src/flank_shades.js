@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Quantity shown by the colours of flanks: load per width, or the Hertzian pressure due to it.
+// Quantity shown by the colours on flanks: load per width, or the resulting Hertzian pressure.
 import { reached } from "./contacts.js";
 import { number } from "./numbers.js";
 
 /**
- * Pressure of a load at a place: the file holds that of 1 N/m on the path. Teeth of bevel gears are alike at all cone distances, but
- * smaller towards the apex.
- * @param {any} contact @param {[number, number]} at on path and width, from the pitch point [m] @param {number} load [N/m]
+ * Hertzian pressure due to a load at a position. The file contains the pressure for 1 N/m along the path of
+ * contact. Teeth of bevel gears are similar at all cone distances and become smaller towards the apex.
+ * @param {any} contact
+ * @param {[number, number]} at position on path of contact and face width, from the pitch point [m]
+ * @param {number} load [N/m]
  */
 export function pressureAt(contact, [place, z], load) {
   const { data, count } = contact.unit_pressure;
@@ -17,13 +19,18 @@ export function pressureAt(contact, [place, z], load) {
   return (data[k] + (x - k) * (data[k + 1] - data[k])) * Math.sqrt(Math.max(0, load) / size);
 }
 
-/** Place of a station of a line on path and width. @param {{place: number, slope: number, from: number, to: number}} line @returns {[number, number]} */
+/**
+ * Position of a station of a contact line on path of contact and face width.
+ * @param {{place: number, slope: number, from: number, to: number}} line
+ * @param {number} share of the length of the line
+ * @returns {[number, number]}
+ */
 export const placeOf = ({ place, slope, from, to }, share) => {
   const z = from + share * (to - from);
   return [place + slope * z, z];
 };
 
-/** Largest pressure of a contact in all frames [Pa]. @param {any} contact */
+/** Maximum pressure of a contact over all frames [Pa]. @param {any} contact */
 export function greatestPressure(contact) {
   if (!contact.unit_pressure) return 0;
   let found = 0;
@@ -45,7 +52,7 @@ export function greatestPressure(contact) {
   return found;
 }
 
-/** Names, legends and numbers of the two. */
+/** Name, legend, number format and maximum of each quantity. */
 export const SHADES = {
   load: {
     name: "load per width",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All contacts of a picture: lines, patterns, gauges, forces of pairs; and their legend.
+// All gear contacts of a viewport: contact lines, contact patterns, gap indicators, forces of tooth pairs,
+// and their legend.
 import { button, choice, el, logSlider, tick } from "./dom.js";
 import { Contact } from "./contacts.js";
 import { alongPairs } from "./cones.js";
@@ -12,8 +13,10 @@ import { Pattern } from "./pattern.js";
 
 export class Flanks {
   /**
-   * @param {any} scene @param {import("three").Group} root of the solids
-   * @param {import("three").Group} over root of what is drawn over them @param {import("./poses.js").Poses} poses
+   * @param {any} scene
+   * @param {import("three").Group} root group of the solids
+   * @param {import("three").Group} over group drawn on top of the solids
+   * @param {import("./poses.js").Poses} poses
    */
   constructor(scene, root, over, poses) {
     this.meshes = scene.contacts.map((each) => {
@@ -27,24 +30,24 @@ export class Flanks {
       };
     });
     this.greatest = Math.max(0, ...this.meshes.map(({ contact }) => contact.greatest));
-    /** what colours show, of SHADES */
+    /** Quantity shown by the colours, a key of SHADES. */
     this.shade = "load";
     this.pressures = scene.contacts.some((contact) => contact.unit_pressure);
     this.showsLines = true;
     this.mode = "off";
-    /** whether the colours of a mesh go up to its own largest load */
+    /** Whether the colour scale of each mesh ends at its own maximum. */
     this.own = false;
-    /** mesh whose gauge is shown */
+    /** Index of the mesh whose gap is shown, -1 none. */
     this.gauged = -1;
     this.hidden = false;
   }
 
-  /** Whether anything is drawn over the solids. */
+  /** Whether anything is drawn on top of the solids. */
   get over() {
     return !this.hidden && this.meshes.length > 0 && (this.showsLines || this.gauged >= 0);
   }
 
-  /** Arrows of the pairs of all meshes, for Arrows: one a slot. */
+  /** Arrows of the tooth pairs of all meshes, one per column of the force table. */
   pairs() {
     return this.meshes.flatMap((mesh) =>
       Array.from({ length: mesh.contact.pairs }, (_, slot) => {
@@ -61,7 +64,7 @@ export class Flanks {
     );
   }
 
-  /** Largest force of a slot, all parts together [N]. */
+  /** Maximum resultant force in a column of the force table [N]. */
   #size(contact, slot) {
     let most = 0;
     for (const { forces } of contact.contact.flanks)
@@ -70,7 +73,7 @@ export class Flanks {
     return most / Math.cos(contact.contact.base_helix);
   }
 
-  /** What arrows need, before they ask. */
+  /** Compute contact lines and pair forces; must precede the update of the arrows. */
   look() {
     for (const mesh of this.meshes) {
       mesh.lines = mesh.contact.lines();
@@ -78,25 +81,30 @@ export class Flanks {
     }
   }
 
-  /** Largest value of the colours, of one mesh or of all. @param {Contact} contact */
+  /** Upper end of the colour scale, of one mesh or common to all. @param {Contact} contact */
   top(contact) {
     if (this.own) return SHADES[this.shade].greatest(contact);
     return this.shade === "load" ? this.greatest : (this.hardest ??= this.greatestPressure());
   }
 
-  /** Of all meshes [Pa]. */
+  /** Maximum over all meshes [Pa]. */
   greatestPressure() {
     return Math.max(0, ...this.meshes.map(({ contact }) => SHADES.pressure.greatest(contact)));
   }
 
-  /** What colours show at a station of a line. @param {Contact} contact @param {import("./contacts.js").Line} line @param {number} s */
+  /**
+   * Quantity shown by the colours at a station of a contact line.
+   * @param {Contact} contact
+   * @param {import("./contacts.js").Line} line
+   * @param {number} s
+   */
   value(contact, { ends, loads }, s) {
     const share = s / (loads.length - 1);
     const at = [0, 1].map((k) => ends[0][k] + (ends[1][k] - ends[0][k]) * share);
     return SHADES[this.shade].of(contact.contact, at, loads[s]);
   }
 
-  /** @param {number} visible world length of a pixel [m] */
+  /** @param {number} visible size of a pixel in the scene [m] */
   update(visible) {
     this.meshes.forEach(({ contact, rods, pattern, gauge, lines }, k) => {
       const greatest = this.top(contact);
@@ -112,7 +120,7 @@ export class Flanks {
     for (const { pattern } of this.meshes) pattern.cut(planes);
   }
 
-  /** For tests and pages that steer the viewer. */
+  /** State for tests and for pages that control the viewer. */
   state() {
     const triple = (v) => [v.x, v.y, v.z];
     return {
@@ -142,7 +150,7 @@ export class Flanks {
   }
 }
 
-/** Largest length of each part of a pair force. @param {any} contact @param {number} size */
+/** Maximum length of each component of a pair force. @param {any} contact @param {number} size */
 function largest(contact, size) {
   const base = size * Math.cos(contact.base_helix);
   const alpha = contact.pressure_angle.data[0];
@@ -157,7 +165,7 @@ function largest(contact, size) {
   };
 }
 
-/** The legend of colours and gaps. */
+/** Legend of the flank colours and of the magnified gap. */
 export class FlankBox {
   /** @param {Flanks} flanks */
   constructor(flanks) {
@@ -178,7 +186,7 @@ export class FlankBox {
   update() {
     const { flanks } = this;
     const gauge = flanks.meshes[flanks.gauged];
-    // with a law without loads only the gap is shown
+    // A mesh law without loads per tooth pair gives only the gap.
     const loads = flanks.greatest > 0 && (flanks.showsLines || flanks.mode !== "off");
     this.element.hidden = flanks.hidden || !(loads || gauge);
     if (this.element.hidden) return;
@@ -198,18 +206,21 @@ export class FlankBox {
   }
 }
 
-/** A length with three digits. @param {number} metres */
+/** A length with three significant digits. @param {number} metres */
 function length3(metres) {
   const [unit, name] = metres < 1e-3 ? [1e-6, "µm"] : [1e-3, "mm"];
   return `${number(metres / unit, 3)}\u2009${name}`;
 }
 
-/** Between which diameters the flanks of a mesh touch. @param {import("./contacts.js").Contact} contact */
+/**
+ * Text with the active diameters of both gears of a mesh.
+ * @param {import("./contacts.js").Contact} contact
+ */
 export function activeWords({ contact, name }) {
   const { cone, width } = contact;
   const gears = contact.flanks[0].surfaces.map(({ gear, points }) => {
     const [nz, nx] = points.shape;
-    // diameters of bevel gears grow along the face: those at the mean cone distance are given
+    // The diameters of bevel gears increase along the face width; those at the mean cone distance are given.
     const row = cone ? (-width[0] / (width[1] - width[0])) * (nz - 1) : 0;
     const first = Math.min(Math.floor(row), nz - 2);
     const at = (j, k) => Math.hypot(points.data[3 * (j * nx + k)], points.data[3 * (j * nx + k) + 1]);
@@ -221,11 +232,15 @@ export function activeWords({ contact, name }) {
   return `${name}: contact between the diameters ${gears.join(", ")} mm${where}.`;
 }
 
-/** Change what all pictures show of their flanks. @param {import("./page.js").Page} page @param {(flanks: Flanks) => void} change */
+/**
+ * Apply a change to the flanks of all viewports.
+ * @param {import("./page.js").Page} page
+ * @param {(flanks: Flanks) => void} change
+ */
 export function changeFlanks(page, change) {
   for (const { flanks } of page.stage.pictures) change(flanks);
   const { showsLines, mode, shade } = page.stage.pictures[0].flanks;
-  // arrows and colours of results that are compared have one scale
+  // Results that are compared have common scales of arrows and colours.
   const hardest = shade === "load" ? 0 : Math.max(...page.stage.pictures.map(({ flanks }) => flanks.greatestPressure()));
   for (const { flanks } of page.stage.pictures) flanks.hardest = hardest || undefined;
   if (page.flankRows) {
@@ -237,14 +252,16 @@ export function changeFlanks(page, change) {
 }
 
 /**
- * Show the gap of a mesh, magnified.
- * @param {import("./page.js").Page} page @param {number} mesh -1 none @param {number} times one that suits it, if omitted
+ * Show the magnified gap of a mesh.
+ * @param {import("./page.js").Page} page
+ * @param {number} mesh -1 none
+ * @param {number} times magnification; a suitable one if omitted
  */
 export function showGauge(page, mesh, times) {
   const chosen = page.stage.pictures[0].flanks.meshes[mesh];
   const factor = times ?? chosen?.gauge.fitting() ?? 1;
   changeFlanks(page, (flanks) => {
-    // another result may have other meshes: that of the same name
+    // The other result may have different meshes: they are matched by name.
     flanks.gauged = flanks.meshes.findIndex(({ contact }) => contact.name === chosen?.contact.name);
     for (const { gauge } of flanks.meshes) gauge.times = factor;
   });
@@ -254,7 +271,10 @@ export function showGauge(page, mesh, times) {
   page.flankRows.gauge.select.value = String(mesh);
 }
 
-/** Along the axis on the mesh whose gap is shown, or the first. @param {import("./page.js").Page} page */
+/**
+ * View along the axis on the mesh whose gap is shown, or on the first mesh.
+ * @param {import("./page.js").Page} page
+ */
 function lookAtGap(page) {
   const { flanks, data } = page.stage.pictures[0];
   if (flanks.gauged < 0) showGauge(page, 0);
@@ -263,7 +283,7 @@ function lookAtGap(page) {
   if (arrow) page.intoMesh(arrow);
 }
 
-/** Rows of the panel of flanks. @param {import("./page.js").Page} page */
+/** Rows of the panel "Flanks". @param {import("./page.js").Page} page */
 export function flankRows(page) {
   const { meshes, greatest, pressures } = page.stage.pictures[0].flanks;
   const set = (change) => changeFlanks(page, change);
@@ -309,7 +329,7 @@ export function flankRows(page) {
     shade,
     gauge,
     times,
-    /** @param {number} k mesh whose gap is shown */
+    /** @param {number} k index of the mesh whose gap is shown */
     describe(k) {
       const mesh = meshes[k] ?? (meshes.length === 1 ? meshes[0] : null);
       active.hidden = !mesh;

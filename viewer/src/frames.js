@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which frames of a time table surround an instant, and tables between them.
+// Interpolation of tables between the frames of a time table.
 
 /**
  * @param {ArrayLike<number>} times ascending
  * @param {number} t
- * @returns {{low: number, share: number}} between frame low and low + 1; held beyond the ends
+ * @returns {{low: number, share: number}} position between frames low and low + 1; clamped at the ends
  */
 export function between(times, t) {
   const n = times.length;
@@ -22,7 +22,7 @@ export function between(times, t) {
 }
 
 /**
- * One number of a table between two frames; a table of one row is constant.
+ * Interpolated value in a column of a table; a table with one row is constant.
  * @param {import("./scene_file.js").Table} table
  * @param {{low: number, share: number}} where
  * @param {number} column
@@ -34,7 +34,7 @@ export function lerp(table, where, column = 0) {
   return where.share ? data[k] + where.share * (data[k + width] - data[k]) : data[k];
 }
 
-/** Mean of every column. @param {import("./scene_file.js").Table} table */
+/** Mean of each column. @param {import("./scene_file.js").Table} table */
 export function means(table) {
   const sum = new Float64Array(table.width);
   for (let k = 0; k < table.data.length; k++) sum[k % table.width] += table.data[k];

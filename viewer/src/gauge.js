@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// The gap of both flanks of a mesh, magnified along the lines of action: two plates a flank, as far apart as the
-// channels give, times a factor.
+// Magnified gap between the flanks of a mesh: two plates per flank side on the line of action. Their distance
+// is the gap from the channels times the magnification.
 import { BoxGeometry, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import { STATES } from "./colours.js";
 
-const AWAY = 0.32; // place of a gauge on its line of action, in base pitches from the pitch point
-const SIZE = 0.2; // of a plate
+const AWAY = 0.32; // distance of the plates from the pitch point along the line of action, in base pitches
+const SIZE = 0.2; // width of a plate, in base pitches
 
 export class Gauge {
-  /** @param {import("./contacts.js").Contact} contact @param {import("three").Group} root of what is drawn over the solids */
+  /**
+   * @param {import("./contacts.js").Contact} contact
+   * @param {import("three").Group} root group drawn on top of the solids
+   */
   constructor(contact, root) {
     this.contact = contact;
     this.root = root;
     this.times = 1;
-    /** made when they are first requested */
+    /** Created at the first use. */
     this.plates = null;
   }
 
@@ -31,7 +34,7 @@ export class Gauge {
     );
   }
 
-  /** A factor at which the backlash is a quarter of a base pitch: 1, 2, 5, 10, ... */
+  /** Magnification 1, 2, 5, 10, ... at which the larger gap is at most a quarter of the base pitch. */
   fitting() {
     const both = this.contact.penetration();
     const gap = Math.max(Math.abs(both[1]), Math.abs(both[-1]), 1e-7);
@@ -40,7 +43,7 @@ export class Gauge {
     return Math.max(1, power * (wanted / power >= 5 ? 5 : wanted / power >= 2 ? 2 : 1));
   }
 
-  /** Places of the plates in the world: front flank before and behind its gap, back flank likewise. */
+  /** World positions of the visible plates: both plates of the front flank, then those of the back flank. */
   shown() {
     return (this.plates ?? [])
       .filter(({ mesh }) => mesh.visible)
@@ -60,7 +63,7 @@ export class Gauge {
       if (!on) continue;
       const normal = contact.normal(side);
       const thick = 0.03 * pitch;
-      // plates face each other across the gap; flanks that overlap show plates that have passed each other
+      // The plates face each other across the gap; with penetration they overlap or have passed each other.
       const off = -0.5 * this.times * both[side] + 0.5 * thick;
       AXIS.set(0, 0, 1);
       ACROSS.crossVectors(AXIS, normal);
@@ -69,7 +72,7 @@ export class Gauge {
         normal.clone().multiplyScalar(thick),
         AXIS.multiplyScalar(SIZE * pitch),
       );
-      // front flanks touch beyond the pitch point in their sense, back flanks in theirs: the gauges stay apart
+      // Plates of front and back flanks lie on different sides of the pitch point and do not overlap.
       PLACE.setPosition(normal.multiplyScalar(AWAY * pitch + end * off));
       mesh.matrix.multiplyMatrices(frame, PLACE);
     }

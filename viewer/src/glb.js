@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A binary glTF file: one node a body with tracks of place and rotation, one mesh a solid.
+// Export as binary glTF: one node per body with tracks of position and rotation, one mesh per solid.
 import { Color, Matrix4, Quaternion, Vector3 } from "three";
 
 const [FLOAT, UINT] = [5126, 5125];
@@ -22,7 +22,12 @@ class File {
     };
   }
 
-  /** @param {Float32Array|Uint32Array} data @param {string} type @param {number} [target] @param {boolean} ends least and most are wanted */
+  /**
+   * @param {Float32Array|Uint32Array} data
+   * @param {string} type
+   * @param {number} [target]
+   * @param {boolean} ends whether minimum and maximum are written
+   */
   put(data, type, target, ends = false) {
     const width = { SCALAR: 1, VEC3: 3, VEC4: 4 }[type];
     this.json.bufferViews.push({
@@ -72,9 +77,9 @@ class File {
 }
 
 /**
- * @param {any[]} parts of Solids; what bends is written as it is now
+ * @param {any[]} parts of Solids; deformed solids are written in their current shape
  * @param {any[]} bodies
- * @param {Matrix4[][]} tracks world matrices of every body at every time
+ * @param {Matrix4[][]} tracks world matrices of each body at each time
  * @param {number[]} times [s]
  * @returns {Uint8Array}
  */
@@ -106,7 +111,7 @@ export function glb(parts, bodies, tracks, times) {
       rotations = new Float32Array(4 * times.length);
     tracks[k].forEach((matrix, n) => {
       matrix.decompose(place, rotation, size);
-      // the shorter way between two keys is that between quaternions of one sign
+      // q and -q are the same rotation; equal signs give the shorter interpolation between two keys.
       if (n && rotation.dot(last) < 0) rotation.set(-rotation.x, -rotation.y, -rotation.z, -rotation.w);
       last.copy(rotation);
       place.toArray(places, 3 * n);

@@ -2,10 +2,14 @@
 // The name of the part under the pointer; a double click follows its body.
 import { el } from "./dom.js";
 
-const TAP = 8; // way of a finger that still is a tap [px]
+const TAP = 8; // maximum travel of a finger during a tap [px]
 
 export class Hover {
-  /** @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit @param {(body: string) => void} follow */
+  /**
+   * @param {import("./stage.js").Stage} stage
+   * @param {import("./orbit.js").Orbit} orbit
+   * @param {(body: string) => void} follow
+   */
   constructor(stage, orbit, follow) {
     this.stage = stage;
     this.label = el("div", { className: "ppv-label", hidden: true });
@@ -15,7 +19,7 @@ export class Hover {
     canvas.addEventListener("pointermove", (event) => {
       this.at =
         orbit.dragging || event.pointerType === "touch" ? null : { x: event.clientX, y: event.clientY };
-      // a ray through 30 000 triangles costs milliseconds: once a pause is enough
+      // Ray casting on 30 000 triangles takes milliseconds: at most one ray per 60 ms is cast.
       if (!this.waiting) setTimeout(() => this.#look(), 60);
       this.waiting = true;
     });
@@ -23,7 +27,7 @@ export class Hover {
       this.at = null;
       if (event.pointerType !== "touch") this.label.hidden = true;
     });
-    // fingers do not hover: a tap names the part until the next touch
+    // Touch screens have no hovering: a tap shows the name until the next touch.
     let down = { x: 0, y: 0 };
     canvas.addEventListener("pointerdown", ({ clientX: x, clientY: y, pointerType }) => {
       down = { x, y };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of the viewer. They work where the focus is inside it, or anywhere on a page that it fills.
+// Keyboard shortcuts. They are active while the focus is inside the viewer, or anywhere on a page that the
+// viewer fills.
 import { round125, SLOWEST } from "./player.js";
 
 export const KEYS = [
@@ -45,7 +46,7 @@ export function keys(page) {
     if (target.matches?.("select, input[type=search], input[type=text]")) return;
     const slider = target.matches?.("input[type=range]") && target !== page.transport.range;
     if (slider && /^(Arrow|Home|End)/.test(event.key)) return;
-    // a button that has the focus is pressed by the space bar
+    // The browser uses the space bar to press the focused button.
     if (event.key === " " && target.matches?.("button, input[type=checkbox]")) return;
     if (/^[0-9]$/.test(event.key)) page.follow(Number(event.key) - 1);
     else if (does[event.key]) does[event.key]();

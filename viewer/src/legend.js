@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the arrows are worth right now, in words and numbers, in their colours.
+// Table of the current forces in the colours of the arrows.
 import { FORCES, STATES } from "./colours.js";
 import { button, el } from "./dom.js";
 import { force } from "./numbers.js";
 
-/** Part of the scene that it may cover each way. */
+/** Maximum fraction of the width, and of the height, of the scene that the legend may cover. */
 const MOST = 0.48;
-/** Part of the width from which on its height counts. */
+/** Fraction of the width above which the height limit applies. */
 const TALL = 0.32;
 
 export class Legend {
@@ -59,7 +59,10 @@ export class Legend {
     this.element.hidden = !arrows.length;
   }
 
-  /** @param {boolean} on @param {boolean} chosen by the reader: then no size of the scene chooses again */
+  /**
+   * @param {boolean} on
+   * @param {boolean} chosen by the user; a change of size then no longer folds or unfolds the legend
+   */
   fold(on, chosen = true) {
     this.chosen ||= chosen;
     this.folded = on;
@@ -67,7 +70,7 @@ export class Legend {
     this.folder.setAttribute("aria-expanded", String(!on));
   }
 
-  /** Folded where it would cover most of the scene. */
+  /** Fold the legend if it would cover too much of the scene. */
   settle() {
     if (this.chosen || this.element.hidden) return;
     this.fold(false, false);
@@ -76,31 +79,35 @@ export class Legend {
     this.fold(wide > MOST * width || (wide > TALL * width && high > MOST * height), false);
   }
 
-  /** Part of the width that it takes from the right; nothing where that would leave too little. */
+  /** Fraction of the width covered at the right; zero if the rest would be too narrow. */
   get share() {
     if (this.element.hidden || this.folded) return 0;
     const share = (this.element.offsetWidth + 12) / Math.max(this.element.parentElement.clientWidth, 1);
     return share > MOST ? 0 : share;
   }
 
-  /** Part of the width that its head covers where it is folded. */
+  /** Fraction of the width covered by the header of the folded legend. */
   get strip() {
     if (this.element.hidden || !this.folded) return 0;
     return (this.element.offsetWidth + 12) / Math.max(this.element.parentElement.clientWidth, 1);
   }
 
-  /** Part of the height that it takes from above. */
+  /** Fraction of the height covered at the top. */
   get drop() {
     return (this.element.offsetHeight + 12) / Math.max(this.element.parentElement.clientHeight, 1);
   }
 
-  /** @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown kinds @param {boolean} hidden */
+  /**
+   * @param {import("./arrows.js").Force[]} forces
+   * @param {Set<string>} shown kinds
+   * @param {boolean} hidden
+   */
   update(forces, shown, hidden) {
     this.element.hidden = hidden || !forces.some((each) => shown.has(each.kind));
     if (this.element.hidden) return;
     forces.forEach((each, k) => {
       const { row, cells, state } = this.rows[k];
-      // pairs out of mesh have no line
+      // Tooth pairs out of mesh are not listed.
       row.hidden = !shown.has(each.kind) || (each.kind === "pair" && !each.total);
       if (row.hidden) return;
       this.columns.forEach((part, c) => {
@@ -120,13 +127,17 @@ export class Legend {
     });
   }
 
-  /** A force with the prefix that all of its unit have here. @param {number} value @param {string} unit */
+  /**
+   * A force with the unit prefix common to all forces of this unit.
+   * @param {number} value
+   * @param {string} unit
+   */
   #words(value, unit) {
     const { most, least } = this.sizes[unit] ?? {};
     return force(value, unit, most || value, least || value);
   }
 
-  /** Lines for a picture that is saved. @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown */
+  /** Rows for a saved picture. @param {import("./arrows.js").Force[]} forces @param {Set<string>} shown */
   lines(forces, shown) {
     return forces
       .filter((each) => shown.has(each.kind) && (each.kind !== "pair" || each.total))
@@ -139,7 +150,10 @@ export class Legend {
   }
 }
 
-/** Largest and least size of the arrows of each unit, those without a force aside. @param {any[]} arrows */
+/**
+ * Minimum and maximum size of the arrows of each unit; arrows without force are ignored.
+ * @param {any[]} arrows
+ */
 function sizesOf(arrows) {
   const sizes = {};
   for (const { unit = "N", size } of arrows) {

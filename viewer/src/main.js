@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way in: pitchpointViewer.mount(element, {compare}) fills an element with the scene of its page.
+// Entry point: pitchpointViewer.mount(element, {compare}) shows the scene of the page in an element.
 import uplotStyle from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 import { el } from "./dom.js";
@@ -9,13 +9,13 @@ import { movingSolids, png, stl } from "./save.js";
 import { SceneError, readScene } from "./scene_file.js";
 import { stateOf } from "./state.js";
 
-/** @type {Page|null} the viewer that was mounted last */
+/** @type {Page|null} the viewer mounted last */
 let page = null;
 
 /**
- * @param {HTMLElement} element to be filled; it decides the size
- * @param {{compare?: boolean}} options compare: the page holds two scenes
- * @returns {Promise<boolean>} whether there is a scene; otherwise a sentence in its place states why not
+ * @param {HTMLElement} element is filled by the viewer and determines its size
+ * @param {{compare?: boolean}} options compare: the page contains two scenes
+ * @returns {Promise<boolean>} whether a scene is shown; otherwise the element shows a message with the reason
  */
 async function mount(element, { compare = false } = {}) {
   if (!document.getElementById("ppv-style"))
@@ -47,7 +47,7 @@ const shown = () => {
   return page;
 };
 
-/** Paper is white, whatever the reader's screen prefers. @param {boolean} on */
+/** Print on a white background, also with a dark colour scheme. @param {boolean} on */
 function onPaper(on) {
   if (page?.stage) page.stage.background.set(on ? "#ffffff" : getComputedStyle(page.area).backgroundColor);
   if (page && !on) page.draw();
@@ -65,19 +65,23 @@ window.pitchpointViewer = {
   repeat: (what) => shown().loop(what),
   advance: (dt) => shown().advance(dt),
   follow: (body) => shown().follow(body),
-  /** Camera onto a point [m] from a direction, so that the picture is so high [m]. */
+  /** View of a target point [m] from a direction; `height` is the visible height at the target [m]. */
   look: (target, direction, height) => shown().views?.look(target, direction, height),
   view: (name) => shown().views?.named(name, true),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),
-  /** In place of curves. @param {string} channel @param {string} [over] as the page writes it: frequency, orders of … */
+  /**
+   * Show a spectrum instead of curves.
+   * @param {string} channel
+   * @param {string} [over] as listed on the page: frequency, orders of …
+   */
   spectrum: (channel, over) => shown().curves.spectrum(channel, over),
   magnify: (times) => shown().magnify(times),
-  /** @param {string} kind of arrows: mesh, pair or bearing */
+  /** @param {string} kind kind of arrows: mesh, pair or bearing */
   arrows: (kind, on = true) => shown().arrows(kind, on),
   lines: (on = true) => changeFlanks(shown(), (flanks) => (flanks.showsLines = on)),
   /** @param {"off"|"all"|"each"} mode */
   pattern: (mode) => changeFlanks(shown(), (flanks) => (flanks.mode = mode)),
-  /** What colours of flanks show. @param {"load"|"pressure"} what */
+  /** Quantity shown by the flank colours. @param {"load"|"pressure"} what */
   shade: (what) => changeFlanks(shown(), (flanks) => (flanks.shade = flanks.pressures ? what : "load")),
   /** @param {number} mesh -1 none @param {number} times */
   gauge: (mesh, times) => showGauge(shown(), mesh, times),
@@ -85,7 +89,7 @@ window.pitchpointViewer = {
   /** @param {"png"|"glb"|"stl"} kind @returns {Blob} */
   file: (kind, times = 1) =>
     kind === "png" ? png(shown(), times) : kind === "glb" ? movingSolids(shown()) : stl(shown()),
-  /** At once, where the camera is going. */
+  /** Draw the final camera position without easing. */
   draw: () => {
     shown().orbit?.settle();
     shown().draw();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of marks: what, where, when; each leads to its instant.
+// List of event marks with time, kind and object; a click sets the time to that of the event.
 import { button, el } from "./dom.js";
 import { colourOfMark } from "./colours.js";
 import { duration, instant } from "./numbers.js";
@@ -16,7 +16,7 @@ const MOST = 400;
 /** @param {string} kind */
 export const nameOfMark = (kind) => NAMES[kind] ?? kind.replaceAll("_", " ");
 
-/** Rows of the panel of marks. @param {import("./page.js").Page} page */
+/** Rows of the panel "Marks". @param {import("./page.js").Page} page */
 export function markRows(page) {
   const { marks, kinds, stepLength } = page.transport;
   const off = new Set();

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// One point where copies of a tooth meet: each was turned there by itself, and rounding keeps them apart.
+// Merges coincident points of adjacent tooth copies. Each copy is rotated separately, so that rounding errors
+// separate their common points.
 
-/** A direction that no edge of a machine part is square to: only what is close are next to each other along it. */
+/**
+ * Direction that is not perpendicular to typical edges of machine parts: points with similar coordinates
+ * along it are close to each other.
+ */
 const ALONG = [0.5377, 0.7071, 0.4591];
-/** How far apart is one point, in the largest coordinate; single precision keeps 6e-8 of it. */
+/** Merging distance relative to the largest coordinate; single precision resolves 6e-8 of it. */
 const NEAR = 1e-6;
 
 /**
- * Triangles of a surface over points that are distinguished by more than rounding.
- * @param {ArrayLike<number>} points x, y, z one after the other @param {ArrayLike<number>} index three corners a triangle
- * @returns {number[]} corners of the triangles that are left; a point of several has the number of one of them
+ * Triangles of a surface after merging coincident points.
+ * @param {ArrayLike<number>} points x, y, z of each point
+ * @param {ArrayLike<number>} index three corners per triangle
+ * @returns {number[]} corners of the remaining triangles; merged points have the index of one of them
  */
 export function mergedPoints(points, index) {
   const count = points.length / 3;

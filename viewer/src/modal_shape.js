@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A solid that bends in modal coordinates: every point goes with a node of its body.
+// A solid that deforms in modal coordinates: each of its points moves with a node of its body.
 import { lerp, means } from "./frames.js";
 
 export class ModalShape {
   /**
-   * @param {any} solid with modal
-   * @param {import("three").BufferGeometry} geometry whose points are moved
-   * @param {Uint32Array} source point of the solid behind each point of the geometry
+   * @param {any} solid with modal data
+   * @param {import("three").BufferGeometry} geometry its points are moved
+   * @param {Uint32Array} source index of the point of the solid for each point of the geometry
    * @param {import("./poses.js").Poses} poses
    */
   constructor(solid, geometry, source, poses) {
@@ -25,7 +25,7 @@ export class ModalShape {
     this.moved = new Float64Array(3 * this.nodes);
   }
 
-  /** The modal coordinates now, vibrations magnified. */
+  /** Current modal coordinates with magnified vibrations. */
   #now() {
     const { mode, magnification: m, where } = this.poses;
     return this.drawn.map((_, k) => {
@@ -39,7 +39,10 @@ export class ModalShape {
     });
   }
 
-  /** Largest way of a node in a mode, nodes and coordinates apart. @param {any} mode */
+  /**
+   * Maximum nodal displacement in a mode, real and imaginary parts of all components combined.
+   * @param {any} mode
+   */
   largest(mode) {
     const table = mode.modal?.[this.name];
     let most = 0;
@@ -56,7 +59,7 @@ export class ModalShape {
     return most;
   }
 
-  /** @returns {boolean} whether it has moved */
+  /** @returns {boolean} whether the geometry has changed */
   update() {
     const now = this.#now();
     if (now.every((x, k) => x === this.drawn[k])) return false;

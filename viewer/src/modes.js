@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mode shapes: bodies at rest that swing in one of them, as wide as the reader wants.
+// Animation of mode shapes about the position at rest, with adjustable amplitude.
 import { button, el, logSlider } from "./dom.js";
 import { number } from "./numbers.js";
 
-const PERIOD = 1.6; // seconds a swing lasts on the screen, whatever its frequency
-const WIDTH = 0.06; // largest way of any point at amplitude 1, part of the size of the scene
+const PERIOD = 1.6; // duration of one cycle on the screen [s], independent of the frequency
+const WIDTH = 0.06; // maximum displacement at amplitude 1, relative to the radius of the scene
 
 export class Modes {
-  /** @param {any[]} modes of the first result @param {import("./stage.js").Stage} stage @param {() => void} changed */
+  /**
+   * @param {any[]} modes of the first result
+   * @param {import("./stage.js").Stage} stage
+   * @param {() => void} changed
+   */
   constructor(modes, stage, changed) {
     this.modes = modes;
     this.changed = changed;
@@ -47,13 +51,16 @@ export class Modes {
     return `${number(frequency, 4)} Hz${fades}`;
   }
 
-  /** Number and facts, and below what swings. */
+  /** First line: number, frequency and damping; second line: description of the mode. */
   #lines(mode) {
     const [, number, name] = /^(\d+: )?(.*)$/s.exec(mode.name);
     return [(number ?? "") + this.#facts(mode), name];
   }
 
-  /** Factor that makes the largest way of a mode WIDTH. A mode has no size of its own. */
+  /**
+   * Factor that scales the maximum displacement of a mode to WIDTH; the amplitude of a mode shape is
+   * arbitrary.
+   */
   #unit(mode) {
     const { solids, bounds } = this.stage.pictures[0];
     let largest = 0;

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What two scenes are called where both are distinguished: short, and never the same.
+// Short and distinct names of two results that are compared.
 
 const LONGEST = 36;
 
-/** What distinguishes two results; nothing where there is one. @param {any[]} scenes @returns {string[]} */
+/**
+ * Names that distinguish two results; empty for a single result.
+ * @param {any[]} scenes
+ * @returns {string[]}
+ */
 export function namesOf(scenes) {
   if (scenes.length < 2) return [""];
   for (const key of ["title", "label", "subtitle"]) {
@@ -14,8 +18,10 @@ export function namesOf(scenes) {
 }
 
 /**
- * Two different texts, of long ones the parts where they differ.
- * @param {string} first @param {string} second @returns {string[]}
+ * Two different texts; long texts are reduced to the parts that differ.
+ * @param {string} first
+ * @param {string} second
+ * @returns {string[]}
  */
 export function apart(first, second) {
   if (Math.max(first.length, second.length) <= LONGEST) return [first, second];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as engineers read them.
+// Number formats.
 
 const THIN = "\u2009";
 const MINUS = "\u2212";
 
-/** @param {number} value @param {number} digits significant */
+/** @param {number} value @param {number} digits significant digits */
 export function number(value, digits = 4) {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
@@ -21,13 +21,16 @@ function trim(text) {
   return text.includes(".") && !text.includes("e") ? text : plain;
 }
 
-/** A place that is known to that much each way: 32.1 ± 0.4. @param {number} value @param {number} half */
+/** A value with its uncertainty: 32.1 ± 0.4. @param {number} value @param {number} half */
 export function within(value, half) {
   const decimals = Math.min(9, Math.max(0, -Math.floor(Math.log10(half) + 1e-9)));
   return `${value.toFixed(decimals).replace("-", MINUS)} ± ${half.toFixed(decimals)}`;
 }
 
-/** Writes numbers with as many decimals as four digits of the largest have. @param {number} largest */
+/**
+ * Format with a fixed number of decimals, chosen for four significant digits of the maximum.
+ * @param {number} largest
+ */
 export function fixed(largest) {
   const decimals = largest > 0 ? 3 - Math.floor(Math.log10(largest)) : 0;
   if (decimals > 9 || decimals < -6) return (value) => number(value, 4);
@@ -38,7 +41,13 @@ export function fixed(largest) {
       .replace("-", MINUS);
 }
 
-/** A force with the prefix that suits its size. @param {number} value [N or N m] @param {string} unit @param {number} scale value that decides the prefix @param {number} minimum that decides the decimals */
+/**
+ * A force with a suitable unit prefix.
+ * @param {number} value [N or N m]
+ * @param {string} unit
+ * @param {number} scale magnitude that determines the prefix
+ * @param {number} least magnitude that determines the number of decimals
+ */
 export function force(value, unit, scale = value, least = scale) {
   const size = Math.abs(scale);
   const [factor, prefix] = size >= 1e6 ? [1e-6, "M"] : size >= 1e3 ? [1e-3, "k"] : [1, ""];
@@ -59,7 +68,7 @@ const TIMES = [
   [1e-6, "µs"],
 ];
 
-/** Unit of an axis of time [s] and its name. @param {number} most largest instant [s] */
+/** Unit of a time axis, its factor [s] and name. @param {number} most last instant on the axis [s] */
 export const timeUnit = (most) => TIMES[most >= 0.02 ? 0 : most >= 2e-5 ? 1 : 2];
 
 function withPrefix(value, prefixes, digits) {
@@ -74,14 +83,18 @@ export const length = (metres) => withPrefix(metres, LENGTHS, 1).replace(/\.0+(?
 /** @param {number} seconds */
 export const duration = (seconds) => (seconds === 0 ? `0${THIN}s` : withPrefix(seconds, TIMES, 3));
 
-/** An instant, with as many digits as distinguish two frames. @param {number} t @param {number} step [s] */
+/**
+ * An instant with sufficient digits to distinguish consecutive frames.
+ * @param {number} t
+ * @param {number} step [s]
+ */
 export function instant(t, step) {
   const [unit, name] = TIMES[step >= 5e-4 ? 0 : step >= 8e-7 || Math.abs(t) >= 1e-3 ? 1 : 2];
   const decimals = Math.max(0, Math.min(6, Math.ceil(-Math.log10(Math.max(step, 1e-12) / unit) - 1e-9)));
   return `${(t / unit).toFixed(decimals).replace("-", MINUS)}${THIN}${name}`;
 }
 
-/** @param {number} speed of the scene per real time */
+/** @param {number} speed relative to real time */
 export function speedWords(speed) {
   if (speed >= 0.999) return "real time";
   const slow = 1 / speed;

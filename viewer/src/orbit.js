@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Orbit, pan and zoom by mouse, pen and fingers, eased. Own code because ready-made controls stop at steps of a
-// millimetre, and a mesh is looked at in micrometres.
+// Orbit, pan and zoom with mouse, pen and touch, with easing. The controls of three.js do not resolve steps
+// below a millimetre, whereas meshes are inspected at the scale of micrometres.
 import { Matrix4, Quaternion, Vector3 } from "three";
 
 const EASE = 0.07; // time constant [s]
@@ -17,19 +17,19 @@ export class Orbit {
     this.element = element;
     this.changed = changed;
     this.up = new Vector3(...up).normalize();
-    // azimuth and elevation count in a frame whose y is up
+    // Azimuth and elevation refer to a frame whose y axis points up.
     this.basis = new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), this.up);
     this.now = { target: new Vector3(), azimuth: 0.6, elevation: 0.4, distance: 1 };
     this.goal = { target: new Vector3(), azimuth: 0.6, elevation: 0.4, distance: 1 };
     this.nearest = 1e-6;
     this.farthest = 1e6;
-    /** whether somebody chose where to look: then no change of size chooses again */
+    /** Whether the user has set the view; resizing then no longer fits it to the scene. */
     this.chosen = false;
-    /** whether a turn of the wheel is meant for the scene. @type {(event: WheelEvent) => boolean} */
+    /** Whether the scene handles an event of the mouse wheel. @type {(event: WheelEvent) => boolean} */
     this.takesWheel = () => true;
-    /** how far left of the middle the target is shown, as a part of the width */
+    /** Offset of the target to the left of the centre, as a fraction of the width. */
     this.shift = 0;
-    /** and how far below the middle, as a part of the height */
+    /** Offset of the target below the centre, as a fraction of the height. */
     this.drop = 0;
     this.pointers = new Map();
     element.addEventListener("pointerdown", (event) => this.#down(event));
@@ -40,7 +40,7 @@ export class Orbit {
     element.addEventListener("contextmenu", (event) => event.preventDefault());
   }
 
-  /** World length of a pixel at the target [m]. */
+  /** Size of a pixel at the target [m]. */
   get pixel() {
     return (
       (2 * this.now.distance * Math.tan((this.camera.fov * Math.PI) / 360)) /
@@ -72,7 +72,7 @@ export class Orbit {
         -STEEPEST,
         Math.min(STEEPEST, Math.asin(Math.max(-1, Math.min(1, d.y)))),
       );
-      // straight down the azimuth is free: keep it
+      // For a vertical view the azimuth is undefined; the current one is kept.
       if (Math.hypot(d.x, d.z) > 1e-6) {
         const azimuth = Math.atan2(d.x, d.z);
         this.goal.azimuth = azimuth + 2 * Math.PI * Math.round((this.now.azimuth - azimuth) / (2 * Math.PI));
@@ -88,7 +88,7 @@ export class Orbit {
     this.#place();
   }
 
-  /** One step of easing. @param {number} dt [s] @returns {boolean} whether more is to come */
+  /** One step of easing. @param {number} dt [s] @returns {boolean} whether the camera is still moving */
   step(dt) {
     const share = 1 - Math.exp(-dt / EASE);
     const { now, goal } = this;
@@ -112,7 +112,7 @@ export class Orbit {
   #place() {
     const { camera, now } = this;
     camera.position.copy(now.target).addScaledVector(this.direction(), now.distance);
-    // not camera.lookAt: it loses digits when the camera is micrometres from its target
+    // camera.lookAt loses precision when the camera is micrometres from its target.
     MATRIX.lookAt(this.direction(), ORIGIN, this.up);
     camera.quaternion.setFromRotationMatrix(MATRIX);
     camera.updateMatrixWorld(true);
@@ -175,7 +175,11 @@ export class Orbit {
     this.changed();
   }
 
-  /** @param {number} factor of the distance @param {number} [x] @param {number} [y] what stays under the pointer */
+  /**
+   * @param {number} factor applied to the distance
+   * @param {number} [x] pointer position whose scene point stays in place
+   * @param {number} [y]
+   */
   zoom(factor, x, y) {
     this.chosen = true;
     const before = this.goal.distance;
@@ -195,7 +199,7 @@ export class Orbit {
     this.changed();
   }
 
-  /** Where the target is in the picture under x; two pictures lie side by side when results are compared. */
+  /** Horizontal centre of the viewport that contains x; results that are compared have one viewport each. */
   middle(x) {
     const width = this.element.clientWidth / (this.pictures ?? 1);
     return (Math.floor(x / width) + 0.5 - this.shift) * width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The viewer of one element: scene, time, curves and panels, and what connects them.
+// The viewer in one element: connects scene, time controls, curves and panels.
 import { Curves } from "./curves.js";
 import { el } from "./dom.js";
 import { Hover } from "./hover.js";
@@ -24,7 +24,7 @@ import { Views } from "./views.js";
 
 const NO_WEBGL =
   "WebGL 2 is not available, so the solids cannot be drawn; curves and time controls work.";
-/** Width of a page from which one begins with an open panel, in pixels. */
+/** Minimum width of a page that shows a panel initially [px]. */
 const ROOM = 900;
 
 export class Page {
@@ -72,7 +72,7 @@ export class Page {
     this.watch = new ResizeObserver(() => this.resize());
     this.watch.observe(root);
     this.watch.observe(this.curves.body);
-    // a printer sees the canvas only if it was drawn just now
+    // WebGL clears the canvas after each frame; printing requires a new one.
     window.addEventListener("beforeprint", () => this.draw());
     this.dark = window.matchMedia("(prefers-color-scheme: dark)");
     this.dark.addEventListener("change", () => this.colours());
@@ -103,7 +103,7 @@ export class Page {
       this.#announce("The graphics context was lost. Reload the page."),
     );
     this.orbit = new Orbit(stage.camera, stage.canvas, () => this.changed(), this.scenes[0].up);
-    // within a longer page the wheel scrolls the page until the reader clicks the scene
+    // On a longer page the wheel scrolls the page until the user clicks the scene.
     this.orbit.takesWheel = (event) => {
       const takes = this.fills || event.ctrlKey || document.activeElement === stage.canvas;
       if (!takes) this.#hint("click the scene to zoom with the wheel");
@@ -157,7 +157,7 @@ export class Page {
       if (modes.length && !this.scenes[1]) {
         this.modes = new Modes(modes, stage, () => this.changed());
         const opener = panels.add("Modes", "Mode shapes", this.modes.rows);
-        // shapes are all that moves in a page without a record
+        // On a page without a record, mode shapes are the only animation.
         if (this.player.times.length < 2 && this.host.clientWidth >= ROOM) panels.show("Modes", this.modes.rows, opener);
       }
       panels.add("Save", "Picture, solids, video", saveRows(this));
@@ -171,7 +171,7 @@ export class Page {
     panels.add(notes.length ? `Notes (${notes.length})` : "?", "Notes and keys", help);
   }
 
-  /** Colours that scripts draw with follow the page. */
+  /** Colours drawn by scripts follow the colour scheme of the page. */
   colours() {
     this.stage?.background.set(getComputedStyle(this.area).backgroundColor);
     this.curves.build();
@@ -184,7 +184,7 @@ export class Page {
     if (this.stage) {
       const first = this.stage.size.width === 1;
       this.stage.resize();
-      // what the legends cover is known once they are filled
+      // The area covered by the legends is known only after they are filled.
       if (first) this.draw();
       for (const legend of this.legends) legend.settle();
       if (first) this.views.named("iso", true);
@@ -196,7 +196,7 @@ export class Page {
     this.update();
   }
 
-  /** Something is to be drawn again, once, when the browser next draws. */
+  /** Request one redraw at the next frame of the browser. */
   changed() {
     if (!this.waiting) this.waiting = requestAnimationFrame((now) => this.#frame(now));
   }
@@ -217,23 +217,23 @@ export class Page {
     else this.last = 0;
   }
 
-  /** Below some twelve pictures a second a coarser one that moves is worth more than a fine one that jerks. */
+  /** Below about twelve frames per second the resolution is reduced in favour of smooth motion. */
   #spare(dt, moving) {
     const goesOn = this.player.playing || this.easing || this.modes?.active;
     if (moving && goesOn) this.pace = 0.7 * (this.pace ?? dt) + 0.3 * dt;
-    // a film has one size
+    // The resolution of a video cannot change during the recording.
     if (this.filming) return;
     this.stage?.coarsen(Boolean(goesOn) && this.pace > (this.stage.coarse ? 0.03 : 0.085));
   }
 
-  /** Everything but the scene, which is drawn by draw. */
+  /** Update all elements except the scene. */
   update() {
     this.transport.update();
     this.curves.cursor(this.player.time);
     this.#sendTime();
   }
 
-  /** The page around the viewer hears where time is. */
+  /** Report the current time to the surrounding page. */
   #sendTime() {
     if (this.player.time === this.sent) return;
     this.sent = this.player.time;
@@ -241,7 +241,7 @@ export class Page {
     this.root.dispatchEvent(new CustomEvent("pp-time", { bubbles: true, detail: this.sent }));
   }
 
-  /** Bodies of a record that is shorter than the other one are at rest after it. */
+  /** Mark a result whose record has ended; its bodies remain at rest. */
   #announceEnds() {
     if (this.scenes.length < 2 || !this.names) return;
     const words = namesOf(this.scenes);
@@ -297,19 +297,19 @@ export class Page {
     this.status.textContent = [following, larger, this.modes?.words].filter(Boolean).join(" · ");
   }
 
-  /** Whether the page is nothing but the viewer. */
+  /** Whether the viewer fills the page. */
   get fills() {
     return this.root.clientHeight > 0.8 * window.innerHeight;
   }
 
-  /** @param {string} words shown for a moment */
+  /** @param {string} words message, shown temporarily */
   #hint(words) {
     this.status.textContent = words;
     clearTimeout(this.hinted);
     this.hinted = setTimeout(() => this.changed(), 2500);
   }
 
-  /** As a frame that comes so much later does. @param {number} dt real time [s] */
+  /** Advance by a time step as a browser frame does. @param {number} dt real time [s] */
   advance(dt) {
     this.player.advance(dt);
     this.modes?.advance(dt);
@@ -337,7 +337,7 @@ export class Page {
     this.changed();
   }
 
-  /** @param {string} what @returns {string} what is wrong with it */
+  /** @param {string} what @returns {string} error message, empty if there is none */
   loop(what) {
     const wrong = this.player.repeat(what, this.views?.first ?? -1, this.scenes[0].solids);
     this.transport.loop.select.value = this.player.loop;
@@ -346,7 +346,7 @@ export class Page {
     return wrong;
   }
 
-  /** @param {number} body of those that can be followed, -1 none */
+  /** @param {number} body index in the list of bodies to follow, -1 none */
   follow(body) {
     if (!this.stage || body >= this.views.names.length) return;
     this.views.follow(body);
@@ -378,7 +378,7 @@ export class Page {
   }
 }
 
-/** Marks of all results; those of two state whose they are. @param {any[]} scenes */
+/** Marks of all results; marks of two results include the name of the result. @param {any[]} scenes */
 function allMarks(scenes) {
   const names = namesOf(scenes);
   return scenes.flatMap((scene, k) =>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The row of buttons and what each opens: one panel at a time, over the corner of the scene.
+// The toolbar and its panels. One panel is open at a time, over a corner of the scene.
 import { button, choice, el, logSlider, tick } from "./dom.js";
 import { number } from "./numbers.js";
 import { download, fileName, film, movingSolids, png, stl } from "./save.js";
 
-/** Part of the width that a panel may take from the picture. */
+/** Maximum fraction of the width that the fitted view leaves to a panel. */
 const MOST = 0.4;
 
 export class Panels {
@@ -53,7 +53,7 @@ export class Panels {
     this.panel.hidden = false;
   }
 
-  /** Part of the width that an open panel covers; none where too little would be left. */
+  /** Fraction of the width covered by an open panel; zero if the rest would be too narrow. */
   get share() {
     const share = this.open ? (this.panel.offsetWidth + 12) / Math.max(this.panel.parentElement.clientWidth, 1) : 0;
     return share > MOST ? 0 : share;
@@ -69,7 +69,7 @@ export class Panels {
   }
 }
 
-/** Rows of the panel of views. @param {import("./page.js").Page} page */
+/** Rows of the panel "View". @param {import("./page.js").Page} page */
 export function viewRows(page) {
   const { stage } = page;
   const views = [
@@ -145,7 +145,7 @@ const NAMES = {
   load: "loads",
 };
 
-/** Rows of the panel of forces. @param {import("./page.js").Page} page */
+/** Rows of the panel "Forces". @param {import("./page.js").Page} page */
 export function forceRows(page) {
   const all = page.stage.pictures.map((picture) => picture.arrows);
   const kinds = [...new Set(all.flatMap((arrows) => [...arrows.kinds]))];
@@ -170,7 +170,7 @@ export function forceRows(page) {
   return [...Object.values(page.kinds).map(({ row }) => row), scale.row];
 }
 
-/** Rows of the panel of files. @param {import("./page.js").Page} page */
+/** Rows of the panel "Save". @param {import("./page.js").Page} page */
 export function saveRows(page) {
   const { stage } = page;
   const picture = (times) => download(png(page, times), fileName(page, "png"));
@@ -221,7 +221,7 @@ export function saveRows(page) {
   ];
 }
 
-/** Rows of the panel of vibrations. @param {import("./page.js").Page} page */
+/** Rows of the panel "Vibration". @param {import("./page.js").Page} page */
 export function vibrationRows(page) {
   page.magnification = logSlider({
     label: "× ",

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact pattern: the largest load that every place of a flank has carried so far, painted on the teeth.
+// Contact pattern: maximum load up to the current time at each point of a flank, painted on the teeth.
 import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshBasicMaterial } from "three";
 import { reached } from "./contacts.js";
 import { litColour } from "./load_colours.js";
 
 const modulo = (a, n) => ((a % n) + n) % n;
-const SAME = 1.004; // a load that is larger by less has the same colour
+const SAME = 1.004; // smaller relative increases do not change the colour
 
-/** Largest loads on a grid over one flank and over every tooth, frame after frame. */
+/**
+ * Maximum loads on a grid over a flank, for all teeth combined and for each tooth, accumulated over the
+ * frames.
+ */
 class Record {
   /** @param {any} contact @param {any} flank */
   constructor(contact, flank) {
@@ -21,14 +24,14 @@ class Record {
   clear() {
     const { nz, nx, flank } = this;
     this.done = -1;
-    /** teeth that carried something, in their order, and what has changed since it was painted */
+    /** Loaded teeth in the order of their first load, and changes since the last painting. */
     this.touched = flank.surfaces.map(() => []);
     this.news = { all: true, teeth: flank.surfaces.map(() => new Set()) };
     this.all = new Float32Array(nz * nx);
     this.each = flank.surfaces.map((surface) => new Float32Array(surface.teeth * nz * nx));
   }
 
-  /** Take in all frames up to one. @param {number} frame */
+  /** Include all frames up to a given one. @param {number} frame */
   upTo(frame) {
     if (frame < this.done) this.clear();
     while (this.done < frame) {
@@ -37,7 +40,7 @@ class Record {
     }
   }
 
-  /** Load in a frame of the pair that makes a line, at a width, or null where the line is not. */
+  /** Load at a position along the face width on the contact line of a tooth pair, null outside the line. */
   #load(row, line, z) {
     const { flank } = this;
     if (!line || z < line.from || z > line.to) return null;
@@ -49,7 +52,7 @@ class Record {
     return a + (x - k) * (b - a);
   }
 
-  /** Lines move straight from one frame to the next, unless a pair goes by in between. */
+  /** Lines are swept linearly from frame to frame, unless the travel in between approaches a base pitch. */
   #sweep(before, now) {
     const { contact, flank, nz, nx } = this;
     const [start, end] = contact.path,
@@ -97,7 +100,11 @@ class Record {
 }
 
 export class Pattern {
-  /** @param {import("./contacts.js").Contact} contact @param {import("three").Group} root @param {import("./poses.js").Poses} poses */
+  /**
+   * @param {import("./contacts.js").Contact} contact
+   * @param {import("three").Group} root
+   * @param {import("./poses.js").Poses} poses
+   */
   constructor(contact, root, poses) {
     this.poses = poses;
     this.greatest = contact.greatest;
@@ -110,13 +117,13 @@ export class Pattern {
       });
   }
 
-  /** Flanks of all teeth of a gear, without paint. */
+  /** Mesh of the flanks of all teeth of a gear, initially transparent. */
   #teeth(record, surface, g, root) {
     const { nz, nx } = record;
     const each = nz * nx;
     const position = new Float32Array(3 * each * surface.teeth);
     for (let tooth = 0; tooth < surface.teeth; tooth++) {
-      // pairs count the teeth of a gear in one of both senses
+      // Tooth numbers increase with the pair number on one gear and decrease on the other.
       const angle = surface.turn * surface.step * (tooth - surface.tooth);
       const c = Math.cos(angle),
         s = Math.sin(angle);
@@ -125,7 +132,7 @@ export class Pattern {
         position.set([c * x - s * y, s * x + c * y, z], 3 * (tooth * each + k));
       }
     }
-    // triangles of one tooth; those of teeth that carried something are drawn
+    // Triangles of one tooth; only loaded teeth are drawn.
     const block = [];
     for (let j = 0; j < nz - 1; j++)
       for (let k = 0; k < nx - 1; k++) {
@@ -157,7 +164,12 @@ export class Pattern {
     return mesh;
   }
 
-  /** @param {"off"|"all"|"each"} mode @param {boolean} hidden @param {number} maximum of the colours @param {any} shade of SHADES */
+  /**
+   * @param {"off"|"all"|"each"} mode
+   * @param {boolean} hidden
+   * @param {number} greatest upper end of the colour scale
+   * @param {any} shade entry of SHADES
+   */
   update(mode, hidden, greatest, shade) {
     const frame = this.poses.where.share === 1 ? this.poses.where.low + 1 : this.poses.where.low;
     for (const { record, meshes } of this.parts) {
@@ -177,7 +189,7 @@ export class Pattern {
     this.painted = greatest;
   }
 
-  /** What has changed: of teeth painted together all, of each by itself those that have. */
+  /** Update the colours of changed teeth. A change of the superimposed pattern affects all teeth. */
   #paint(record, mesh, mode, greatest, anew) {
     const { gear, block } = mesh.userData;
     const each = record.nz * record.nx;
@@ -198,7 +210,7 @@ export class Pattern {
     }
   }
 
-  /** What the colours show of a load at a place of the grid. */
+  /** Quantity shown by the colours for a load at a grid point. */
   #value({ contact, nx, nz }, k, load) {
     const [start, end] = contact.path,
       [low, high] = contact.width;
@@ -206,7 +218,7 @@ export class Pattern {
     return this.shade.of(contact, at, load);
   }
 
-  /** Triangles of the teeth that carried something. */
+  /** Extend the drawn triangles to all loaded teeth. */
   #draw(mesh, touched, block, each) {
     const { geometry, userData } = mesh;
     if (touched.length < userData.drawn) userData.drawn = 0;
@@ -228,7 +240,7 @@ export class Pattern {
       }
   }
 
-  /** What is painted, for tests: largest load and share of the places that ever carried one. */
+  /** State for tests: maximum load, covered fraction of the flank, and loaded teeth. */
   words() {
     return this.parts.map(({ record }) => ({
       side: record.flank.side,

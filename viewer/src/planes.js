@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables whose bytes lie in planes, as differences: docs/scene_format.md, "Planes".
+// Tables whose bytes are stored in planes, as differences: docs/scene_format.md, "Planes".
 
 /**
- * Whole numbers of a table.
- * @param {Uint8Array} bytes planes one after the other, the lowest first
- * @param {number} length numbers in the table @param {any} entry of the header
+ * Integers of a table.
+ * @param {Uint8Array} bytes planes in sequence, lowest byte first
+ * @param {number} length number of values in the table
+ * @param {any} entry of the header
  * @returns {Float64Array} in the order of the table
  */
 export function fromPlanes(bytes, length, { shape, differences, across }) {
   const stored = new Float64Array(length);
   for (let at = 0, weight = 1; at < bytes.length; at += length, weight *= 256)
     for (let k = 0; k < length; k++) stored[k] += weight * bytes[at + k];
-  // the last bit is the sign
+  // The lowest bit is the sign.
   for (let k = 0; k < length; k++) stored[k] = stored[k] % 2 ? -(stored[k] + 1) / 2 : stored[k] / 2;
   const rows = across ? shape[shape.length - 1] : shape[0];
   for (let at = 0; rows && at < length; at += rows) add(stored, at, at + rows, differences);
@@ -22,7 +23,13 @@ export function fromPlanes(bytes, length, { shape, differences, across }) {
   return out;
 }
 
-/** One column from its differences. @param {Float64Array} values @param {number} from @param {number} to @param {number} order */
+/**
+ * Restore one column from its differences.
+ * @param {Float64Array} values
+ * @param {number} from
+ * @param {number} to
+ * @param {number} order
+ */
 function add(values, from, to, order) {
   if (order === 0) for (let k = from + 1; k < to; k++) values[k] += values[from];
   if (order === 2) for (let k = from + 2; k < to; k++) values[k] += values[k - 1];
@@ -30,9 +37,11 @@ function add(values, from, to, order) {
 }
 
 /**
- * Tables that follow from fewer columns.
- * @param {ArrayLike<number>} data count rows of mix.length columns @param {number} count
- * @param {number[][]} mix what a stored column adds to each column @param {number[]} offset
+ * Tables that are linear combinations of fewer columns.
+ * @param {ArrayLike<number>} data count rows of mix.length columns
+ * @param {number} count
+ * @param {number[][]} mix contribution of each stored column to each column
+ * @param {number[]} offset
  */
 export function mixed(data, count, mix, offset) {
   const width = offset.length;
@@ -46,7 +55,10 @@ export function mixed(data, count, mix, offset) {
   return out;
 }
 
-/** Give every channel its times, least and most: columns of tables that channels share. @param {any} scene */
+/**
+ * Assign times, minimum and maximum to each channel, from columns of tables that channels share.
+ * @param {any} scene
+ */
 export function spreadChannels(scene) {
   for (const channel of scene.channels) {
     if (!channel.curve) continue;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Time of the scene: where it is, how fast it runs, which piece of the record it repeats.
+// Playback: current time, speed and repeated interval.
 import { between } from "./frames.js";
 
 export const SLOWEST = 1e-4;
 
-/** Nearest of 1, 2, 5, 10, ... times a power of ten. @param {number} value */
+/** Rounds to 1, 2 or 5 times a power of ten. @param {number} value */
 export function round125(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   const head = value / power;
@@ -13,7 +13,7 @@ export function round125(value) {
 
 export class Player {
   /**
-   * @param {ArrayLike<number>} times of the frames, of all results
+   * @param {ArrayLike<number>} times frames of all results
    * @param {import("./poses.js").Poses|null} poses of the first result
    */
   constructor(times, poses) {
@@ -23,7 +23,7 @@ export class Player {
     this.last = times.length ? times[times.length - 1] : 0;
     this.time = this.first;
     this.playing = false;
-    /** heard once the piece that is played has come to its end, where it then stays */
+    /** Called at the end of the played interval, which is then not repeated. */
     this.atEnd = null;
     this.loop = "record";
     this.window = [this.first, this.last];
@@ -31,12 +31,15 @@ export class Player {
     this.speed = this.#pleasant();
   }
 
-  /** Frames of the bodies that turn around an instant: results that are compared have others. @param {number} t */
+  /**
+   * Frames of the first result around an instant; the playback frames of compared results may differ.
+   * @param {number} t
+   */
   #frame(t) {
     return between(this.poses?.times ?? this.times, t);
   }
 
-  /** A speed at which the fastest body turns about once in three seconds, or the record lasts ten. */
+  /** Initial speed: the fastest body rotates about once in three seconds, or the record lasts ten seconds. */
   #pleasant() {
     const length = this.last - this.first;
     let fastest = 0;
@@ -66,7 +69,7 @@ export class Player {
     if (ended) this.atEnd();
   }
 
-  /** To the next frame but one, and so on. @param {number} frames */
+  /** Step by a number of frames from the current time. @param {number} frames */
   step(frames) {
     this.playing = false;
     const { low, share } = between(this.times, this.time);
@@ -80,7 +83,11 @@ export class Player {
     return low + share;
   }
 
-  /** The body whose turns count: the followed one, else the first gear, else the first that turns. @param {number} followed */
+  /**
+   * Reference body for counting turns: the followed body, otherwise the first gear, otherwise the first
+   * rotating body.
+   * @param {number} followed
+   */
   reference(followed, solids) {
     const turns = (k) =>
       this.poses &&
@@ -93,9 +100,11 @@ export class Player {
   }
 
   /**
-   * Repeat the whole record, one turn, or one mesh cycle from here on.
-   * @param {"record"|"turn"|"cycle"} loop @param {number} followed body @param {any[]} solids
-   * @returns {string} what is wrong with it, or ""
+   * Repeat the whole record, or one turn or mesh cycle from the current time.
+   * @param {"record"|"turn"|"cycle"} loop
+   * @param {number} followed body
+   * @param {any[]} solids
+   * @returns {string} error message, empty if there is none
    */
   repeat(loop, followed, solids) {
     this.loop = "record";
@@ -109,7 +118,7 @@ export class Player {
     const at = (t) => this.poses.angle(body, this.#frame(t));
     const swept = Math.abs(at(this.last) - at(this.first));
     if (swept < angle) return "The record is too short for this.";
-    // as late a start as leaves one whole piece
+    // The start is moved back if less than one complete interval remains.
     let a = this.time;
     if (Math.abs(at(this.last) - at(a)) < angle)
       a = this.#when((t) => Math.abs(at(this.last) - at(t)) <= angle, this.first, this.last);
@@ -121,7 +130,7 @@ export class Player {
     return "";
   }
 
-  /** First instant at which something holds that then continues to hold. */
+  /** First instant of a condition that then remains true, by bisection. */
   #when(holds, low, high) {
     for (let k = 0; k < 60; k++) {
       const middle = (low + high) / 2;

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves below the scene: one plot a unit, bands between least and most, a cursor tied to the time of the scene.
+// Curves below the scene: one plot per unit, bands between minimum and maximum, a cursor at the current time.
 import uPlot from "uplot";
 import { button, el } from "./dom.js";
 import { colourOfChannel, colourOfMark, isForce } from "./colours.js";
 import { fixed, timeUnit } from "./numbers.js";
 
-const LOW = 84; // least height of a plot [px]
-/** Curves whose middles lie more of their spans apart than this would be two straight lines in one plot. */
+const LOW = 84; // minimum height of a plot [px]
+/**
+ * Distance of the centres of two curves, in spans, above which a common plot would show both as straight
+ * lines.
+ */
 const APART = 4;
 
-/** Instants at which the pieces of a channel are drawn: their starts where each is one sample, else their middles. @param {any} channel */
+/**
+ * Instants at which the intervals of a channel are drawn: the centre of an interval, or the start if it is
+ * one sample.
+ * @param {any} channel
+ */
 export function middles(channel) {
   const { data: starts } = channel.times;
   if (!channel.most || starts.length < 2) return Float64Array.from(starts);
@@ -17,16 +24,21 @@ export function middles(channel) {
   return Float64Array.from(starts, (t, k) => t + (k < n - 1 ? starts[k + 1] - t : t - starts[k - 1]) / 2);
 }
 
-/** A table in the unit that is shown. @param {any} channel @param {any} table */
+/** A table in the displayed unit. @param {any} channel @param {any} table */
 function shown(channel, table) {
   const scale = channel.scale ?? 1;
   return Float64Array.from(table.data, (value) => value * scale);
 }
 
-/** Whether a record that ends then has ended by an instant; rounding of a frame's time is not an end. */
+/** Whether a record has ended before an instant, except for rounding of frame times. */
 export const ended = (end, t) => t > end + 1e-9 * Math.abs(end);
 
-/** Piece of a channel at an instant, nothing after its record. @param {any} channel @param {number} t @param {number} [end] of the record */
+/**
+ * Minimum and maximum of a channel in the interval at an instant; null after the end of the record.
+ * @param {any} channel
+ * @param {number} t
+ * @param {number} [end] of the record
+ */
 export function valueAt(channel, t, end = Infinity) {
   if (ended(end, t)) return null;
   const { times, least, most } = channel;
@@ -41,7 +53,7 @@ export function valueAt(channel, t, end = Infinity) {
   return { least: least.data[low] * scale, most: (most ?? least).data[low] * scale };
 }
 
-/** Least and most of a curve in all results, and its longest way between them in one. @param {any[]} found */
+/** Centre of a curve over all results, and its largest span in a single result. @param {any[]} found */
 function extent(found) {
   const sides = found.filter(Boolean).map(({ least, most }) => {
     const of = (table, pick) => table.data.reduce((a, b) => pick(a, b), table.data[0]);
@@ -52,18 +64,19 @@ function extent(found) {
   return { middle: (low + high) / 2, span: Math.max(...sides.map(([a, b]) => b - a)) };
 }
 
-/** Whether the ways of two curves would not be seen in one plot. */
+/** Whether a common plot would hide the variation of two curves. */
 function apart(a, b) {
   const span = Math.max(a.span, b.span),
     gap = Math.abs(a.middle - b.middle);
-  // two that are at rest have nothing to be seen
+  // Two constant curves have no variation to show.
   return gap > APART * span && span > 1e-9 * gap;
 }
 
 export class Plots {
   /**
    * @param {any[][]} channels of each result
-   * @param {any[]} marks @param {number[]} range of time
+   * @param {any[]} marks
+   * @param {number[]} range of time
    * @param {(t: number) => void} seek
    * @param {number[]} ends of the records
    */
@@ -95,7 +108,7 @@ export class Plots {
     this.build();
   }
 
-  /** Chosen channels in groups of one unit, that are near enough for their ways to be seen. */
+  /** Selected channels in groups of one unit and similar level, so that the variation of each is visible. */
   #groups() {
     const groups = [];
     for (const name of this.order) {
@@ -107,7 +120,7 @@ export class Plots {
       if (near) near.members.push(member);
       else groups.push({ unit, members: [member] });
     }
-    // plots of one unit below each other
+    // Plots of the same unit are adjacent.
     const units = [...new Set(groups.map(({ unit }) => unit))];
     return groups.sort((a, b) => units.indexOf(a.unit) - units.indexOf(b.unit));
   }
@@ -118,7 +131,7 @@ export class Plots {
     this.element.replaceChildren();
     const groups = this.#groups();
     this.ratio = window.devicePixelRatio || 1;
-    // curves of force parts have their own colours, the others take turns
+    // Force components have fixed colours; the other curves use a palette in turn.
     this.turns = groups
       .flatMap(({ members }) => members)
       .map(({ name }) => name)
@@ -171,7 +184,6 @@ export class Plots {
           }),
         ),
       );
-      // as many decimals as four digits of the largest value have
       const largest = Math.max(
         ...found
           .filter(Boolean)
@@ -270,7 +282,8 @@ export class Plots {
     over.addEventListener(
       "wheel",
       (event) => {
-        if (!event.ctrlKey && !event.shiftKey && event.deltaY > 0 && this.x === this.full) return; // the page scrolls
+        // At the full range, zooming out scrolls the page instead.
+        if (!event.ctrlKey && !event.shiftKey && event.deltaY > 0 && this.x === this.full) return;
         event.preventDefault();
         const t = at(event),
           factor = Math.exp(Math.max(-1, Math.min(1, (event.deltaY || event.deltaX) * 0.002)));
@@ -280,7 +293,7 @@ export class Plots {
     );
   }
 
-  /** Piece of time that all plots show. @param {number[]} range */
+  /** Set the time interval of all plots. @param {number[]} range */
   zoom([a, b]) {
     const [first, last] = this.full;
     const out = b - a >= last - first;
@@ -290,7 +303,7 @@ export class Plots {
   }
 
   resize() {
-    // captions of many curves take several lines on narrow pages
+    // Captions of many curves take several lines on narrow pages.
     const captions = this.drawn.reduce((sum, { caption }) => sum + caption.offsetHeight, 0);
     const height = this.element.clientHeight - captions - 4;
     const each = Math.max(LOW, Math.min(260, Math.floor(height / Math.max(1, this.drawn.length)) - 4));
@@ -322,23 +335,34 @@ export class Plots {
   }
 }
 
-/** Colour of the second of two results: darker on white, lighter on black. @param {Element} element @param {string} colour */
+/**
+ * Colour of the second of two results: darker on a light background, lighter on a dark one.
+ * @param {Element} element
+ * @param {string} colour
+ */
 export function secondTint(element, colour) {
   const ink = getComputedStyle(element).getPropertyValue("--v-ink").trim() || "#1f2933";
   return `color-mix(in srgb, ${colour} 40%, ${ink})`;
 }
 
-/** Least room of a tick [px]; steps of 1, 2, 2.5 and 5 then leave two of them at least. @param {any} _ @param {number} __ @param {number} ___ @param {number} ____ @param {number} size of the axis */
+/**
+ * Minimum tick spacing [px]; with steps of 1, 2, 2.5 and 5 an axis then has at least two ticks.
+ * @param {any} _
+ * @param {number} __
+ * @param {number} ___
+ * @param {number} ____
+ * @param {number} size of the axis
+ */
 const ticks = (_, __, ___, ____, size) => Math.max(9, Math.min(24, size / 4));
 
-/** A range with air, that is never empty. */
+/** A non-empty axis range with a margin. */
 function range(low, high) {
   if (!(high >= low)) return [0, 1];
   const air = 0.06 * (high - low || Math.abs(high) || 1);
   return [low - air, high + air];
 }
 
-/** Labels of an axis of time, in the unit that suits it. @param {number[]} splits [s] */
+/** Labels of a time axis in a suitable unit. @param {number[]} splits [s] */
 export function timeLabels(splits) {
   const [unit, name] = timeUnit(Math.max(...splits.map(Math.abs)));
   return labels(
@@ -347,12 +371,16 @@ export function timeLabels(splits) {
   );
 }
 
-/** Labels of an axis; large and small numbers share one power of ten. @param {number[]} splits @param {string} unit of the last one */
+/**
+ * Labels of an axis with a uniform number format.
+ * @param {number[]} splits
+ * @param {string} unit appended to the last label
+ */
 export function labels(splits, unit = "") {
   const most = Math.max(...splits.map(Math.abs));
   const step = splits.length > 1 ? Math.abs(splits[1] - splits[0]) : most;
   let decimals = Math.max(0, Math.min(12, -Math.floor(Math.log10(step || 1) + 1e-9)));
-  // 2.5 has one more digit than 2
+  // Steps such as 2.5 require one more decimal.
   if (decimals < 12 && Math.abs(step * 10 ** decimals - Math.round(step * 10 ** decimals)) > 1e-6) decimals++;
   return splits.map((value, k) => {
     const text = most >= 1e6 || (most > 0 && most < 1e-4) ? value.toExponential(2) : value.toFixed(decimals);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where every body is at an instant: kinematics of docs/scene_format.md, in double precision.
+// Poses of all bodies at an instant: kinematics of docs/scene_format.md, in double precision.
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { between, lerp, means } from "./frames.js";
 
 const X = new Vector3(1, 0, 0);
 const Z = new Vector3(0, 0, 1);
 
-/** Rotation of a rotation vector. @param {Quaternion} out */
+/** Quaternion of a rotation vector. @param {Quaternion} out */
 export function fromRotationVector(out, x, y, z) {
   const angle = Math.hypot(x, y, z);
   if (angle < 1e-300) return out.identity();
@@ -15,14 +15,14 @@ export function fromRotationVector(out, x, y, z) {
 }
 
 export class Poses {
-  /** @param {any} scene as readScene gives it */
+  /** @param {any} scene result of readScene */
   constructor(scene) {
     this.bodies = scene.bodies;
     this.times = scene.times?.data ?? new Float64Array([0]);
     this.where = { low: 0, share: 0 };
     this.magnification = 1;
     this.world = this.bodies.map(() => new Matrix4());
-    /** frames that hang on the parent but do not spin: arrows live in them */
+    /** Frames fixed to the parent that do not spin with the body; arrows refer to them. */
     this.still = this.bodies.map(() => new Matrix4());
     this.rest = this.bodies.map(() => new Matrix4());
     this.means = this.bodies.map((body) => ({
@@ -44,7 +44,7 @@ export class Poses {
     return parent < 0 ? IDENTITY : list[parent];
   }
 
-  /** Where a solid is: that of its body, or of the first body that it bends between. @param {any} solid */
+  /** Frame of a solid: that of its body, or of the first body of a blended solid. @param {any} solid */
   ofSolid(solid) {
     if (solid.between) return this.#between(solid);
     const body = solid.blend ? solid.blend.bodies[0] : solid.body;
@@ -59,7 +59,7 @@ export class Poses {
     return solid.placed.multiplyMatrices(frame, solid.seat);
   }
 
-  /** Frame of a solid that is stretched between two bodies: its third axis goes from end to end. */
+  /** Frame of a solid stretched between two bodies, with the third axis from end to end. */
   #between(solid) {
     const { bodies, ends } = solid.between;
     const [a, b] = bodies.map((body, k) =>
@@ -68,7 +68,7 @@ export class Poses {
     const along = b.clone().sub(a);
     const length = along.length() || 1e-12;
     const z = along.clone().divideScalar(length);
-    // the axis of the first body that lies most across: the solid does not spin about itself
+    // The axis of the first body most perpendicular to the solid keeps it from rotating about its own axis.
     const frame = bodies[0] < 0 ? IDENTITY : this.world[bodies[0]];
     const across = [0, 1, 2]
       .map((k) => new Vector3().setFromMatrixColumn(frame, k))
@@ -84,7 +84,11 @@ export class Poses {
     return gross ? ratio * lerp(gross, where) : 0;
   }
 
-  /** Angle of a body about its third axis [rad], whole turns counted. @param {number} k @param {{low: number, share: number}} where */
+  /**
+   * Angle of a body about its third axis, including whole turns [rad].
+   * @param {number} k
+   * @param {{low: number, share: number}} where
+   */
   angle(k, where = this.where) {
     const { spin } = this.bodies[k];
     return this.#gross(this.bodies[k], where) + (spin ? lerp(spin, where) : 0);
@@ -95,7 +99,7 @@ export class Poses {
     this.mode = null;
     this.where = between(this.times, t);
     const { where, magnification: m } = this;
-    // x plus what the magnification adds to its deviation from the mean
+    // Deviations from the mean are magnified.
     const large = (table, mean, column) => {
       const x = lerp(table, where, column);
       return m === 1 ? x : mean[column] + m * (x - mean[column]);
@@ -146,8 +150,10 @@ export class Poses {
   }
 
   /**
-   * Bodies at rest, moved by a mode at a phase.
-   * @param {any} mode @param {number} phase [rad] @param {number} amplitude
+   * Poses at rest, displaced by a mode at a given phase.
+   * @param {any} mode
+   * @param {number} phase [rad]
+   * @param {number} amplitude
    */
   ofMode(mode, phase, amplitude) {
     const c = amplitude * Math.cos(phase),
@@ -167,10 +173,10 @@ export class Poses {
     return this;
   }
 
-  /** Common direction of the axes about which most bodies turn, world. */
+  /** Mean direction of the axes of rotation, in the world. */
   axis() {
     const sum = new Vector3();
-    // links that swing count where nothing goes round
+    // Oscillating links are used only if no body rotates continuously.
     const round = this.bodies.some((body) => body.gross);
     this.bodies.forEach((body, k) => {
       if (!body.gross && (round || !body.spin)) return;

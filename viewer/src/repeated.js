@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Gears: one tooth of every shape, drawn at the positions of its copies, each only where it is seen and as fine as it
-// has to be.
+// Gears: one tooth of each shape, drawn as instances at the positions of its copies. Copies outside the view
+// are omitted, and the level of detail follows the distance.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -14,10 +14,10 @@ import {
 } from "three";
 import { creaseNormals } from "./crease_normals.js";
 
-// Chords off by less than this part of a pixel are not seen.
+// Maximum chordal deviation in pixels that is not visible.
 const UNSEEN = 0.35;
 
-/** A mesh of a surface with sharp edges where they are sharp. */
+/** Geometry of a surface from creaseNormals. */
 export function geometryOf({ points, normals, index }) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points, 3));
@@ -31,7 +31,7 @@ export function geometryOf({ points, normals, index }) {
   return geometry;
 }
 
-/** Points turned about the third axis. @param {ArrayLike<number>} points @param {number} angle */
+/** Points rotated about the third axis. @param {ArrayLike<number>} points @param {number} angle */
 function turned(points, angle) {
   const c = Math.cos(angle),
     s = Math.sin(angle);
@@ -45,8 +45,11 @@ function turned(points, angle) {
 }
 
 /**
- * Normals of a pitch as if its neighbours were next to it: no seam is seen between copies.
- * @param {any} level @param {number} pitch angle from copy to copy @param {number} creases
+ * Geometry of one angular pitch. Its normals include the adjacent pitches, so that no seam is visible between
+ * copies.
+ * @param {any} level
+ * @param {number} pitch angle between copies
+ * @param {number} creases
  */
 function seamless(level, pitch, creases) {
   const points = level.points.data;
@@ -73,7 +76,7 @@ function seamless(level, pitch, creases) {
     for (const corner of triangles) corners.push(at[corner]);
   }
   const made = creaseNormals(Float32Array.from(all), Uint32Array.from(corners), creases);
-  // only the pitch itself is kept
+  // Only the pitch itself is kept.
   const index = made.index.subarray(0, triangles.length);
   const kept = new Map();
   const place = Uint32Array.from(index, (k) => {
@@ -98,7 +101,7 @@ const POINT = new Vector3();
 export class Repeated extends Group {
   /**
    * @param {any} part of Solids
-   * @param {(fault: string) => import("three").Material} material of a piece
+   * @param {(fault: string) => import("three").Material} material of a repeated part
    */
   constructor(part, material) {
     super();
@@ -129,7 +132,7 @@ export class Repeated extends Group {
     return this.pieces.flatMap(({ levels }) => levels.map(({ mesh }) => mesh));
   }
 
-  /** Triangles that are drawn now. */
+  /** Number of triangles currently drawn. */
   get drawn() {
     return this.meshes.reduce(
       (sum, mesh) => sum + (mesh.visible ? (mesh.count * mesh.geometry.index.count) / 3 : 0),
@@ -137,7 +140,7 @@ export class Repeated extends Group {
     );
   }
 
-  /** Triangles of the whole in its finest level. */
+  /** Number of triangles of all copies at the finest level. */
   get finest() {
     return this.pieces.reduce(
       (sum, { turns, levels }) =>
@@ -147,10 +150,10 @@ export class Repeated extends Group {
   }
 
   /**
-   * Choose what is drawn of every copy.
-   * @param {Matrix4} seen from the frame of the scene to that of the camera's world
+   * Choose the level of detail of each copy.
+   * @param {Matrix4} seen transformation from the scene to the camera's world
    * @param {import("three").PerspectiveCamera} camera
-   * @param {number} pixel size of a pixel at distance 1
+   * @param {number} pixel size of a pixel at unit distance
    */
   choose(seen, camera, pixel) {
     WORLD.multiplyMatrices(seen, this.matrix);
@@ -186,10 +189,7 @@ export class Repeated extends Group {
     mesh.boundingSphere = null;
   }
 
-  /**
-   * All copies as one mesh: for files, for rays, for a look from outside.
-   * @param {"coarse"|"fine"} which
-   */
+  /** All copies as one mesh, for files, ray casting and bounds. @param {"coarse"|"fine"} which */
   whole(which) {
     const blocks = this.pieces.flatMap(({ turns, levels }) => {
       const fine = levels.length - (levels.length > 2 ? 2 : 1);

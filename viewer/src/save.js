@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that the reader keeps: picture, solids, moving solids, film.
+// Export of files: picture, solids, animated solids, video.
 import { Matrix4, Vector3 } from "three";
 import { el } from "./dom.js";
 import { glb } from "./glb.js";
@@ -18,7 +18,7 @@ export function download(blob, name) {
   setTimeout(() => URL.revokeObjectURL(address), 60000);
 }
 
-/** A name for files from the title. @param {import("./page.js").Page} page @param {string} ending */
+/** File name from the title of the scene. @param {import("./page.js").Page} page @param {string} ending */
 export function fileName(page, ending) {
   const plain = page.scenes[0].title
     .toLowerCase()
@@ -28,8 +28,10 @@ export function fileName(page, ending) {
 }
 
 /**
- * The scene as it is, with title, time and forces written on it.
- * @param {import("./page.js").Page} page @param {number} times as many pixels @returns {Blob}
+ * Picture of the current scene with title, time and forces.
+ * @param {import("./page.js").Page} page
+ * @param {number} times factor of the resolution
+ * @returns {Blob}
  */
 export function png(page, times = 1) {
   const { stage } = page;
@@ -39,7 +41,7 @@ export function png(page, times = 1) {
   page.draw();
   const paper = el("canvas", { width: canvas.width, height: canvas.height });
   const pen = paper.getContext("2d");
-  // at once: what a canvas of WebGL shows is gone after the frame
+  // The content of a WebGL canvas is lost after the frame; it is copied immediately.
   pen.drawImage(canvas, 0, 0);
   stage.resize();
   page.draw();
@@ -80,7 +82,7 @@ export function png(page, times = 1) {
   return new Blob([Uint8Array.from(bytes, (letter) => letter.charCodeAt(0))], { type: "image/png" });
 }
 
-/** The bar that states how long something is, at the lower edge. */
+/** Scale bar at the lower edge. */
 function ruler(pen, scale, x, height) {
   const [text, bar] = scale.children;
   const length = parseFloat(bar.style.width);
@@ -93,7 +95,7 @@ function ruler(pen, scale, x, height) {
   pen.stroke();
 }
 
-/** Colours of the loads on flanks and the gap, above the scale. */
+/** Colour scale of the flanks and text of the gap, above the scale bar. */
 function loads(pen, box, x, y, soft) {
   pen.fillStyle = soft;
   pen.font = pen.font.replace(/^\d+px/, "11px");
@@ -108,7 +110,12 @@ function loads(pen, box, x, y, soft) {
   if (!box.gap.hidden) pen.fillText(box.gap.textContent, x, y - 16);
 }
 
-/** As much of a text as there is room for. @param {CanvasRenderingContext2D} pen @param {string} text @param {number} room [px] */
+/**
+ * A text truncated to the available width.
+ * @param {CanvasRenderingContext2D} pen
+ * @param {string} text
+ * @param {number} room [px]
+ */
 function cut(pen, text, room) {
   if (pen.measureText(text).width <= room) return text;
   let end = text.length;
@@ -116,7 +123,10 @@ function cut(pen, text, room) {
   return `${text.slice(0, end).trimEnd()}…`;
 }
 
-/** Rows of the forces, unless they are folded, in their colours at the right edge, below the title where it needs the width. */
+/**
+ * Table of forces at the right edge, without rows if it is folded, and below the title if the width does not
+ * suffice.
+ */
 function legend(pen, page, n, { right: width, room }, ink, style) {
   const { arrows } = page.stage.pictures[n];
   const shown = page.legends[n];
@@ -145,7 +155,7 @@ function legend(pen, page, n, { right: width, room }, ink, style) {
   pen.textAlign = "left";
 }
 
-/** All solids where they are now, binary STL, metres. @param {import("./page.js").Page} page */
+/** All solids in their current position as binary STL, in metres. @param {import("./page.js").Page} page */
 export function stl(page) {
   const parts = page.stage.pictures[0].solids.exported(false).map(({ solid, geometry }) => {
     const points = geometry.attributes.position.array;
@@ -187,8 +197,8 @@ export function movingSolids(page) {
   const step = Math.max(1, Math.ceil((n - 1) / (MOST_KEYS - 1)));
   const frames = [];
   for (let k = 0; k < n; k += step) frames.push(k);
-  // bodies turn many times between keys of a slow table: the least turn between two keys is what a reader of the
-  // file assumes, so that there are as many as no body turns by more than a quarter in between
+  // glTF readers interpolate along the shortest rotation between two keys. Keys are added until no body
+  // rotates by more than a quarter turn between them.
   const times = denser(
     frames.map((k) => poses.times[k]),
     poses,
@@ -204,7 +214,11 @@ export function movingSolids(page) {
   return new Blob([glb(exported, data.bodies, tracks, times)], { type: "model/gltf-binary" });
 }
 
-/** @param {number[]} times @param {import("./poses.js").Poses} poses */
+/**
+ * Times with additional keys for fast rotation.
+ * @param {number[]} times
+ * @param {import("./poses.js").Poses} poses
+ */
 function denser(times, poses) {
   const angles = (t) => {
     poses.at(t);
@@ -222,7 +236,10 @@ function denser(times, poses) {
   return out;
 }
 
-/** A film of what the canvas shows until it is stopped; null where the browser cannot. @param {HTMLCanvasElement} canvas */
+/**
+ * Video recorder for the canvas; null if the browser does not support recording.
+ * @param {HTMLCanvasElement} canvas
+ */
 export function film(canvas) {
   if (typeof MediaRecorder === "undefined" || !canvas.captureStream) return null;
   const kinds = [

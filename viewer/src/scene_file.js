@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads the two elements of a page (docs/scene_format.md) into typed arrays, or reports in a sentence why it cannot.
+// Reads the two data elements of a page (docs/scene_format.md) into typed arrays. Errors are sentences with
+// the reason.
 import { fromPlanes, mixed, spreadChannels } from "./planes.js";
 
 export const FORMAT = "pitchpoint-scene-2";
@@ -14,12 +15,12 @@ const TYPES = {
   u1: Uint8Array,
 };
 
-/** What is wrong with a scene, as a sentence for the reader of the page. */
+/** Error in a scene, with a message for the user. */
 export class SceneError extends Error {}
 
 /**
  * @typedef {Float64Array|Float32Array|Int32Array|Uint32Array|Int16Array|Uint16Array|Uint8Array} Numbers
- * @typedef {{data: Numbers, shape: number[], width: number, count: number}} Table  count rows of width numbers
+ * @typedef {{data: Numbers, shape: number[], width: number, count: number}} Table count rows of width numbers
  */
 
 /**
@@ -60,8 +61,8 @@ async function unzip(packed) {
 
 /**
  * @param {ArrayBuffer} buffer
- * @param {any} entry one array of the header
- * @param {string} what its name in a sentence
+ * @param {any} entry array entry of the header
+ * @param {string} what name of the array in messages
  * @returns {Table}
  */
 export function readTable(buffer, entry, what) {
@@ -95,7 +96,7 @@ export function readTable(buffer, entry, what) {
 }
 
 /**
- * A header with every array in it replaced by a Table.
+ * The header with each array entry replaced by a Table.
  * @param {any} node
  * @param {ArrayBuffer} buffer
  * @param {string} what
@@ -108,7 +109,7 @@ function withTables(node, buffer, what, known = new Map()) {
     );
   if (node === null || typeof node !== "object") return node;
   if ("at" in node && "type" in node && "shape" in node) {
-    // bodies share arrays: each is unpacked once
+    // Arrays shared by several bodies are unpacked once.
     const key = JSON.stringify(node);
     if (!known.has(key)) known.set(key, readTable(buffer, node, what));
     return known.get(key);
@@ -119,7 +120,7 @@ function withTables(node, buffer, what, known = new Map()) {
   return out;
 }
 
-/** @param {boolean} right @param {string} sentence */
+/** @param {boolean} right condition @param {string} sentence */
 function check(right, sentence) {
   if (!right) throw new SceneError(`This scene cannot be read: ${sentence}.`);
 }
@@ -210,7 +211,7 @@ function checkContact(scene, contact, rows) {
 
 /**
  * @param {string} suffix "" or "-2"
- * @returns {Promise<any>} the header with tables, every list present
+ * @returns {Promise<any>} the header with tables; missing lists are empty
  */
 export async function readScene(suffix = "") {
   const header = document.getElementById(`pp-scene${suffix}`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plane that cuts all solids, square to x, y or z or to the axis of a mesh.
+// Section plane through all solids, normal to x, y, z or the axis of a mesh.
 import { Plane, Vector3 } from "three";
 import { choice, el, tick } from "./dom.js";
 import { fixed } from "./numbers.js";
@@ -14,9 +14,9 @@ export class SectionView {
     this.on = false;
     this.normal = new Vector3(0, 0, 1);
     this.flipped = false;
-    /** place along the normal in each picture */
+    /** Position along the normal in each viewport. */
     this.places = stage.pictures.map(() => 0);
-    /** in the world of each picture as the camera sees it, which follows the world */
+    /** Section planes in the camera's world, which moves with a followed body. */
     this.planes = stage.pictures.map(() => new Plane());
     const [axis] = Object.entries(AXES).reduce((best, each) =>
       Math.abs(each[1].dot(stage.pictures[0].poses.axis())) >
@@ -54,7 +54,7 @@ export class SectionView {
     this.along(axis);
   }
 
-  /** Square to an axis of the world, through the middle. @param {string} name */
+  /** Section normal to a world axis, through the centre. @param {string} name */
   along(name) {
     if (name in AXES) this.normal.copy(AXES[name]);
     this.axis.select.value = name;
@@ -66,14 +66,19 @@ export class SectionView {
     return this.places[0];
   }
 
-  /** Square to any direction, through a point of each picture, or as far on as in the others. @param {(Vector3|null)[]} points @param {Vector3} normal */
+  /**
+   * Section with a given normal through a point of each viewport. Viewports without a point use the same
+   * relative position.
+   * @param {(Vector3|null)[]} points
+   * @param {Vector3} normal
+   */
   through(points, normal) {
     const near = Object.entries(AXES).find(([, axis]) => Math.abs(axis.dot(normal)) > 1 - 1e-9);
     this.normal.copy(normal).normalize();
     if (near) this.normal.copy(near[1]);
     this.axis.select.lastChild.hidden = Boolean(near);
     this.axis.select.value = near ? near[0] : "mesh";
-    // what is between the camera and the cut goes
+    // The half between the camera and the section is removed.
     this.flipped = this.normal.dot(normal) < 0;
     this.flip.input.checked = this.flipped;
     const known = points.findIndex(Boolean);
@@ -84,7 +89,7 @@ export class SectionView {
     this.#cut(true);
   }
 
-  /** Least and largest place of the solids of a picture along the normal. @param {number} [picture] */
+  /** Range of positions of the solids along the normal. @param {number} [picture] */
   #ends(picture = 0) {
     const { alike, pictures } = this.stage;
     const { low, high } = alike ? this.stage.bounds() : pictures[picture].bounds;
@@ -104,7 +109,7 @@ export class SectionView {
     this.#share(Number(this.place.value) / 1000);
   }
 
-  /** The cut goes through the same part of all machines. @param {number} share */
+  /** Set the same relative position in all viewports. @param {number} share */
   #share(share) {
     this.places = this.places.map((_, k) => {
       const [low, high] = this.#ends(k);
@@ -116,13 +121,13 @@ export class SectionView {
     this.changed();
   }
 
-  /** The place, as finely as the size of the scene makes sense. */
+  /** Show the position with a resolution suited to the size of the scene. */
   #showPlace() {
     const text = fixed(1000 * Math.max(...this.#ends().map(Math.abs)))(this.at * 1000);
     this.output.textContent = `${Number(text) === 0 ? "0" : text} mm`;
   }
 
-  /** The half on the camera's side goes, so that the cut looks at the camera. */
+  /** Remove the half on the camera side, so that the section faces the camera. */
   #face() {
     const camera = this.stage.camera.position.clone().applyMatrix4(this.stage.pictures[0].seen.clone().invert());
     this.flipped = this.normal.dot(camera) < this.at;
@@ -147,9 +152,9 @@ export class SectionView {
     this.changed();
   }
 
-  /** The planes where the camera sees the worlds. */
+  /** Transform the planes to the camera's world. */
   update() {
-    // what is kept lies on the side to which the normal of the plane points
+    // Clipping keeps the half-space towards which the normal of a plane points.
     const sign = this.flipped ? 1 : -1;
     this.planes.forEach((plane, k) => {
       plane.normal.copy(this.normal).multiplyScalar(sign);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frames of two results that are compared: the steps are those of one of them, and the page states whose.
+// Common frames of two results that are compared: the frames of one result, whose name is shown on the page.
 import { duration } from "./numbers.js";
 import { namesOf } from "./names.js";
 
-/** Mean time between frames; none where there are fewer than two. @param {ArrayLike<number>} times */
+/** Mean time between frames; Infinity for fewer than two frames. @param {ArrayLike<number>} times */
 const stepOf = (times) => (times.length > 1 ? (times[times.length - 1] - times[0]) / (times.length - 1) : Infinity);
 
 /**
- * Frames that the buttons step through: those of the record with the finer steps and, where only the other continues, of
- * that one. All frames of both would make a step now long, now a billionth of a second.
+ * Frames for stepping: those of the record with the smaller interval, extended by those of the other record
+ * outside its range. The union of both sets of frames would give very uneven steps, down to a nanosecond.
  * @param {any[]} scenes one or two
- * @returns {{times: ArrayLike<number>, whose: string, note: string}} `whose` is empty where both have the same frames
+ * @returns {{times: ArrayLike<number>, whose: string, note: string}} `whose` is empty if the frames are
+ *   identical
  */
 export function sharedFrames(scenes) {
   const lists = scenes.map((scene) => scene.times?.data ?? []);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Solids as meshes: one mesh each, or one or two batches where there are hundreds of them.
+// Solids as separate meshes, or as one or two batches if there are hundreds.
 import { Color, DoubleSide, FrontSide, Matrix4, Mesh, MeshLambertMaterial, Vector3 } from "three";
 import { FAULT, colourOfPart } from "./colours.js";
 import { Batch } from "./batch.js";
@@ -9,24 +9,26 @@ import { Repeated, geometryOf } from "./repeated.js";
 import { Blend } from "./blend.js";
 import { ModalShape } from "./modal_shape.js";
 
-// Beyond this, a draw call for each solid costs more than what it draws.
+// With more solids, one draw call per solid dominates the drawing time.
 const MOST_MESHES = 300;
 
-// Covers so many times as large as what they hold are not fitted into the picture.
+// Covers larger than this factor times their contents are not included in the fitted view.
 const LARGE_COVER = 2.5;
 
-// How much nearer a cut is drawn: a part of its distance that depth resolves, and a part of the distance from the axis
-// of its solid, by which facets of a bore and of what sits in it differ; less than a tooth is thick.
+// Depth offset of section faces: a fraction of the viewing distance, for the resolution of the depth buffer,
+// and a fraction of the distance from the axis of the solid, for the different facets of a bore and the part
+// seated in it. The second one is smaller than the tooth thickness.
 const NEARER = 4e-4;
 const FACETS = 3e-3;
 
-// Where members of a batch are that are not shown: triangles without area are not drawn.
+// Pose of hidden members of a batch: triangles without area are not drawn.
 const NOWHERE = new Matrix4().multiplyScalar(0);
 
 /**
- * Back faces seen through a cut are the cut: flat, hatched, whatever the light. A shaft and the bore around it share
- * a surface, seen from one side as the cut of one and the outside of the other: the cut is drawn as a little nearer,
- * near the eye too, where their facets are far apart.
+ * Draw back faces visible through a section as hatched section faces, independent of the light. A shaft and
+ * the bore around it share a surface, which is a section face of one and an outer face of the other. Section
+ * faces are therefore drawn slightly nearer, also in close views, where the facets of the two are visibly
+ * apart.
  */
 function drawCut(material) {
   material.onBeforeCompile = (shader) => {
@@ -68,7 +70,7 @@ function material(colour, seeThrough) {
 
 export class Solids {
   /**
-   * @param {any} scene as readScene gives it
+   * @param {any} scene result of readScene
    * @param {import("three").Group} root
    * @param {import("./poses.js").Poses} poses
    */
@@ -104,7 +106,7 @@ export class Solids {
     this.update(0);
   }
 
-  /** One material for all that look alike. */
+  /** One material for all parts of the same appearance. */
   #material({ colour, solid }, fault = "", how = "") {
     const key = [colour, Boolean(solid.see_through), Boolean(fault), how].join();
     if (!this.known.has(key)) {
@@ -136,7 +138,8 @@ export class Solids {
       if (!parts.length) continue;
       const shared = material("#ffffff", seeThrough);
       const batch = new Batch(parts, shared);
-      parts.forEach((part, k) => Object.assign(part, { batch, member: k, repeated: null })); // teeth of one fineness
+      // Batches have a single level of detail.
+      parts.forEach((part, k) => Object.assign(part, { batch, member: k, repeated: null }));
       batch.renderOrder = seeThrough ? 1 : 0;
       this.known.set(`batch ${seeThrough}`, shared);
       this.batches.push(batch);
@@ -144,7 +147,7 @@ export class Solids {
     }
   }
 
-  /** Places of all solids from the poses. @param {number} visible lengths below this are not seen [m] */
+  /** Update the poses of all solids. @param {number} visible smaller lengths are not visible [m] */
   update(visible) {
     for (const part of this.parts) {
       const matrix = this.poses.ofSolid(part.solid);
@@ -157,18 +160,26 @@ export class Solids {
     }
   }
 
-  /** Choose what is drawn of gears. @param {import("three").Matrix4} seen @param {import("three").PerspectiveCamera} camera @param {number} pixel */
+  /**
+   * Choose the level of detail of gears.
+   * @param {import("three").Matrix4} seen
+   * @param {import("three").PerspectiveCamera} camera
+   * @param {number} pixel
+   */
   choose(seen, camera, pixel) {
     for (const { repeated } of this.parts) repeated?.choose(seen, camera, pixel);
   }
 
-  /** Parts for files, gears as fine as a file can be without being huge. @param {boolean} inBodies in the frames of their bodies, not of the solids */
+  /**
+   * Parts for files; the level of detail of gears limits the file size.
+   * @param {boolean} inBodies in the frames of the bodies instead of the solids
+   */
   exported(inBodies) {
     return this.parts.filter((part) => this.shows(part)).map((part) => {
       const geometry = part.repeated ? part.repeated.whole("fine") : part.geometry;
       const { solid } = part;
       if (!inBodies || !(solid.place || solid.axes || solid.between)) return { ...part, geometry };
-      // what is stretched between two bodies goes with the first as it is now
+      // A solid stretched between two bodies is fixed to the first one in its current shape.
       const matrix = this.poses.ofSolid(solid).clone();
       const body = solid.between ? solid.between.bodies[0] : solid.body;
       if (body >= 0) matrix.premultiply(this.poses.world[body].clone().invert());
@@ -176,7 +187,7 @@ export class Solids {
     });
   }
 
-  /** Triangles that are drawn now. */
+  /** Number of triangles currently drawn. */
   get drawn() {
     return this.parts.reduce(
       (sum, part) =>
@@ -185,7 +196,10 @@ export class Solids {
     );
   }
 
-  /** Cut by planes of the camera's world, or whole. @param {import("three").Plane[]} planes */
+  /**
+   * Set section planes in the camera's world; none for a view without section.
+   * @param {import("three").Plane[]} planes
+   */
   cut(planes) {
     for (const each of this.materials) {
       each.clippingPlanes = planes.length ? planes : null;
@@ -194,7 +208,7 @@ export class Solids {
     }
   }
 
-  /** Housing and other covers: see-through, solid or hidden. @param {"see-through"|"solid"|"hidden"} how */
+  /** Appearance of housing and other covers. @param {"see-through"|"solid"|"hidden"} how */
   cover(how) {
     const done = new Set();
     for (const part of this.parts) {
@@ -214,23 +228,25 @@ export class Solids {
     }
   }
 
-  /** Show what only represents parts, or not. @param {boolean} on */
+  /** Show or hide schematic parts. @param {boolean} on */
   schematics(on) {
     this.plain = !on;
     for (const part of this.parts) if (part.solid.schematic) this.#visible(part);
   }
 
-  /** Whether a part is to be seen. */
   shows(part) {
     return !part.hidden && !(this.plain && part.solid.schematic);
   }
 
-  /** Meshes at once, members of a batch when they are placed. */
+  /** Members of a batch become visible with the next update of their poses. */
   #visible(part) {
     if (part.mesh) part.mesh.visible = this.shows(part);
   }
 
-  /** What a ray meets first, covers last. @param {import("three").Raycaster} ray */
+  /**
+   * First part hit by a ray; covers count only if nothing else is hit.
+   * @param {import("three").Raycaster} ray
+   */
   hit(ray) {
     const hits = ray.intersectObjects(
       [...this.meshes, ...this.batches].filter((object) => object.visible),
@@ -255,8 +271,8 @@ export class Solids {
   }
 
   /**
-   * What a view is fitted to, at rest: all solids, without covers that are far larger than what they hold. Its
-   * size is that of what they hold; all of it lies in the sphere of whole.
+   * Bounds at rest for fitting the view: all solids, without covers that are much larger than their contents.
+   * `size` is the radius of the contents, `whole` the bounds of all solids.
    */
   bounds() {
     const open = this.parts.filter(({ solid }) => !solid.see_through || solid.schematic);
@@ -271,7 +287,7 @@ export class Solids {
     const low = new Vector3(Infinity, Infinity, Infinity),
       high = low.clone().negate();
     const point = new Vector3();
-    /** some points of every solid, from which a view is fitted */
+    /** Extreme points of each solid for fitting the view. */
     const outline = [];
     const ways = directions(this.parts.length > MOST_MESHES ? 6 : 64);
     for (const part of parts) {
@@ -284,7 +300,8 @@ export class Solids {
       for (const at of part.reaches) outline.push(at.clone().applyMatrix4(matrix));
       for (let corner = 0; corner < 8; corner++) {
         point.set(corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z);
-        // a corner of a box reaches further than a round body does
+        // Corners of the bounding box of a round body lie outside the body; they are moved to its bounding
+        // sphere.
         point.sub(center).clampLength(0, radius).add(center).applyMatrix4(matrix);
         low.min(point);
         high.max(point);
@@ -307,20 +324,20 @@ export class Solids {
     };
   }
 
-  /** Largest distance of a point of a body from its origin [m]. @param {number} body */
+  /** Maximum distance of the points of a body from its origin [m]. @param {number} body */
   reachOf(body) {
     return Math.max(0, ...this.parts.filter((part) => part.solid.body === body).map((part) => part.radius));
   }
 }
 
-/** Largest distance from the third axis. @param {Float32Array} points */
+/** Maximum distance from the third axis. @param {Float32Array} points */
 function rim(points) {
   let most = 0;
   for (let k = 0; k < points.length; k += 3) most = Math.max(most, Math.hypot(points[k], points[k + 1]));
   return most;
 }
 
-/** Largest distance from the origin. @param {Float32Array} points */
+/** Maximum distance from the origin. @param {Float32Array} points */
 function reach(points) {
   let most = 0;
   for (let k = 0; k < points.length; k += 3)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Amplitudes over frequencies or orders, of the whole record and around the cursor, where a scene brings them.
+// Amplitude spectra over frequency or order, of the whole record and around the cursor, for scenes that
+// contain them.
 import uPlot from "uplot";
 import { choice, el } from "./dom.js";
 import { colourOfChannel } from "./colours.js";
@@ -8,26 +9,36 @@ import { labels, secondTint } from "./plots.js";
 import { Waterfall, amplitudeOf, frequencyUnit, nearest } from "./waterfall.js";
 
 const OVER_TIME = " and time";
-/** Colour of what is around the cursor. */
+/** Colour of the spectrum around the cursor. */
 const NEAR = "#d2484f";
 
-/** Down to one digit: ticks of a logarithmic axis that begins at 9.7 would never come to 10. @param {number} x */
+/**
+ * Round down to one digit: a logarithmic axis that starts at 9.7 would have no tick at 10.
+ * @param {number} x
+ */
 const oneDigit = (x) => {
   const power = Math.floor(Math.log10(x));
   return Number(`${Math.max(1, Math.floor(x / 10 ** power))}e${power}`);
 };
 
-/** Numbers of values with a gap on both sides; rows of other lines are undefined. @param {(number|null|undefined)[]} column */
+/**
+ * Indices of isolated values, with a gap on both sides. Rows of other series are undefined.
+ * @param {(number|null|undefined)[]} column
+ */
 const alone = (column) =>
   column.flatMap((value, k) => (value != null && column[k - 1] === null && column[k + 1] === null ? [k] : []));
 
-/** How far apart the lines of a record are; of many only some are kept. @param {any} spectrum */
+/**
+ * Spacing of the spectral lines of the record; the file may contain only some of the lines.
+ * @param {any} spectrum
+ */
 const resolution = ({ resolution: given, lines }) =>
   given ?? lines.data.reduce((least, x, k) => (k ? Math.min(least, x - lines.data[k - 1]) : least), lines.data[0]);
 
 export class Spectra {
   /**
-   * @param {any[]} scenes of each result @param {any[][]} channels of each result, for their labels
+   * @param {any[]} scenes of each result
+   * @param {any[][]} channels of each result, for their labels
    * @param {(t: number) => void} seek
    */
   constructor(scenes, channels, seek) {
@@ -60,7 +71,7 @@ export class Spectra {
     this.element.hidden = true;
   }
 
-  /** What a channel can be drawn over, in words. @param {string} name */
+  /** Representations available for a channel, as text. @param {string} name */
   waysOf(name) {
     const word = ({ of }) => (of ? `orders of ${of}` : "frequency");
     const mine = (lists) => lists.flat().filter((found) => found.channel === name);
@@ -72,11 +83,14 @@ export class Spectra {
     ];
   }
 
-  /** @param {string} name of a channel @param {string} [over] one of its ways, the first if it has no such */
+  /**
+   * @param {string} name of a channel
+   * @param {string} [over] representation; a similar or the first one if it is not available
+   */
   choose(name, over = "") {
     this.name = name;
     const ways = this.waysOf(name);
-    // orders of another shaft are the same kind of picture
+    // Orders of another shaft are the most similar representation.
     const alike = ways.find((way) => way.split(" ")[0] === over.split(" ")[0] && way.endsWith(OVER_TIME) === over.endsWith(OVER_TIME));
     this.over = ways.includes(over) ? over : (alike ?? ways[0]);
     this.ways.select.replaceChildren(...ways.map((way) => el("option", { value: way }, way)));
@@ -85,13 +99,13 @@ export class Spectra {
     this.build();
   }
 
-  /** Spectra or maps of the chosen channel over the chosen lines, one or none of each result. */
+  /** Spectrum or map of the selected channel and representation, at most one per result. */
   #found(lists) {
     const of = /^orders of (.*?)( and time)?$/.exec(this.over)?.[1] ?? "";
     return lists.map((list) => list.find((found) => found.channel === this.name && (found.of ?? "") === of));
   }
 
-  /** Unit of the chosen channel that is shown, and the factor to it. @param {any} found spectrum or map */
+  /** Displayed unit of the selected channel, and the conversion factor. @param {any} found spectrum or map */
   #shown(found) {
     const unit = found?.unit ?? "1";
     const channel = this.channels.flat().find(({ name }) => name === this.name);
@@ -147,17 +161,17 @@ export class Spectra {
     );
     const most = tables.reduce((top, [, y]) => y.reduce((a, value) => Math.max(a, value ?? 0), top), 1e-300);
     const [per, hertz] = frequencyUnit(tables.map(([x]) => x.at(-1)));
-    // the first result around the cursor
+    // The spectrum around the cursor is shown for the first result only.
     this.passing = this.#found(this.maps)[0];
     if (this.passing) {
       tables.push([Array.from(this.passing.lines.data), Array.from(this.passing.lines.data, () => null)]);
-      // what is too little for the map is a gap; a line of the spectrum between two gaps is a point
+      // Amplitudes below the range of the map are gaps; a line between two gaps is drawn as a point.
       const points = { show: false, filter: (self, k) => alone(self.data[k]), size: 4, fill: NEAR, stroke: NEAR };
       series.push({ ...line, stroke: NEAR, width: 1, spanGaps: false, points });
       this.near.hidden = false;
       this.near.firstChild.style.background = NEAR;
     }
-    // what a record resolves; of two the one that resolves less
+    // Frequency resolution; of two results the coarser one.
     const half = Math.max(...found.filter(Boolean).map(resolution)) / 2;
     const place = of ? (x) => `order ${within(x, half)}` : (x) => `${within(x * per, half * per)} ${hertz}`;
     this.plot = new uPlot(
@@ -170,7 +184,7 @@ export class Spectra {
         series: [{}, ...series],
         scales: {
           x: { time: false },
-          // five decades are what is worth looking at
+          // The axis is limited to five decades below the maximum.
           y: { distr: 3, range: (_, low) => [oneDigit(Math.max(low ?? 0, most * 1e-5)), most * 1.6] },
         },
         axes: [
@@ -202,7 +216,7 @@ export class Spectra {
       tables.length > 1 ? uPlot.join(tables) : tables[0],
       this.box,
     );
-    // rows of the joined table that belong to the line around the cursor
+    // Rows of the joined table that belong to the spectrum around the cursor.
     const rows = new Map(this.plot.data[0].map((x, k) => [x, k]));
     this.rows = this.passing ? Array.from(this.passing.lines.data, (x) => rows.get(x)) : [];
     this.piece = -1;
@@ -224,19 +238,19 @@ export class Spectra {
       const level = levels.data[piece * lines.data.length + k];
       column[row] = level ? amplitudeOf(this.passing, level) * this.shown.scale : null;
     });
-    // rows of the other lines of the plot lie in the gap, too
+    // Rows of other series within a gap belong to the gap.
     this.rows.forEach((row, k) => {
       const next = this.rows[k + 1];
       if (next > row + 1 && (column[row] === null || column[next] === null)) column.fill(null, row + 1, next);
     });
     data[data.length - 1] = column;
-    // a new plot has no axis yet; one that somebody has zoomed stays as it is
+    // A new plot requires new scales; a plot zoomed by the user keeps its own.
     const drawn = this.plot.scales.x.min != null;
     this.plot.setData(data, !drawn);
     if (drawn) this.plot.redraw();
   }
 
-  /** What is drawn, in plain numbers. */
+  /** State for tests and for pages that control the viewer. */
   state() {
     if (this.element.hidden) return null;
     const near = this.passing && this.plot ? this.rows.map((row) => this.plot.data.at(-1)[row]) : [];

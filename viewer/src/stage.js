@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The canvas: one picture a result, side by side, all seen from one direction; draws only when asked.
+// The canvas: one viewport (Picture) per result, side by side, with a common viewing direction. Drawn on
+// request only.
 import {
   Color,
   DirectionalLight,
@@ -20,7 +21,7 @@ import { Solids } from "./solids.js";
 
 const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
-/** What draws, or null where there is no WebGL 2. @returns {{software: boolean}|null} */
+/** Renderer type, or null if WebGL 2 is not available. @returns {{software: boolean}|null} */
 export function graphics() {
   try {
     const gl = document.createElement("canvas").getContext("webgl2");
@@ -34,7 +35,7 @@ export function graphics() {
   }
 }
 
-/** Results whose sizes, or places, are farther apart than this are not variants of one machine. */
+/** Limits of size ratio and relative distance within which results count as variants of one machine. */
 const ALIKE = { size: 1.5, away: 0.5 };
 
 class Picture {
@@ -42,9 +43,15 @@ class Picture {
   constructor(data, element, camera) {
     this.data = data;
     this.camera = camera;
-    /** the world as the camera sees it: what follows a body turns the world instead of the camera */
+    /**
+     * Transformation from the scene to the camera's world: to follow a body, the scene moves instead of the
+     * camera.
+     */
     this.seen = new Matrix4();
-    /** size of what is looked at relative to that of the first picture, and a point that is shown where `centre` of the first is */
+    /**
+     * Size of the viewed object relative to the first viewport, and the point that corresponds to `centre` of
+     * the first viewport.
+     */
     this.factor = 1;
     this.centre = new Vector3();
     this.scene = new Scene();
@@ -75,7 +82,7 @@ export class Stage {
   constructor(host, scenes, software) {
     this.host = host;
     this.software = software;
-    // software drawing with antialiasing falls from 12 to 3 pictures a second
+    // Antialiasing slows a software renderer from 12 to 3 frames per second.
     this.renderer = new WebGLRenderer({ antialias: !software, powerPreference: "high-performance" });
     this.renderer.autoClear = false;
     this.renderer.localClippingEnabled = true;
@@ -87,7 +94,7 @@ export class Stage {
     this.alike = alike(this.pictures);
     const [{ bounds }] = this.pictures;
     this.meet(this.pictures.map(() => new Vector3()), this.pictures.map((picture) => picture.bounds.size));
-    // arrows of results that are compared have one scale, so that the eye compares forces
+    // Results that are compared have a common scale of arrows and colours.
     const size = Math.max(...this.pictures.map((picture) => picture.arrows.size));
     const radius = this.alike ? Math.max(...this.pictures.map((picture) => picture.bounds.size)) : bounds.size;
     const greatest = Math.max(...this.pictures.map((picture) => picture.flanks.greatest));
@@ -99,13 +106,17 @@ export class Stage {
     this.size = { width: 1, height: 1 };
     this.drawn = 0;
     this.coarse = false;
-    /** how far left of the middle the camera's target is shown, as a part of the width of a picture */
+    /** Offset of the camera target to the left of the centre, as a fraction of the viewport width. */
     this.shift = 0;
-    /** and how far below the middle, as a part of the height */
+    /** Offset of the camera target below the centre, as a fraction of the height. */
     this.drop = 0;
   }
 
-  /** Fewer pixels while something moves, where drawing is slow. @param {boolean} on @returns {boolean} whether that is new */
+  /**
+   * Reduce the resolution during motion if drawing is slow.
+   * @param {boolean} on
+   * @returns {boolean} whether it has changed
+   */
   coarsen(on) {
     if (on === this.coarse) return false;
     this.coarse = on;
@@ -130,7 +141,7 @@ export class Stage {
     }
   }
 
-  /** Centre and radius of what all pictures show that look at the same place, as the camera sees it. */
+  /** Bounds of all viewports that share a target; the centre is in the camera's world. */
   bounds() {
     const each = (this.alike ? this.pictures : this.pictures.slice(0, 1)).map(({ bounds }) => bounds);
     const low = each.reduce((sum, part) => sum.min(part.low), each[0].low.clone());
@@ -140,15 +151,21 @@ export class Stage {
     return { centre: centre.applyMatrix4(this.pictures[0].seen), radius, low, high };
   }
 
-  /** What a picture shows where the first shows a point, as the camera sees it. @param {any} picture @param {Vector3} point */
+  /**
+   * Point of a viewport that corresponds to a point of the first viewport, in the camera's world.
+   * @param {any} picture
+   * @param {Vector3} point
+   */
   targetOf(picture, point) {
     const [first] = this.pictures;
     return picture.centre.clone().addScaledVector(point.clone().sub(first.centre), picture.factor);
   }
 
   /**
-   * These points are to be shown in the same place of all pictures, and machines that are not alike as large as these sizes.
-   * @param {Vector3[]} points one a picture, as the camera sees them @param {number[]} [sizes]
+   * Align the viewports: the given points appear at the same position. For different machines, the sizes set
+   * the relative zoom.
+   * @param {Vector3[]} points one per viewport, in the camera's world
+   * @param {number[]} [sizes]
    */
   meet(points, sizes) {
     this.pictures.forEach((picture, k) => {
@@ -157,7 +174,11 @@ export class Stage {
     });
   }
 
-  /** The camera of a picture, as far away as its machine is large. @param {any} picture @param {import("./orbit.js").Orbit} orbit */
+  /**
+   * Place the camera of a viewport; its distance is proportional to the size of the viewed object.
+   * @param {any} picture
+   * @param {import("./orbit.js").Orbit} orbit
+   */
   #aim(picture, orbit) {
     const { camera, seen, factor } = picture;
     const { whole } = picture.bounds;
@@ -181,7 +202,7 @@ export class Stage {
     this.setLights();
     renderer.setScissorTest(true);
     const width = this.size.width / this.pictures.length;
-    // size of a drawn pixel at distance 1; drawing in software is content with coarser teeth
+    // Size of a drawn pixel at unit distance. Software renderers use a coarser level of detail.
     const drawn = this.size.height * Math.min(1, this.ratio);
     const pixel = ((this.software ? 2.5 : 1) * 2 * Math.tan((this.camera.fov * Math.PI) / 360)) / drawn;
     this.pictures.forEach((picture, k) => {
@@ -213,7 +234,7 @@ export class Stage {
     }
   }
 
-  /** What is under a point of the window. @param {number} x @param {number} y */
+  /** Part at a point of the window. @param {number} x @param {number} y */
   hit(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const width = box.width / this.pictures.length;
@@ -230,7 +251,7 @@ export class Stage {
     return found && { ...found, picture: k };
   }
 
-  /** Place in the window of a point of the world. @param {Vector3} point @param {number} picture */
+  /** Window position of a point of the scene. @param {Vector3} point @param {number} picture */
   onScreen(point, picture = 0) {
     const { seen, camera } = this.pictures[picture];
     const p = point.clone().applyMatrix4(seen).project(camera);
@@ -239,7 +260,7 @@ export class Stage {
   }
 }
 
-/** Whether all pictures may be looked at from one place: nearly the same size, in nearly the same place. @param {any[]} pictures */
+/** Whether all viewports can share a camera: similar size and position. @param {any[]} pictures */
 function alike(pictures) {
   const [{ bounds: first }] = pictures;
   return pictures.every(({ bounds }) => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page shows, as plain numbers: for tests, and for pages that steer the viewer.
+// State of the viewer as plain numbers, for tests and for pages that control the viewer.
 import { Vector3 } from "three";
 
 /** @param {import("./page.js").Page} page */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fingers: within a longer page one that goes up or down scrolls the page until the scene has been tapped.
+// Touch input: on a longer page, vertical swipes scroll the page until the user taps the scene.
 
 /** @param {import("./page.js").Page} page */
 export function touches(page) {

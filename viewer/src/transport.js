@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bar of time: play, step, where, how fast, what repeats, and marks that one can jump to.
+// Time controls: playback, stepping, time, speed, repeated interval, and event marks to jump to.
 import { colourOfMark } from "./colours.js";
 import { button, choice, el, logSlider } from "./dom.js";
 import { nameOfMark } from "./marks_panel.js";
@@ -11,15 +11,17 @@ const FINE = 1e6;
 export class Transport {
   /**
    * @param {import("./player.js").Player} player
-   * @param {any[]} marks of all results @param {{seek: (t: number) => void, toggle: () => void, step: (n: number) => void, speed: (x: number) => void, loop: (what: string) => string}} does
-   * @param {string} whose frames the buttons step through, where two results have different ones
+   * @param {any[]} marks of all results
+   * @param {{seek: (t: number) => void, toggle: () => void, step: (n: number) => void, speed: (x: number) =>
+   *   void, loop: (what: string) => string}} does
+   * @param {string} whose result whose frames are used for stepping, if the frames of two results differ
    */
   constructor(player, marks, does, whose = "") {
     this.player = player;
     this.marks = [...marks].sort((a, b) => a.time - b.time);
     this.kinds = [...new Set(this.marks.map((mark) => mark.kind))];
     this.does = does;
-    // the finest spacing decides how many digits a reader needs
+    // The smallest frame interval determines the number of digits.
     this.stepLength = Infinity;
     for (let k = 1; k < player.times.length; k++)
       this.stepLength = Math.min(this.stepLength, player.times[k] - player.times[k - 1] || Infinity);
@@ -135,7 +137,7 @@ export class Transport {
     this.status.textContent = words;
   }
 
-  /** @param {1|-1} way */
+  /** @param {1|-1} way direction */
   toMark(way) {
     const t = this.player.time;
     const least = 1e-9 * (this.player.last - this.player.first);
@@ -146,7 +148,7 @@ export class Transport {
     if (found) this.does.seek(found.time);
   }
 
-  /** Marks and the repeated piece. */
+  /** Draw the marks and the repeated interval. */
   draw() {
     const { strip, player } = this;
     const width = strip.clientWidth,

@@ -1,30 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// Named views, following a body, and the look into a mesh, in all pictures at once.
+// Named views, following a body, and views into a mesh, in all viewports.
 import { Matrix4, Vector3 } from "three";
 
 export class Views {
   /**
-   * @param {import("./stage.js").Stage} stage @param {import("./orbit.js").Orbit} orbit
-   * @param {() => any[]} legends that lie over the right edges @param {() => number} panel part of the width on the left that one covers
+   * @param {import("./stage.js").Stage} stage
+   * @param {import("./orbit.js").Orbit} orbit
+   * @param {() => any[]} legends at the right edges
+   * @param {() => number} panel fraction of the width covered by a panel at the left
    */
   constructor(stage, orbit, legends = () => [], panel = () => 0) {
     this.stage = stage;
     this.orbit = orbit;
     this.legends = legends;
     this.panel = panel;
-    /** names of bodies that can be followed, those of the first picture by their numbers */
+    /** Names of the bodies that can be followed; those of the first result come first, in their order. */
     this.names = [...new Set(stage.pictures.flatMap(({ data }) => data.bodies.map(({ name }) => name)))];
     this.body = -1;
     this.turning = false;
     this.anchors = stage.pictures.map(() => new Matrix4());
   }
 
-  /** Number of the followed body in a picture, each finds its own by the name; -1 where it has none. @param {any} picture */
+  /**
+   * Index of the followed body in a viewport, matched by name; -1 if the result does not contain it.
+   * @param {any} picture
+   */
   bodyIn({ data }) {
     return this.body < 0 ? -1 : data.bodies.findIndex(({ name }) => name === this.names[this.body]);
   }
 
-  /** The same in the first picture. */
+  /** Index of the followed body in the first viewport. */
   get first() {
     return this.bodyIn(this.stage.pictures[0]);
   }
@@ -42,7 +47,7 @@ export class Views {
     if (side.length() < 1e-3) side.crossVectors(new Vector3(0, 0, 1), axis);
     side.normalize();
     const third = new Vector3().crossVectors(axis, side);
-    // what turns about a vertical axis is looked at from the side, not from above
+    // With a vertical axis, the oblique view is mainly from the side instead of from above.
     const upright = Math.abs(axis.dot(up)) > 0.9;
     const [along, across, over] = upright ? [0.55 * Math.sign(axis.dot(up)), 1, 0.7] : [1, 0.75, 0.55];
     return {
@@ -53,14 +58,18 @@ export class Views {
     };
   }
 
-  /** Distance from which a sphere fills the picture. @param {number} radius */
+  /** Distance at which a sphere fills the viewport. @param {number} radius */
   distanceFor(radius) {
     const { camera } = this.stage;
     const half = Math.atan(Math.tan((camera.fov * Math.PI) / 360) * Math.min(1, camera.aspect));
     return radius / Math.sin(half);
   }
 
-  /** What is looked at goes to the middle of what no legend covers. @param {number} taken part of the width, on the left below zero @param {number} top part of the height */
+  /**
+   * Centre the target in the area not covered by legends or panels.
+   * @param {number} taken covered fraction of the width, negative at the left
+   * @param {number} top covered fraction of the height
+   */
   #shift(taken, top = 0) {
     this.stage.shift = this.orbit.shift = taken / 2;
     this.stage.drop = this.orbit.drop = top / 2;
@@ -72,7 +81,7 @@ export class Views {
     const outlines = pictures.map(({ bounds, arrows, seen }) =>
       [...bounds.outline, ...arrows.ends()].map((point) => point.clone().applyMatrix4(seen)),
     );
-    // variants of a machine are framed as one, different machines each by itself
+    // Variants of one machine share a view; different machines are fitted separately.
     const groups = alike
       ? [{ points: outlines.flat(), bounds: this.stage.bounds(), factor: 1 }]
       : pictures.map(({ bounds, seen }, k) => ({
@@ -86,7 +95,7 @@ export class Views {
     const framed = () => groups.map(({ points, bounds }) => this.#framed(points, bounds, taken, top));
     let views = framed();
     const covers = (share) => share > 0 && groups.some(({ points }, k) => points.some((point) => views[k].under(point, share, high)));
-    // room for the legends where something would lie under them: next to them, or below those that are folded
+    // If a legend would cover part of the solids, space is reserved next to it, or below it if it is folded.
     if (covers(wide)) taken = wide;
     else if (covers(strip)) top = high;
     if (taken || top) views = framed();
@@ -101,19 +110,24 @@ export class Views {
   }
 
   /**
-   * All pictures onto points of their own.
-   * @param {Vector3[]} targets as the camera sees them @param {number[]} sizes of what is to be as large in all pictures
-   * @param {{direction?: Vector3, distance?: number}} view of the first @param {boolean} atOnce
+   * Direct each viewport at its own target.
+   * @param {Vector3[]} targets in the camera's world
+   * @param {number[]} sizes of the objects that are shown equally large
+   * @param {{direction?: Vector3, distance?: number}} view of the first viewport
+   * @param {boolean} atOnce
    */
   #look(targets, sizes, view, atOnce = false) {
     this.stage.meet(targets, sizes);
-    // easing knows one picture: what has a place of its own in others would jump first
+    // Easing applies to the first viewport only; targets that differ between viewports would jump.
     this.orbit.look({ target: targets[0], ...view }, atOnce || !this.stage.alike);
   }
 
   /**
-   * Target and distance from which points fill the picture.
-   * @param {Vector3[]} points @param {{centre: Vector3, radius: number}} bounds @param {number} taken part of the width that is left free @param {number} top part of the height
+   * Target and distance at which a set of points fills the viewport.
+   * @param {Vector3[]} points
+   * @param {{centre: Vector3, radius: number}} bounds
+   * @param {number} taken fraction of the width to keep free
+   * @param {number} top fraction of the height to keep free
    */
   #framed(points, { centre, radius }, taken, top) {
     const { camera } = this.stage;
@@ -123,7 +137,7 @@ export class Views {
     const half = Math.tan((camera.fov * Math.PI) / 360);
     const tall = 0.9 * half * (1 - top);
     const wide = 0.9 * half * camera.aspect * (1 - Math.abs(taken));
-    // twice: the first look gives how far the middle of the picture is from the middle of the solids
+    // Two iterations centre the projection of the points, the third one gives the distance.
     const target = centre.clone();
     let distance = this.distanceFor(radius);
     for (let round = 0; points.length && round < 3; round++) {
@@ -147,7 +161,7 @@ export class Views {
       target.addScaledVector(above, (distance * (ends[2] + ends[3])) / 2);
     }
     distance = Math.max(distance, 0.1 * radius);
-    /** whether a point is shown in a corner at the upper right, in parts of the picture */
+    /** Whether a point lies in the upper right corner given by fractions of width and height. */
     const under = (point, share, drop) => {
       const from = point.clone().sub(target);
       const tip = half * (distance - from.dot(toward));
@@ -159,22 +173,23 @@ export class Views {
   /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
   named(name, atOnce = false) {
     const directions = this.directions();
-    // from above the axis lies across, as it does from the side
+    // In the view from above, the axis is horizontal as in the side view.
     if (name === "top") this.orbit.look({ direction: directions.front });
     this.orbit.look({ direction: directions[name] }, atOnce);
     this.fit(atOnce);
   }
 
   /**
-   * Keep a body where it is in the picture.
-   * @param {number} body -1 none @param {boolean} turning also its rotation
+   * Keep a body at its position in the view.
+   * @param {number} body -1 none
+   * @param {boolean} turning whether the view also rotates with the body
    */
   follow(body, turning = this.turning) {
     this.body = body;
     this.turning = turning;
     const { pictures } = this.stage;
     if (body < 0) {
-      // back to the world: the camera keeps its distance, what it looked at stays in the middle
+      // On return to the fixed view, the camera keeps its distance and the target stays in the centre.
       const targets = pictures.map((picture) =>
         this.stage.targetOf(picture, this.orbit.goal.target).applyMatrix4(picture.seen.clone().invert()),
       );
@@ -194,7 +209,7 @@ export class Views {
       : new Matrix4().setPosition(new Vector3().setFromMatrixPosition(world));
   }
 
-  /** The world as seen at the instant of the poses. */
+  /** Update the transformation of the scene to the current pose of the followed body. */
   update() {
     if (this.body < 0) return;
     this.stage.pictures.forEach((picture, k) =>
@@ -202,7 +217,11 @@ export class Views {
     );
   }
 
-  /** @param {number[]} target @param {number[]} direction to the camera @param {number} height of what is seen there [m] */
+  /**
+   * @param {number[]} target
+   * @param {number[]} direction to the camera
+   * @param {number} height visible height at the target [m]
+   */
   look(target, direction, height) {
     const distance = height / (2 * Math.tan((this.stage.camera.fov * Math.PI) / 360));
     this.#shift(0);
@@ -212,7 +231,7 @@ export class Views {
     );
   }
 
-  /** Middle of the followed body, closer; pictures without it go as near to what they show. */
+  /** Zoom to the followed body. Viewports without it zoom to the same extent. */
   closeUp() {
     if (this.body < 0) return;
     const { pictures } = this.stage;
@@ -226,15 +245,16 @@ export class Views {
   }
 
   /**
-   * All pictures onto what each has found.
-   * @param {({target: Vector3, size: number}|null)[]} found one a picture @param {(size: number) => number} away distance for a size
+   * Zoom each viewport to the object found in it.
+   * @param {({target: Vector3, size: number}|null)[]} found one per viewport
+   * @param {(size: number) => number} away distance for a size
    * @param {Vector3} [direction]
    */
   #onto(found, away, direction) {
     const { pictures, alike } = this.stage;
     const { target: goal } = this.orbit.goal;
     const targets = found.map((each, k) => each?.target ?? this.stage.targetOf(pictures[k], goal));
-    // what a picture has not got is as large as what represents it in the other, machine by machine
+    // A viewport without the object is zoomed to the same size relative to its machine.
     const known = found.findIndex((each) => each?.size > 0);
     if (known < 0) return this.#look(targets, undefined, { direction });
     const unit = found[known].size / pictures[known].bounds.size;
@@ -244,7 +264,11 @@ export class Views {
     this.#look(targets, sizes, { direction, distance: away(alike ? Math.max(...sizes) : sizes[0]) });
   }
 
-  /** The gear whose rim a point is nearest to: arrows of meshes count in the world and name no gear. @param {Vector3} point @param {any} picture */
+  /**
+   * Gear whose tip circle is closest to a point. Arrows of meshes do not refer to a gear.
+   * @param {Vector3} point
+   * @param {any} picture
+   */
   #gearAt(point, { solids, poses }) {
     let best = null;
     for (const part of solids.parts) {
@@ -259,7 +283,7 @@ export class Views {
     return best;
   }
 
-  /** Where a mesh acts in a picture, about what axis, and how large its teeth are. @param {any} picture @param {any} arrow */
+  /** Position, axis and pitch of a mesh in a viewport. @param {any} picture @param {any} arrow */
   #meshIn(picture, arrow) {
     const { poses, arrows, data, seen, bounds } = picture;
     const point = arrows.forces()[data.arrows.indexOf(arrow)].at;
@@ -269,8 +293,10 @@ export class Views {
   }
 
   /**
-   * Along the axis of its gear on the point where a mesh acts, in all pictures that have one of its name.
-   * @param {any} arrow @returns {({point: Vector3, axis: Vector3}|null)[]} in the world of each picture, for a section through it
+   * View along the gear axis on the point of action of a mesh, in all viewports that contain a mesh of this
+   * name.
+   * @param {any} arrow
+   * @returns {({point: Vector3, axis: Vector3}|null)[]} for a section, in the world of each viewport
    */
   intoMesh(arrow) {
     const { pictures, camera } = this.stage;

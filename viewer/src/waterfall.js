@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How spectra pass over the time of the scene: time to the right, lines upwards, colours are decibels.
+// Maps of spectra over time (spectrograms): time horizontal, frequency or order vertical, level in decibels
+// as colour.
 import uPlot from "uplot";
 import { el } from "./dom.js";
 import { gradient, loadColour } from "./load_colours.js";
@@ -9,13 +10,16 @@ import { labels } from "./plots.js";
 /** Width of the colour scale next to maps [px]. */
 const SCALE = 92;
 
-/** Places between which a column or row of a map counts. @param {ArrayLike<number>} middles even or not */
+/**
+ * Range of a map axis: from half a cell before the first to half a cell after the last centre.
+ * @param {ArrayLike<number>} middles even or uneven
+ */
 function span(middles) {
   const n = middles.length;
   return [1.5 * middles[0] - 0.5 * middles[1], 1.5 * middles[n - 1] - 0.5 * middles[n - 2]];
 }
 
-/** Number of the nearest of some growing places. @param {ArrayLike<number>} places @param {number} x */
+/** Index of the nearest value of an ascending list. @param {ArrayLike<number>} places @param {number} x */
 export function nearest(places, x) {
   let low = 0,
     high = places.length - 1;
@@ -27,14 +31,22 @@ export function nearest(places, x) {
   return x - places[low] < places[high] - x ? low : high;
 }
 
-/** Amplitude that a level of a map represents; level 0 is that or less. @param {any} map @param {number} level */
+/**
+ * Amplitude of a level of a map; level 0 includes all smaller amplitudes.
+ * @param {any} map
+ * @param {number} level
+ */
 export const amplitudeOf = (map, level) => map.most * 10 ** ((level / 255 - 1) * (map.decibels / 20));
 
-/** Factor and name of the unit of frequencies up to some ends [Hz]. @param {number[]} ends */
+/** Factor and unit of a frequency axis. @param {number[]} ends upper limits [Hz] */
 export const frequencyUnit = (ends) => (Math.max(...ends) > 1e4 ? [1e-3, "kHz"] : [1, "Hz"]);
 
 export class Waterfall {
-  /** @param {HTMLElement} element @param {(t: number) => void} seek @param {(text: string) => void} announce */
+  /**
+   * @param {HTMLElement} element
+   * @param {(t: number) => void} seek
+   * @param {(text: string) => void} announce
+   */
   constructor(element, seek, announce) {
     this.element = element;
     this.seek = seek;
@@ -49,7 +61,11 @@ export class Waterfall {
     this.element.replaceChildren();
   }
 
-  /** @param {any[]} maps of each result @param {{soft: string, grid: string, paper: string}} inks @param {{unit: string, scale: number}} shown */
+  /**
+   * @param {any[]} maps of each result
+   * @param {{soft: string, grid: string, paper: string}} inks
+   * @param {{unit: string, scale: number}} shown
+   */
   build(maps, inks, shown) {
     this.destroy();
     this.shown = shown;
@@ -59,7 +75,7 @@ export class Waterfall {
       this.drawn.push({ ...this.#plot(map, box, inks), box, map });
     }
     const [first] = maps;
-    // each map counts from its own largest amplitude
+    // The reference of each map is its own maximum.
     const worth = [...new Set(maps.map(({ most }) => number(most * shown.scale, 3)))].join(" | ");
     this.element.append(
       el(
@@ -170,7 +186,7 @@ export class Waterfall {
   }
 }
 
-/** A picture of one pixel a level, lowest line at the bottom. */
+/** Image of the map with one pixel per level, lowest line at the bottom. */
 function image(levels, n, k) {
   const canvas = el("canvas", { width: n, height: k });
   const ink = canvas.getContext("2d");
