@@ -85,6 +85,19 @@ def test_links_between_pages_resolve(page: Path) -> None:
     assert not lost
 
 
+@pytest.mark.parametrize("page", PAGES, ids=name_of)
+def test_cards_link_to_pages(page: Path) -> None:
+    """The target and the type of the link are options on lines of their own."""
+    text = page.read_text("utf-8")
+    targets = re.findall(r"^:link: (.*)$", text, re.MULTILINE)
+    assert (
+        len(targets)
+        == text.count("grid-item-card}")
+        == len(re.findall(r"^:link-type: doc$", text, re.MULTILINE))
+    )
+    assert all((page.parent / f"{target}.md").exists() for target in targets)
+
+
 def test_every_example_has_a_card_and_a_small_picture() -> None:
     cards = YAML(typ="safe").load((DOCS / "gallery.yaml").read_text("utf-8"))
     assert set(cards) == {path.parent.name for path in (ROOT / "examples").glob("*/README.md")}
