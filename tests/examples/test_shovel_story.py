@@ -101,7 +101,7 @@ def test_the_broken_tooth_moves_the_load_once_per_turn(forces):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("ratio", [0.0, -5.0])
+@pytest.mark.parametrize("ratio", [pytest.param(0.0, marks=pytest.mark.study), -5.0])
 def test_period_is_read_from_a5_for_twenty_of_twenty_seeds(modules, forces, ratio):
     """3.383 s within 0.5 %; the healthy gearbox shows no period: allowed is a chance of 0.1 % each."""
     found = modules["diagnosis"].readings(forces, ratio, seeds=20, healthy_seeds=20)
