@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from pitchpoint.cli.main import run_command
-from tests.support.browser import Browsers, OpenPage, needs_browser, opening
-from tests.support.report_browser import drawn, found
+from tests.support.browser import Browsers, needs_browser, opening
+from tests.support.report_browser import drawn
 from tests.support.rig_records import rig_file
 from tests.support.scene_browser import asked, until
 from tests.support.walk import Walk
@@ -49,13 +49,18 @@ def diagnosis(tmp_path_factory: pytest.TempPathFactory) -> str:
 def wide(browsers: Browsers, diagnosis: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
     """The page, open for several tests; at their end it has reported nothing and requested nothing."""
     with opening(browsers, tmp_path_factory.mktemp("wide")) as open_page:
-        yield drawn(open_page, diagnosis, webgl=False, size=(1280, 900))
+        yield drawn(open_page, diagnosis, webgl=False, size=(1200, 900))
 
 
-@pytest.mark.parametrize(("width", "dark"), [(500, True), (1200, False)])
-def test_plots_are_drawn_and_their_texts_do_not_touch(
-    diagnosis: str, open_page: OpenPage, width: int, dark: bool
-) -> None:
+@pytest.fixture(scope="module")
+def narrow(browsers: Browsers, diagnosis: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    """The same on a phone in the dark."""
+    with opening(browsers, tmp_path_factory.mktemp("narrow")) as open_page:
+        yield drawn(open_page, diagnosis, webgl=False, dark=True, size=(500, 900))
+
+
+@pytest.mark.parametrize("size", ["wide", "narrow"])
+def test_plots_are_drawn_and_their_texts_do_not_touch(size: str, request: pytest.FixtureRequest) -> None:
     script = f"""
       const bad = [];
       for (const node of document.querySelectorAll(".plot")) {{
@@ -74,9 +79,9 @@ def test_plots_are_drawn_and_their_texts_do_not_touch(
       if (page.scrollWidth > page.clientWidth) bad.push("wider than the page");
       return [bad, {COLOURS}];
     """
-    bad, colours = found(open_page, diagnosis, script, webgl=False, dark=dark, size=(width, 900))
+    bad, colours = asked(request.getfixturevalue(size), script)
     assert bad == []
-    assert colours == (DARK if dark else LIGHT)
+    assert colours == (DARK if size == "narrow" else LIGHT)
 
 
 def test_every_tool_of_a_plot_has_an_effect(wide: Page) -> None:
@@ -138,10 +143,9 @@ def test_links_and_keys_reach_every_section(wide: Page) -> None:
         until(wide, f"Math.abs({top}) < 80 || ({end} && {top} < innerHeight)")
 
 
-def test_paper_is_white_and_holds_all_plots_and_tables(diagnosis: str, open_page: OpenPage) -> None:
+def test_paper_is_white_and_holds_all_plots_and_tables(narrow: Page) -> None:
     """Printed from a dark screen: A4 less its margins is 182 mm."""
-    page = drawn(open_page, diagnosis, webgl=False, dark=True, size=(1280, 900))
-    assert asked(page, f"return {COLOURS};") == DARK
+    assert asked(narrow, f"return {COLOURS};") == DARK
     script = """
       dispatchEvent(new Event("beforeprint"));
       const {clientWidth} = $("main");
@@ -149,9 +153,9 @@ def test_paper_is_white_and_holds_all_plots_and_tables(diagnosis: str, open_page
           node.getBoundingClientRect().width > clientWidth + 1).length,
         ink: all(".plot").map((node) => node.layout.font.color), drawn: all(".plot .scatterlayer").length};
     """
-    paper = asked(page, script)
+    paper = asked(narrow, script)
     assert paper["wide"] == pytest.approx(182 / 25.4 * 96, abs=1)
     assert paper["cut"] == 0 and paper["drawn"] >= len(PICTURES)
     assert paper["ink"] == [LIGHT[0]] * len(PICTURES)
-    page.evaluate("dispatchEvent(new Event('afterprint'))")
-    assert asked(page, f"return {COLOURS};") == DARK
+    narrow.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert asked(narrow, f"return {COLOURS};") == DARK

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from pitchpoint.viz.report.build import report_html
-from tests.support.browser import Browsers, OpenPage, needs_browser, opening
+from tests.support.browser import Browsers, needs_browser, opening
 from tests.support.report_browser import drawn, found
 from tests.support.report_data import report_model, report_results
 from tests.support.scene_browser import asked
@@ -127,9 +127,14 @@ def test_keys_reach_everything(wide: dict[str, Any]) -> None:
     assert wide["lost"] == wide["nameless"] == 0
 
 
-def test_a_narrow_page_in_the_dark_without_webgl(
-    report: str, open_page: OpenPage, wide: dict[str, Any]
-) -> None:
+@pytest.fixture(scope="module")
+def narrow(browsers: Browsers, report: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    """The report without WebGL, on a phone in the dark."""
+    with opening(browsers, tmp_path_factory.mktemp("narrow")) as open_page:
+        yield drawn(open_page, report, webgl=False, dark=True, size=(500, 900))
+
+
+def test_a_narrow_page_in_the_dark_without_webgl(narrow: Any, wide: dict[str, Any]) -> None:
     script = """
       const page = document.documentElement;
       all(".shaft option").forEach((option) => (option.textContent = "a_shaft_of_a_long_name_".repeat(5)));
@@ -138,22 +143,15 @@ def test_a_narrow_page_in_the_dark_without_webgl(
         colours: [$(".plot").layout.font.color, getComputedStyle(document.body).backgroundColor],
         drawn: all(".plot.js-plotly-plot").length};
     """
-    narrow = found(open_page, report, script, webgl=False, dark=True, size=(500, 900))
-    assert narrow["choices"] > 0 and narrow["over"] <= 0
-    assert "WebGL 2 is not available" in narrow["said"]
-    assert narrow["drawn"] == wide["drawn"]
+    told = asked(narrow, script)
+    assert told["choices"] > 0 and told["over"] <= 0
+    assert "WebGL 2 is not available" in told["said"]
+    assert told["drawn"] == wide["drawn"]
     assert wide["colours"] == ["#1f2933", "rgb(255, 255, 255)"]
-    assert narrow["colours"] == ["#e6e9ed", "rgb(20, 24, 29)"]
+    assert told["colours"] == ["#e6e9ed", "rgb(20, 24, 29)"]
 
 
-@pytest.fixture(scope="module")
-def plain(browsers: Browsers, report: str, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """The report without WebGL."""
-    with opening(browsers, tmp_path_factory.mktemp("plain")) as open_page:
-        yield drawn(open_page, report, webgl=False)
-
-
-def test_reader_chooses_whose_orders_a_picture_shows(plain: Any) -> None:
+def test_reader_chooses_whose_orders_a_picture_shows(narrow: Any) -> None:
     """The driven shaft turns half as fast in these data: orders double, speeds halve, titles follow."""
     script = """
       const look = (node) => [node._fullData[0].x[10], node.layout.xaxis.range[1],
@@ -173,21 +171,21 @@ def test_reader_chooses_whose_orders_a_picture_shows(plain: Any) -> None:
       return said;
     """
     title = "order [per revolution of driven]"
-    said = asked(plain, script)
+    said = asked(narrow, script)
     assert said == [f"{title} 2.00 2.00 2.00 1.00"] * 2 + [f"{title} 2.00 2.00 - 0.50"] * 2
 
 
-def test_every_control_has_an_effect(plain: Any) -> None:
+def test_every_control_has_an_effect(narrow: Any) -> None:
     """Without WebGL, the scene has tests of its own. Tools of plots are alike; none leads out of the page."""
-    walk = Walk(plain, "pitchpointViewer.seek(0)")
+    walk = Walk(narrow, "pitchpointViewer.seek(0)")
     found = walk.over("main", but=".ppv, .modebar")
     assert sum(name.startswith("show the scene at") for name in found) >= 8
     assert sum(name.startswith("orders of") for name in found) == 4
     labels = "(bar) => [...bar.querySelectorAll('button')].map((b) => b.ariaLabel)"
-    tools = asked(plain, f"return all('.modebar').map({labels});")
+    tools = asked(narrow, f"return all('.modebar').map({labels});")
     assert len(tools) > 15 and all(bar == TOOLS for bar in tools)
-    plain.evaluate("document.querySelector('#time .plot').id = 'first'")
-    plain.locator("#first").hover()
+    narrow.evaluate("document.querySelector('#time .plot').id = 'first'")
+    narrow.locator("#first").hover()
     walk.start = "Plotly.relayout('first', {'xaxis.range': [20, 60]})"
     assert sorted(walk.over("#first .modebar")) == sorted(TOOLS)
     assert [file.rpartition(".")[2] for file in walk.files] == ["png"]

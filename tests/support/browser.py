@@ -113,7 +113,7 @@ class Browsers:
             self._playwright = sync_playwright().start()
         if flags not in self._running:
             self._running[flags] = self._playwright.chromium.launch(
-                executable_path=CHROMIUM, args=["--no-sandbox", *flags]
+                executable_path=CHROMIUM, args=["--no-sandbox", "--disable-smooth-scrolling", *flags]
             )
         return self._running[flags]
 

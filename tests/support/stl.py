@@ -10,12 +10,13 @@ import numpy as np
 
 def binary(triangles, title=b"made for a test", normals=None):
     """Bytes of a binary STL file."""
-    data = [title.ljust(80)[:80], struct.pack("<I", len(triangles))]
-    for k, corners in enumerate(np.asarray(triangles, float)):
-        n = np.cross(corners[1] - corners[0], corners[2] - corners[0])
-        n = n / max(np.linalg.norm(n), 1e-300) if normals is None else normals[k]
-        data.append(struct.pack("<12fH", *n, *corners.ravel(), 0))
-    return b"".join(data)
+    corners = np.asarray(triangles, float)
+    if normals is None:
+        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    facets = np.zeros(len(corners), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])
+    facets["normal"], facets["corners"] = normals, corners
+    return title.ljust(80)[:80] + struct.pack("<I", len(corners)) + facets.tobytes()
 
 
 def text(triangles):

@@ -72,9 +72,9 @@ def test_a_whole_data_set_and_again(tmp_path: Path, capsys: pytest.CaptureFixtur
 def test_equal_inputs_make_equal_files(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Also in another order, in another thread, a second later."""
     plan = written(tmp_path)
-    for name, jobs in (("one", "1"), ("two", "3")):
-        json_of(["dataset", plan, "-o", str(tmp_path / name), "--jobs", jobs], capsys)
-        time.sleep(1.1)
+    json_of(["dataset", plan, "-o", str(tmp_path / "one"), "--jobs", "1"], capsys)
+    time.sleep(1.1)
+    json_of(["dataset", plan, "-o", str(tmp_path / "two"), "--jobs", "3"], capsys)
     assert contents(tmp_path / "one") == contents(tmp_path / "two")
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -33,10 +34,27 @@ from pitchpoint.solvers.explicit import runge_kutta
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import assemble
-from tests.support.contacts import ball, box, read
+from tests.support.contacts import ball as ball_of
+from tests.support.contacts import box, read
 from tests.support.engine import frame
 
 WEIGHT = 9.81
+ball = cache(ball_of)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def packed_once():
+    """Surfaces are packed once for all contacts that use them, which copy them: half a second for each."""
+    packed, done = TriangleSurface.packed, {}
+
+    def kept(surface):
+        if id(surface) not in done:
+            done[id(surface)] = surface, packed(surface)
+        return done[id(surface)][1]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(TriangleSurface, "packed", kept)
+        yield
 
 
 def one_contact(kind, bodies, setup, more=None, constraints=None):

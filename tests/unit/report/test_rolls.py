@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -15,6 +16,9 @@ from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.report.collect import collect
 from pitchpoint.report.rolls import given_roll, periods_to_roll, periods_until_repeat, points_to_roll
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 PITCH = ", ".join(["0 um"] * 5 + ["30 um", "-30 um"] + ["0 um"] * 12)
 
@@ -139,11 +143,18 @@ def test_a_faulty_tooth_is_seen_without_a_roll() -> None:
     assert np.ptp(unloaded) == pytest.approx(30e-6 * np.cos(np.radians(20.0)), abs=1e-10)
 
 
+@pytest.fixture(scope="module")
+def rolled() -> xr.Dataset:
+    """The roll of its scenario."""
+    return pp.solve_quasistatic(pp.compile_model(train("torsion"), "roll"))
+
+
 @pytest.mark.parametrize("as_file", [True, False])
-def test_a_roll_that_is_given_is_drawn_over_all_its_periods(as_file: bool, tmp_path: Path) -> None:
+def test_a_roll_that_is_given_is_drawn_over_all_its_periods(
+    as_file: bool, rolled: xr.Dataset, tmp_path: Path
+) -> None:
     model = train("torsion")
-    data = pp.solve_quasistatic(pp.compile_model(model, "roll"))
-    given: list[object] = [data]
+    given: list[object] = [rolled]
     if as_file:
         (tmp_path / "m.yaml").write_text(text("torsion"), encoding="utf-8")
         target = tmp_path / "roll.h5"
@@ -156,7 +167,7 @@ def test_a_roll_that_is_given_is_drawn_over_all_its_periods(as_file: bool, tmp_p
     periods, errors = roll.curves["first"]
     np.testing.assert_allclose(np.asarray(periods)[[0, -1]], [0.0, 6.0], atol=0.02)
     np.testing.assert_allclose(np.asarray(roll.curves["second"][0])[-1], 2.0, atol=0.02)
-    np.testing.assert_allclose(errors["without load"], data["unloaded_transmission_error[first]"].values)
+    np.testing.assert_allclose(errors["without load"], rolled["unloaded_transmission_error[first]"].values)
     assert [name.startswith("mesh force ") for name in errors] == [False, True]
     # the curve of the file is in the place of one computed anew
     assert not found.mesh_cycles["first"].errors

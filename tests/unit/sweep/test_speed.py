@@ -35,7 +35,7 @@ scenarios:
   coarse: {sweep: {body: output, mesh: slow, mesh_frequency: [100 Hz, 200 Hz], points: 3, direction: both,
                    settle_periods: 20, measure_periods: 20}}
   fine: {sweep: {body: output, mesh: slow, mesh_frequency: [100 Hz, 200 Hz], points: 3, direction: both,
-                 settle_periods: 20, measure_periods: 20, steps_per_period: 20000}}
+                 settle_periods: 20, measure_periods: 20, steps_per_period: 10000}}
 """
 
 
