@@ -225,7 +225,7 @@ def test_marks_are_listed_and_lead_to_their_instants(open_page: OpenPage, scene:
 def test_damaged_contacts_are_refused_in_a_sentence(open_page: OpenPage, scene: tuple[str, str]) -> None:
     header, numbers = scene
     damage = {
-        "on no body": ('"body": 1, "gear"', '"body": 99, "gear"'),
+        "refers to an unknown body": ('"body": 1, "gear"', '"body": 99, "gear"'),
         "has no pressure_angle": ('"pressure_angle"', '"angle"'),
         "has no flanks": ('"base_pitch": 0', '"base_pitch": -0'),
     }
