@@ -242,8 +242,8 @@ def test_damaged_scenes_are_refused_in_a_sentence(open_page: OpenPage) -> None:
         "no base64": "not base64",
         "short gzip": "truncated",
         "short header": "header of this scene cannot be read",
-        "array beyond the end": "beyond the end of the numbers",
-        "unknown type": "no type or shape",
+        "array beyond the end": "beyond the end of the data",
+        "unknown type": "unknown type or shape",
         "unknown format": 'format "pitchpoint-scene-9"',
     }
     said = refused(open_page, {how: damaged(*gears(), how) for how in says})

@@ -71,7 +71,7 @@ def test_both_pictures_follow_the_body_of_the_name(open_page: OpenPage, pair: tu
     names, ((before, after), (early, late)), free = asked(
         scene(open_page, pair, texts_of(header, block)), script
     )
-    assert names == ["nothing", "pinion", "wheel", "wheel_end", "far_end"]
+    assert names == ["none", "pinion", "wheel", "wheel_end", "far_end"]
 
     def seen(picture: dict[str, Any], body: int) -> Array:
         return np.asarray(matrix(picture["seen"]) @ matrix(picture["bodies"][body]))

@@ -153,7 +153,7 @@ def test_colours_tell_pressure_when_asked_for(same_scene: OpenPage, scene: tuple
     )
     assert found["contacts"]["greatestPressure"] == pytest.approx(far, rel=0.02)
     words = found["legend"]
-    assert "Hertzian pressure" in words and f"now {now / 1e6:.1f}\u2009MPa" in words
+    assert "Hertzian pressure" in words and f"current {now / 1e6:.1f}\u2009MPa" in words
     assert found["chosen"] == "load" and "N/mm" in found["after"] and "MPa" not in found["after"]
 
 
@@ -184,7 +184,10 @@ def test_gap_is_told_by_the_channels_and_drawn_magnified(
     t = 0.25 * LENGTH
     front, back = PENETRATION[0] + 1e-6, PENETRATION[1] - 1e-6
     found = asked(same_scene(scene), script % t)
-    assert "front flank 5.00\u2009µm deep, back flank 97.0\u2009µm apart; drawn × 40" in found["words"]
+    assert (
+        "front flank penetration 5.00\u2009µm, back flank gap 97.0\u2009µm; magnification × 40"
+        in found["words"]
+    )
     a, b, c, d = np.array(found["mesh"]["plates"])
     thick = 0.03 * np.pi * 4e-3 * np.cos(ALPHA)
     for (one, two), side, deep in (((a, b), 1, front), ((c, d), -1, back)):
@@ -204,7 +207,7 @@ def test_box_of_the_flanks_is_there_when_it_has_something_to_say(open_page: Open
       const out = [box()]; V.gauge(0, 40); out.push(box()); V.gauge(-1); out.push(box()); return out;
     """
     before, gap, after = asked(shown(open_page, texts_of(header, block)), script)
-    assert before is after is False and gap.endswith("drawn × 40")
+    assert before is after is False and gap.endswith("magnification × 40")
 
 
 def test_marks_are_listed_and_lead_to_their_instants(open_page: OpenPage, scene: tuple[str, str]) -> None:
@@ -225,7 +228,7 @@ def test_marks_are_listed_and_lead_to_their_instants(open_page: OpenPage, scene:
 def test_damaged_contacts_are_refused_in_a_sentence(open_page: OpenPage, scene: tuple[str, str]) -> None:
     header, numbers = scene
     damage = {
-        "on no body": ('"body": 1, "gear"', '"body": 99, "gear"'),
+        "refers to an unknown body": ('"body": 1, "gear"', '"body": 99, "gear"'),
         "has no pressure_angle": ('"pressure_angle"', '"angle"'),
         "has no flanks": ('"base_pitch": 0', '"base_pitch": -0'),
     }

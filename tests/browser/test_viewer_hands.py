@@ -164,4 +164,4 @@ def test_a_record_that_has_ended_has_no_value(open_page: OpenPage, pair: tuple[s
     before, after = asked(scene(open_page, pair, texts_of(header, block)), script)
     assert before == ["0.001", ["Two gears", "Short"]]
     assert after[0] == "–" and after[1][0] == "Two gears"
-    assert after[1][1].replace("\u2009", " ") == "ended at 60.0 ms: Short"
+    assert after[1][1].replace("\u2009", " ") == "Short (ended at 60.0 ms)"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The scene in a real browser: mode shapes, the look into a mesh, two results side by side, files."""
+"""The scene in a real browser: mode shapes, the view of a mesh, two results side by side, files."""
 
 from __future__ import annotations
 

@@ -157,7 +157,7 @@ def test_two_scenes_are_told_apart_and_both_have_their_forces(
       named("View").click();
       return {names: [...document.querySelectorAll(".ppv-name")].map((n) => n.textContent),
         rows: [...document.querySelectorAll(".ppv-legend tbody tr:first-child th")].map((n) => n.textContent),
-        looks: [...document.querySelectorAll(".ppv-panel [title^='Look into']")].map((b) => b.textContent)};
+        looks: [...document.querySelectorAll(".ppv-panel [title^='View the']")].map((b) => b.textContent)};
     """
     texts = [
         texts_of({**h, **more}, b) for (h, b), more in zip(((one, block), (two, other)), scenes, strict=True)
@@ -234,5 +234,5 @@ def test_a_phone_shows_everything_and_follows_fingers(open_page: OpenPage) -> No
     pixel = 2 * zoomed["distance"] * np.tan(np.radians(14.0)) / out["scene"][1]
     moved = np.linalg.norm(np.subtract(shifted["target"], zoomed["target"]))
     assert moved == pytest.approx(40 * pixel, rel=0.1)
-    assert out["quiet"] and out["named"] == "Z1, gear of 24 teeth" and out["nothing"]
+    assert out["quiet"] and out["named"] == "Z1, gear, 24 teeth" and out["nothing"]
     assert shifted["distance"] == pytest.approx(zoomed["distance"], rel=0.02)

@@ -42,7 +42,7 @@ export class Curves {
     this.picker.addEventListener("focusout", (event) => {
       if (!this.picker.contains(event.relatedTarget)) this.close();
     });
-    this.tab = button("Spectrum", "Curves over time or spectrum", () => this.turn());
+    this.tab = button("Spectrum", "Switch between time curves and spectrum", () => this.turn());
     this.tab.hidden = !this.spectra.names.length;
     this.plots.onRemove = () => this.list.hidden || this.fill();
     this.body = el("div", { className: "ppv-curves-body" }, this.plots.element, this.spectra.element);

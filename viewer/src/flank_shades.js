@@ -56,7 +56,7 @@ export function greatestPressure(contact) {
 export const SHADES = {
   load: {
     name: "load per width",
-    legend: "load on flanks",
+    legend: "load per width",
     format: (value) => `${number(value / 1e3, 3)}\u2009N/mm`,
     of: (contact, at, load) => load,
     greatest: ({ greatest }) => greatest,

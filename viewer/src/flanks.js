@@ -195,14 +195,14 @@ export class FlankBox {
     for (const { contact, lines } of flanks.meshes)
       for (const line of lines) line.loads.forEach((_, s) => (most = Math.max(most, flanks.value(contact, line, s))));
     this.what.textContent = legend;
-    this.now.textContent = most > 0 ? `now ${format(most)}` : "now none";
-    this.end.textContent = flanks.own ? "maximum of the mesh" : format(flanks.top(flanks.meshes[0].contact));
+    this.now.textContent = most > 0 ? `current ${format(most)}` : "no load now";
+    this.end.textContent = flanks.own ? "mesh maximum" : format(flanks.top(flanks.meshes[0].contact));
     this.gap.hidden = !gauge;
     if (!gauge) return;
     const both = gauge.contact.penetration();
     const words = (side, name) =>
-      `${name} ${length3(Math.abs(both[side]))} ${both[side] > 0 ? "deep" : "apart"}`;
-    this.gap.textContent = `${gauge.contact.name}: ${words(1, "front flank")}, ${words(-1, "back flank")}; drawn × ${number(gauge.gauge.times, 2)}`;
+      `${name} ${both[side] > 0 ? "penetration" : "gap"} ${length3(Math.abs(both[side]))}`;
+    this.gap.textContent = `${gauge.contact.name}: ${words(1, "front flank")}, ${words(-1, "back flank")}; magnification × ${number(gauge.gauge.times, 2)}`;
   }
 }
 
@@ -229,7 +229,7 @@ export function activeWords({ contact, name }) {
     return `${gear} ${least} to ${most}`;
   });
   const where = cone ? " at mid-face" : "";
-  return `${name}: contact between the diameters ${gears.join(", ")} mm${where}.`;
+  return `${name}: active diameters ${gears.join(", ")} mm${where}.`;
 }
 
 /**
@@ -296,7 +296,7 @@ export function flankRows(page) {
       ["each", "each tooth"],
     ],
     (mode) => set((flanks) => (flanks.mode = mode)),
-    "Maximum load or pressure up to now at every point of a flank",
+    "Maximum load or pressure up to the current time at every point of a flank",
   );
   const shade = pressures
     ? choice(
@@ -307,7 +307,7 @@ export function flankRows(page) {
       )
     : null;
   const times = logSlider({
-    label: "× ",
+    label: "magnification ×",
     title: "Magnification of the gap along the line of action",
     least: 1,
     most: 1e4,
@@ -316,7 +316,7 @@ export function flankRows(page) {
     changed: (x) => set((flanks) => flanks.meshes.forEach(({ gauge }) => (gauge.times = x))),
   });
   const gauge = choice(
-    "gap of",
+    "show gap of",
     [["-1", "none"], ...meshes.map(({ contact }, k) => [String(k), contact.name])],
     (k) => showGauge(page, Number(k)),
     "Mesh with a magnified gap",
@@ -348,13 +348,13 @@ export function flankRows(page) {
     el(
       "div",
       { className: "ppv-buttons" },
-      button("look at the gap", "Look into the mesh with the magnified gap", () => lookAtGap(page)),
+      button("view gap", "View along the axis on the magnified gap", () => lookAtGap(page)),
     ),
     el(
       "p",
       { className: "ppv-soft" },
       greatest > 0
-        ? "Balls at the ends of a line mark front or back flank; thin grey lines carry no load."
+        ? "Spheres at the ends of a line show the flank (yellow: front, purple: back); thin grey lines carry no load."
         : "Yellow lines: front flanks; purple: back flanks; thin and grey: no contact. The mesh law gives no loads per tooth pair.",
     ),
   ].filter(Boolean);

@@ -62,7 +62,7 @@ export class Hover {
 export function words(solid) {
   const { name } = solid;
   return solid.teeth
-    ? `${name}, ${solid.kind} of ${solid.teeth} teeth`
+    ? `${name}, ${solid.kind}, ${solid.teeth} teeth`
     : name === solid.kind
       ? name
       : `${name}, ${solid.kind}`;

@@ -9,7 +9,7 @@ export const KEYS = [
   ["Home, End", "start, end"],
   ["+ −", "faster, slower"],
   ["[ ]", "previous, next mark"],
-  ["f", "show all"],
+  ["f", "fit all"],
   ["1 … 9, 0", "follow a body, none"],
   ["s", "section"],
   ["m", "vibrations ×1, ×10, ×100, ×1000"],

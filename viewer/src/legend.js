@@ -52,7 +52,7 @@ export class Legend {
     }
     this.element = el(
       "div",
-      { className: "ppv-legend", tabindex: "0", role: "region", "aria-label": "Forces now" },
+      { className: "ppv-legend", tabindex: "0", role: "region", "aria-label": "Current forces" },
       el("table", {}, el("thead", {}, head), el("tbody", {}, ...this.rows.map(({ row }) => row))),
       this.states,
     );

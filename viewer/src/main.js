@@ -34,7 +34,7 @@ async function mount(element, { compare = false } = {}) {
     message.textContent =
       error instanceof SceneError
         ? error.message
-        : `The viewer failed: ${error instanceof Error ? error.message : error}.`;
+        : `Internal error of the viewer: ${error instanceof Error ? error.message : error}.`;
     root.replaceChildren(el("div", { className: "ppv-message", role: "alert" }, message));
     root.dataset.ready = "failed";
     if (!(error instanceof SceneError)) console.error(error);
@@ -43,7 +43,7 @@ async function mount(element, { compare = false } = {}) {
 }
 
 const shown = () => {
-  if (!page) throw new Error("no scene is shown");
+  if (!page) throw new Error("No scene is displayed.");
   return page;
 };
 

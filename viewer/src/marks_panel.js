@@ -5,10 +5,10 @@ import { colourOfMark } from "./colours.js";
 import { duration, instant } from "./numbers.js";
 
 const NAMES = {
-  contact_loss: "contact lost",
+  contact_loss: "contact loss",
   impact: "impact",
-  back_flank: "back flank touches",
-  front_flank: "front flank touches",
+  back_flank: "contact on back flank",
+  front_flank: "contact on front flank",
   faulty_tooth: "faulty tooth in mesh",
 };
 const MOST = 400;

@@ -28,8 +28,7 @@ export class Modes {
     this.buttons.forEach((each, k) =>
       each.append(...this.#lines(modes[k]).map((line) => el("span", {}, line))),
     );
-    const moves = stage.pictures[0].poses.times.length > 1;
-    this.stop = button(moves ? "back to the record" : "back to rest", "Stop the animation of the mode", () => this.choose(-1));
+    this.stop = button("stop animation", "Stop the animation of the mode", () => this.choose(-1));
     this.stop.hidden = true;
     const slider = logSlider({
       label: "amplitude",
@@ -47,7 +46,7 @@ export class Modes {
   }
 
   #facts({ frequency, damping }) {
-    const fades = damping == null ? "" : `, damping ${number(100 * damping, 2)} %${damping < 0 ? ", grows" : ""}`;
+    const fades = damping == null ? "" : `, damping ${number(100 * damping, 2)} %${damping < 0 ? ", unstable" : ""}`;
     return `${number(frequency, 4)} Hz${fades}`;
   }
 

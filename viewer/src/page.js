@@ -87,7 +87,7 @@ export class Page {
 
   #scene() {
     if (!this.scenes.some((scene) => scene.solids.length)) {
-      this.#announce("This scene contains no solids: the model has no shapes, or none of them is in the result.");
+      this.#announce("This scene contains no solids: the model defines no geometry, or the result does not contain it.");
       return;
     }
     const found = graphics();
@@ -123,7 +123,9 @@ export class Page {
     );
     this.status = el("div", { className: "ppv-status", role: "status" });
     const names = namesOf(this.scenes);
-    this.names = names.map((name, k) => name && el("span", { className: "ppv-name", title: this.scenes[k].label }, name));
+    this.names = names.map((name, k) =>
+      name && el("span", { className: "ppv-name", title: this.scenes[k].label }, el("span", {}, name), el("span", {})),
+    );
     const halves = this.legends.map((legend, k) =>
       el(
         "div",
@@ -144,15 +146,15 @@ export class Page {
   #panels() {
     const { panels, stage } = this;
     if (stage) {
-      panels.action("Fit", "Show everything (f)", () => this.views.fit());
-      panels.add("View", "Views, following a body, housing, meshes", viewRows(this));
+      panels.action("Fit", "Fit all (f)", () => this.views.fit());
+      panels.add("View", "Standard views, followed body, housing, view into a mesh", viewRows(this));
       if (this.scenes.some((scene) => scene.arrows.length))
-        panels.add("Forces", "Arrows of forces", forceRows(this));
+        panels.add("Forces", "Force arrows", forceRows(this));
       if (this.scenes.some((scene) => scene.contacts.length))
         panels.add("Flanks", "Contact lines, pattern and gap of the teeth", flankRows(this));
       if (this.player.times.length > 1) panels.add("Vibration", "Magnify vibrations", vibrationRows(this));
       this.section = new SectionView(stage, () => this.changed());
-      panels.add("Section", "Cut the solids by a plane", this.section.rows);
+      panels.add("Section", "Section plane through the solids", this.section.rows);
       const { modes } = this.scenes[0];
       if (modes.length && !this.scenes[1]) {
         this.modes = new Modes(modes, stage, () => this.changed());
@@ -168,7 +170,7 @@ export class Page {
     const help = [el("dl", {}, ...KEYS.flatMap(([key, what]) => [el("dt", {}, key), el("dd", {}, what)]))];
     if (notes.length)
       help.unshift(el("ul", { className: "ppv-notes" }, ...notes.map((note) => el("li", {}, note))));
-    panels.add(notes.length ? `Notes (${notes.length})` : "?", "Notes and keys", help);
+    panels.add(notes.length ? `Notes (${notes.length})` : "?", "Notes and keyboard shortcuts", help);
   }
 
   /** Colours drawn by scripts follow the colour scheme of the page. */
@@ -244,11 +246,10 @@ export class Page {
   /** Mark a result whose record has ended; its bodies remain at rest. */
   #announceEnds() {
     if (this.scenes.length < 2 || !this.names) return;
-    const words = namesOf(this.scenes);
     this.names.forEach((node, k) => {
       const end = this.scenes[k].times?.data.at(-1);
-      const text = ended(end, this.sent) ? `ended at ${duration(end)}: ${words[k]}` : words[k];
-      if (node && node.textContent !== text) node.textContent = text;
+      const text = ended(end, this.sent) ? ` (ended at ${duration(end)})` : "";
+      if (node && node.lastChild.textContent !== text) node.lastChild.textContent = text;
     });
   }
 

@@ -80,11 +80,11 @@ export function viewRows(page) {
   ];
   page.followed = choice(
     "follow",
-    [["-1", "nothing"], ...page.views.names.map((name, k) => [String(k), name])],
+    [["-1", "none"], ...page.views.names.map((name, k) => [String(k), name])],
     (value) => page.follow(Number(value)),
     "Body that the camera follows (1 to 9, 0)",
   );
-  const turning = tick("rotate with it", false, (on) => {
+  const turning = tick("rotate with body", false, (on) => {
     page.views.turning = on;
     page.views.follow(page.views.body, on);
   });
@@ -113,7 +113,7 @@ export function viewRows(page) {
     .flatMap((scene) => scene.arrows.filter((arrow) => arrow.kind === "mesh"))
     .filter((arrow, k, all) => all.findIndex(({ name }) => name === arrow.name) === k);
   const looks = meshes.map((arrow) =>
-    button(arrow.name, `Look into the mesh ${arrow.name}, along its axis`, () =>
+    button(arrow.name, `View the mesh ${arrow.name} along its axis`, () =>
       page.intoMesh(arrow),
     ),
   );
@@ -131,7 +131,7 @@ export function viewRows(page) {
       ? el(
           "div",
           {},
-          el("span", { className: "ppv-soft" }, "look into a mesh"),
+          el("span", { className: "ppv-soft" }, "view a mesh"),
           el("div", { className: "ppv-buttons" }, ...looks),
         )
       : null,
@@ -213,7 +213,7 @@ export function saveRows(page) {
     el(
       "div",
       { className: "ppv-buttons" },
-      button("GLB, moving", "Solids and their motion, binary glTF", () =>
+      button("GLB (animated)", "Solids and their motion, binary glTF", () =>
         download(movingSolids(page), fileName(page, "glb")),
       ),
       button("STL", "Solids at the current time, in metres", () => download(stl(page), fileName(page, "stl"))),
@@ -224,7 +224,7 @@ export function saveRows(page) {
 /** Rows of the panel "Vibration". @param {import("./page.js").Page} page */
 export function vibrationRows(page) {
   page.magnification = logSlider({
-    label: "× ",
+    label: "magnification ×",
     title: "Magnification of vibrations; rotation is not magnified (m)",
     least: 1,
     most: 1e4,

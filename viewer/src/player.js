@@ -117,7 +117,7 @@ export class Player {
     const angle = (2 * Math.PI) / (loop === "cycle" ? teeth : 1);
     const at = (t) => this.poses.angle(body, this.#frame(t));
     const swept = Math.abs(at(this.last) - at(this.first));
-    if (swept < angle) return "The record is too short for this.";
+    if (swept < angle) return "The record is shorter than the repeated interval.";
     // The start is moved back if less than one complete interval remains.
     let a = this.time;
     if (Math.abs(at(this.last) - at(a)) < angle)

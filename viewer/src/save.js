@@ -72,7 +72,7 @@ export function png(page, times = 1) {
     if (!shown.element.hidden) legend(pen, page, n, { right: (n + 1) * each, room: each - written[n] }, ink, style);
   });
   page.boxes.forEach((box, n) => {
-    if (!box.element.hidden) loads(pen, box, 12 + n * each, height - 62, soft);
+    if (!box.element.hidden) loads(pen, box, { x: 12 + n * each, y: height - 62, room: each - 24 }, soft);
   });
   pen.fillStyle = pen.strokeStyle = soft;
   page.scales.forEach((scale, n) => {
@@ -96,7 +96,7 @@ function ruler(pen, scale, x, height) {
 }
 
 /** Colour scale of the flanks and text of the gap, above the scale bar. */
-function loads(pen, box, x, y, soft) {
+function loads(pen, box, { x, y, room }, soft) {
   pen.fillStyle = soft;
   pen.font = pen.font.replace(/^\d+px/, "11px");
   if (!box.bar.hidden) {
@@ -105,9 +105,28 @@ function loads(pen, box, x, y, soft) {
       pen.fillRect(x + k, y, 1.5, 8);
     }
     pen.fillStyle = soft;
-    pen.fillText(`0 … ${box.end.textContent} on flanks, ${box.now.textContent}`, x, y + 11);
+    const words = `${box.what.textContent}: 0 … ${box.end.textContent}, ${box.now.textContent}`;
+    pen.fillText(cut(pen, words, room), x, y + 11);
   }
-  if (!box.gap.hidden) pen.fillText(box.gap.textContent, x, y - 16);
+  if (box.gap.hidden) return;
+  const lines = wrapped(pen, box.gap.textContent, room);
+  lines.forEach((line, k) => pen.fillText(line, x, y - 16 - 14 * (lines.length - 1 - k)));
+}
+
+/**
+ * Lines of a text that fit the available width.
+ * @param {CanvasRenderingContext2D} pen
+ * @param {string} text
+ * @param {number} room [px]
+ */
+function wrapped(pen, text, room) {
+  const lines = [""];
+  for (const word of text.split(" ")) {
+    const longer = lines.at(-1) ? `${lines.at(-1)} ${word}` : word;
+    if (lines.at(-1) && pen.measureText(longer).width > room) lines.push(word);
+    else lines[lines.length - 1] = longer;
+  }
+  return lines;
 }
 
 /**

@@ -33,7 +33,7 @@ function fromBase64(text) {
     binary = atob(text.trim());
   } catch {
     throw new SceneError(
-      "The numbers of this scene cannot be read: they are not base64. The file may be damaged.",
+      "The data of this scene cannot be decoded (not base64). The file may be damaged.",
     );
   }
   const bytes = new Uint8Array(binary.length);
@@ -48,14 +48,14 @@ function fromBase64(text) {
 async function unzip(packed) {
   if (typeof DecompressionStream === "undefined") {
     throw new SceneError(
-      "This browser cannot unpack the numbers of the scene (no DecompressionStream); a newer one can.",
+      "This browser cannot decompress the data of the scene (no DecompressionStream). Use a newer browser.",
     );
   }
   try {
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
     return await new Response(stream).arrayBuffer();
   } catch {
-    throw new SceneError("The numbers of this scene cannot be unpacked: the file is truncated or damaged.");
+    throw new SceneError("The data of this scene cannot be decompressed: the file is truncated or damaged.");
   }
 }
 
@@ -70,13 +70,13 @@ export function readTable(buffer, entry, what) {
   const Type = planes ? Uint8Array : TYPES[entry?.type];
   const shape = entry?.shape;
   if (!Type || !Array.isArray(shape) || !shape.length || shape.some((n) => !Number.isInteger(n) || n < 0)) {
-    throw new SceneError(`This scene cannot be read: ${what} has no type or shape that this viewer knows.`);
+    throw new SceneError(`This scene cannot be read: ${what} has an unknown type or shape.`);
   }
   const length = shape.reduce((product, n) => product * n, 1);
   const at = entry.at;
   const held = planes ? length * entry.bytes : length;
   if (!Number.isInteger(at) || at < 0 || at % 8 || !(at + held * Type.BYTES_PER_ELEMENT <= buffer.byteLength)) {
-    throw new SceneError(`This scene is truncated: ${what} is beyond the end of the numbers.`);
+    throw new SceneError(`This scene is truncated: ${what} is beyond the end of the data.`);
   }
   const bytes = new Type(buffer, at, held);
   const stored = planes ? fromPlanes(bytes, length, entry) : bytes;
@@ -141,19 +141,19 @@ function checkShapes(scene) {
   scene.bodies.forEach((body, k) => {
     check(
       Number.isInteger(body.parent ?? -1) && (body.parent ?? -1) < k,
-      `body ${body.name} comes before its parent`,
+      `body ${body.name} is listed before its parent`,
     );
     for (const part of ["position", "travel", "turn", "spin", "gross", "quaternion"])
       rows(body[part], `${part} of body ${body.name}`);
   });
   for (const solid of scene.solids) {
-    check(solid.body >= -1 && solid.body < scene.bodies.length, `solid ${solid.name} belongs to no body`);
+    check(solid.body >= -1 && solid.body < scene.bodies.length, `solid ${solid.name} refers to an unknown body`);
     const surfaces = solid.pieces ? solid.pieces.flatMap((piece) => piece.levels ?? []) : [solid];
     check(surfaces.length, `solid ${solid.name} has no surface`);
     for (const { points, triangles } of surfaces) {
       check(points?.width === 3 && triangles?.width === 3, `solid ${solid.name} has no surface`);
       for (const corner of triangles.data)
-        check(corner < points.count, `solid ${solid.name} has a triangle without a point`);
+        check(corner < points.count, `solid ${solid.name} has a triangle with an invalid point index`);
     }
     for (const piece of solid.pieces ?? []) check(piece.turns?.count, `solid ${solid.name} has no positions`);
     if (solid.modal) {
@@ -162,16 +162,16 @@ function checkShapes(scene) {
         shapes?.shape.length === 3 && node?.count === solid.points?.count,
         `solid ${solid.name} has no deformation data`,
       );
-      for (const each of node.data) check(each < shapes.shape[1], `solid ${solid.name} has a point without a node`);
+      for (const each of node.data) check(each < shapes.shape[1], `solid ${solid.name} has a point with an invalid node index`);
       rows(coordinates, `the modal coordinates of ${solid.name}`);
     }
     for (const body of solid.between?.bodies ?? [])
-      check(body >= -1 && body < scene.bodies.length, `solid ${solid.name} ends on a body that is not there`);
+      check(body >= -1 && body < scene.bodies.length, `solid ${solid.name} refers to an unknown body`);
     for (const body of solid.blend?.bodies ?? [])
-      check(body >= -1 && body < scene.bodies.length, `the blend of ${solid.name} names a body that is not there`);
+      check(body >= -1 && body < scene.bodies.length, `the blend of ${solid.name} refers to an unknown body`);
   }
   for (const arrow of scene.arrows) {
-    check(arrow.body >= -1 && arrow.body < scene.bodies.length, `arrow ${arrow.name} belongs to no body`);
+    check(arrow.body >= -1 && arrow.body < scene.bodies.length, `arrow ${arrow.name} refers to an unknown body`);
     for (const part of ["circumferential", "radial", "axial"])
       rows(arrow.components?.[part], `the ${part} force ${arrow.name}`);
     rows(arrow.at, `the position of arrow ${arrow.name}`);
@@ -198,14 +198,13 @@ function checkContact(scene, contact, rows) {
   check(!contact.unit_pressure || contact.unit_pressure.count > 1, `contact ${name} has no pressures`);
   check(contact.base_pitch > 0 && contact.flanks?.length, `contact ${name} has no flanks`);
   for (const flank of contact.flanks) {
-    check(flank.travel?.count === scene.times.count, `contact ${name} has no travel for each time`);
+    check(flank.travel?.count === scene.times.count, `contact ${name} does not give the travel at each time`);
     for (const part of ["forces", "loads"]) rows(flank[part], `${part} of contact ${name}`);
     check(Boolean(flank.forces) === Boolean(flank.loads), `contact ${name} has forces without loads, or loads without forces`);
-    for (const surface of flank.surfaces ?? [])
-      check(
-        surface.body in scene.bodies && surface.points?.shape.length === 3 && surface.teeth > 0,
-        `a flank of contact ${name} is on no body`,
-      );
+    for (const surface of flank.surfaces ?? []) {
+      check(surface.body in scene.bodies, `a flank of contact ${name} refers to an unknown body`);
+      check(surface.points?.shape.length === 3 && surface.teeth > 0, `a flank of contact ${name} has no surface`);
+    }
   }
 }
 
@@ -224,7 +223,7 @@ export async function readScene(suffix = "") {
     throw new SceneError("The header of this scene cannot be read: the file is truncated or damaged.");
   }
   if (node?.format !== FORMAT) {
-    throw new SceneError(`This scene is of the format "${node?.format}"; this viewer reads "${FORMAT}".`);
+    throw new SceneError(`This scene has format "${node?.format}"; this viewer requires "${FORMAT}".`);
   }
   const buffer = await unzip(fromBase64(numbers.textContent ?? ""));
   const lists = {

@@ -24,7 +24,7 @@ export class SectionView {
         ? each
         : best,
     );
-    this.enable = tick("cut the solids (s)", false, (on) => this.turn(on));
+    this.enable = tick("section (s)", false, (on) => this.turn(on));
     this.axis = choice(
       "normal to",
       [...Object.keys(AXES).map((name) => [name, name]), ["mesh", "axis of the mesh"]],
@@ -35,12 +35,12 @@ export class SectionView {
       type: "range",
       min: "0",
       max: "1000",
-      title: "Position of the cut",
-      "aria-label": "Position of the cut",
+      title: "Position of the section plane",
+      "aria-label": "Position of the section plane",
     });
     this.place.addEventListener("input", () => this.#moved());
     this.output = el("output", {});
-    this.flip = tick("other half", false, (on) => {
+    this.flip = tick("flip side", false, (on) => {
       this.flipped = on;
       this.update();
       changed();
@@ -48,7 +48,7 @@ export class SectionView {
     this.rows = [
       this.enable.row,
       this.axis.row,
-      el("label", { className: "ppv-slider" }, el("span", {}, "place"), this.place, this.output),
+      el("label", { className: "ppv-slider" }, el("span", {}, "position"), this.place, this.output),
       this.flip.row,
     ];
     this.along(axis);

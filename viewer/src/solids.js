@@ -48,7 +48,7 @@ function drawCut(material) {
         gl_FragDepth = gl_FragCoord.z;
         if (!gl_FrontFacing) {
           float away = 1.0 / gl_FragCoord.w;
-          // what is seen at a slant lies farther behind
+          // At oblique incidence the difference in depth is larger.
           float facing = abs(dot(normalize(vNormal), normalize(vViewPosition)));
           float nearer = away - max(${NEARER} * away, ${FACETS} * fromAxis / max(facing, 0.15));
           gl_FragDepth = clamp(0.5 + 0.5 * (projectionMatrix[3][2] / nearer - projectionMatrix[2][2]), 0.0, 1.0);

@@ -60,7 +60,7 @@ export class Spectra {
       (name) => this.choose(name, this.over),
     );
     this.ways = choice("over", [], (over) => this.choose(this.name, over));
-    this.near = el("span", { className: "ppv-curve", hidden: true }, el("i", {}), el("span", {}, "near the cursor"));
+    this.near = el("span", { className: "ppv-curve", hidden: true }, el("i", {}), el("span", {}, "at the cursor"));
     this.element = el(
       "div",
       { className: "ppv-spectra" },
@@ -126,7 +126,7 @@ export class Spectra {
     this.shown = this.#shown(this.#found(this.spectra).concat(this.#found(this.maps)).find(Boolean));
     const { unit } = this.shown;
     this.unit.textContent = unit === "1" ? "peak amplitude" : `peak amplitude in ${unit}`;
-    if (map) this.unit.textContent = "colours: peak amplitude in dB below the largest";
+    if (map) this.unit.textContent = "colours: peak amplitude in dB re maximum";
     this.box.hidden = map;
     this.maps_box.hidden = !map;
     this.near.hidden = true;

@@ -50,7 +50,7 @@ export class Transport {
       const mark = this.#near(event);
       does.seek(mark ? mark.time : this.#time(this.#share(event)));
     });
-    this.read = el("output", { className: "ppv-now", title: "Time of the record" });
+    this.read = el("output", { className: "ppv-now", title: "Time" });
     this.speed = logSlider({
       label: "",
       title: "Speed relative to real time (+ and −)",
@@ -190,7 +190,7 @@ export class Transport {
     const text = instant(player.time, player.playing ? this.stepLength : this.stepLength / 10);
     this.range.ariaValueText = text;
     this.read.textContent = text;
-    this.read.title = `Time of the record; it lasts ${duration(length)}`;
+    this.read.title = `Time; record length ${duration(length)}`;
     const state = player.playing ? "pause" : "play";
     if (this.play.dataset.state !== state) {
       this.play.dataset.state = state;

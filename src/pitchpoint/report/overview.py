@@ -74,7 +74,7 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
         return SceneData(words=f"There is no scene: {error}")
     if not scene.solids:
         return SceneData(
-            words="There is no scene: the model has no shapes, neither gears on bodies nor solid files."
+            words="There is no scene: the model defines no geometry (no gears on bodies, no solid files)."
         )
     at_rest = "The scene shows the machine at rest."
     return SceneData(scene=replace(scene, channels=()), words=f"{words} {at_rest}".strip())
