@@ -166,7 +166,7 @@ def ball_center_angle(gear: CylindricalGear, D_M: float) -> float:
             "does not touch the usable flanks",
             where="D_M",
             value=f"{1e3 * D_M:.6g} mm",
-            limit=f"contact between the diameters {1e3 * low:.6g} and {1e3 * high:.6g} mm",
+            limit=f"contact between diameters of {1e3 * low:.6g} and {1e3 * high:.6g} mm",
             remedy=f"use a {'larger' if at_root else 'smaller'} ball",
         )
     return alpha

@@ -67,7 +67,7 @@ def plot_contact_shares(points: Sequence[Mapping[str, Any]]) -> go.Figure:
     all_frequencies = [float(p["mesh_frequency"]) for p in points]
     pitch = scale("Hz", all_frequencies)
     figure = theme.figure(pitch.title("mesh frequency"), "share of time [%]", height=300)
-    words = {"contact_loss_share": ("contact lost", "solid"), "back_contact_share": ("back contact", "dot")}
+    words = {"contact_loss_share": ("contact loss", "solid"), "back_contact_share": ("back contact", "dot")}
     for key, (name, dash) in words.items():
         for direction, (colour, _) in theme.SWEEP.items():
             rows = [

@@ -209,7 +209,7 @@ def test_sweep_is_green_upwards_and_red_downwards() -> None:
 def test_contact_shares_without_back_contact_have_no_line_for_it() -> None:
     figure = plot_contact_shares(sweep()["points"])
     assert titles(figure)[1] == "share of time [%]"
-    assert [t.name for t in figure.data] == ["contact lost, up", "contact lost, down"]
+    assert [t.name for t in figure.data] == ["contact loss, up", "contact loss, down"]
     assert max(figure.data[0].y) == pytest.approx(40.0)
 
 

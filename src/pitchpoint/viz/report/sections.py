@@ -261,5 +261,5 @@ def _contact_table(
             + "".join(f'<td class="num">{x}</td>' for x in cells)
             + "</tr>"
         )
-    head = ("mesh", "", "contact lost", "back contact", "longest loss", "impacts", "largest impact")
+    head = ("mesh", "", "contact loss", "back contact", "longest loss", "impacts", "largest impact")
     return plain_table(head, body) if body else ""
