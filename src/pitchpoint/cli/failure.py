@@ -37,6 +37,12 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
     if isinstance(error, click.ClickException):
         error.show(file=sys.stderr)
         return BAD_INPUT
+    if isinstance(error, click.Abort) and isinstance(error.__cause__, EOFError):  # click's name for both
+        error = error.__cause__
+    if isinstance(error, EOFError | ValueError) and "marshal data" in str(error):
+        say(f"error: compiled Python files of the installation are damaged ({error}), as after a full disk")
+        say("  delete the folders __pycache__ of the installation, or reinstall it")
+        return FAILED
     if isinstance(error, KeyboardInterrupt | click.Abort):
         say("interrupted; partial results are kept")
         return code_of_interruption()

@@ -128,7 +128,7 @@ def test_a_full_disk_ends_the_run_with_a_sentence(tmp_path: Path, capsys: pytest
         "from pitchpoint.cli.main import main; main()"
     )
     run = subprocess.run(
-        [sys.executable, "-c", code, "dataset", plan, "-o", str(out), "-j", "1", "-q"],
+        [sys.executable, "-B", "-c", code, "dataset", plan, "-o", str(out), "-j", "1", "-q"],
         env=os.environ,
         capture_output=True,
         text=True,

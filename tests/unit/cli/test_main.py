@@ -170,3 +170,17 @@ def test_a_terminal_that_knows_ascii_only(tmp_path: Path) -> None:
         )
         assert done.returncode == 0, done.stderr
         assert b"UnicodeEncodeError" not in done.stderr
+
+
+def test_bytecode_that_a_full_disk_has_cut_is_named(tmp_path: Path) -> None:
+    """Python keeps what fits; it ends with an EOFError, which click would call an interruption."""
+    command = [sys.executable, "-c", "from pitchpoint.cli.main import main; main()", "examples", "list"]
+    environment = {**os.environ, "PYTHONPYCACHEPREFIX": str(tmp_path), "PYTHONDONTWRITEBYTECODE": ""}
+    runs = []
+    for _ in range(2):
+        runs.append(subprocess.run(command, env=environment, capture_output=True, text=True, check=False))
+        (file,) = tmp_path.rglob("cli/examples.*.pyc")
+        file.write_bytes(file.read_bytes()[:1000])
+    assert [run.returncode for run in runs] == [0, 3], runs[1].stderr
+    assert "compiled Python files of the installation are damaged" in runs[1].stderr
+    assert "__pycache__" in runs[1].stderr

@@ -62,10 +62,13 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 
 
 def limited(command: str, names: dict[str, str], limit: int) -> subprocess.CompletedProcess[str]:
-    """Run a command in a process whose files must not grow beyond a limit [bytes]."""
+    """Run a command in a process whose files must not grow beyond a limit [bytes].
+
+    Without bytecode: Python would keep files that the limit has cut.
+    """
     arguments = [word.format(**names) for word in command.split()]
     return subprocess.run(
-        [sys.executable, "-c", CHILD, str(limit), *arguments],
+        [sys.executable, "-B", "-c", CHILD, str(limit), *arguments],
         capture_output=True,
         text=True,
         check=False,

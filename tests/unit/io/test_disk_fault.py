@@ -69,7 +69,7 @@ CHILD = """
 def limited(code: str, path: Path, limit: int) -> subprocess.CompletedProcess:
     """Run a writer in a process whose files must not grow beyond a limit [bytes]."""
     child = textwrap.dedent(CHILD).format(code=textwrap.dedent(code))
-    command = [sys.executable, "-c", child, str(path), str(limit)]
+    command = [sys.executable, "-B", "-c", child, str(path), str(limit)]  # Python keeps bytecode that is cut
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
 
 
@@ -120,7 +120,7 @@ def test_a_run_on_a_full_disk(tmp_path: Path) -> None:
         raise SystemExit(run_command(["run", sys.argv[1], "-s", "steady", "-o", sys.argv[2], "-q", "--json"]))
     """
     file, target = written(tmp_path, TORSION), tmp_path / "run.h5"
-    command = [sys.executable, "-c", textwrap.dedent(code), file, str(target)]
+    command = [sys.executable, "-B", "-c", textwrap.dedent(code), file, str(target)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 3, done.stderr
     summary = json.loads(
