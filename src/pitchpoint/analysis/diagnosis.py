@@ -183,7 +183,8 @@ def diagnose(
     ]
     tests = sum(1 for row in raw if row[4].lines > 0)
     if not tests:
-        raise SignalError("record: is too short for any test; " + "; ".join(grouped([*few, *untested])))
+        reasons = grouped([*few, *untested]) or ["use a longer one, or a higher sample rate"]
+        raise SignalError("record: is too short for any test; " + "; ".join(reasons))
     every = (_evidence(row, tests, allowed) for row in raw if row[4].lines > 0)
     evidence = tuple(
         replace(e, explained=PASSING)

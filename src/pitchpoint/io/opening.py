@@ -191,7 +191,7 @@ def _open_unmarked(name: str) -> h5py.File:
         if not share(unmarked.fileno()):
             raise BlockingIOError
         if not _texts_end(unmarked):
-            raise ValueError("texts do not fit where they are stored")
+            raise ValueError("a text is longer than the block that contains it")
         file = h5py.File(unmarked, "r")
     except BaseException:
         unmarked.close()

@@ -72,7 +72,7 @@ def read_channel(
     """
     with opened(path) as file:
         if "time" not in file:
-            raise ResultError(f"{os.fspath(path)}: holds no time series but {file.attrs['kind']} results")
+            raise ResultError(f"{os.fspath(path)}: has no times; it is a result of kind {file.attrs['kind']}")
         if name not in file or name == BLOCK_GROUP:
             raise ResultError(f"{os.fspath(path)}: no channel {name!r}; {_suggest(name, file)}")
         time, channel = member(file, "time"), member(file, name)

@@ -56,7 +56,8 @@ def text_of(path: str | Path) -> str:
         line: int | None = data[: error.start].count(b"\n") + 1
         remedy = "save the file as UTF-8"
         if b"\0" in data[:1024]:
-            line, remedy = None, "name the model file; this one holds no text at all"
+            binary = "an HDF5 file, such as a result" if data.startswith(b"\x89HDF") else "a binary file"
+            line, remedy = None, f"name the model file; this is {binary}"
         problem = Message("YAML syntax", "is not UTF-8 text", remedy=remedy, line=line)
         raise ModelError([problem], str(path)) from None
     return text

@@ -292,8 +292,9 @@ def _directions(parts: Parts, report: Reader) -> None:
             if abs(distance - a) > PLACE_TOLERANCE * a:
                 report.problem(
                     ("meshes", name, "center_distance"),
-                    f"does not fit the positions of its bodies, which are {distance * 1e3:.6g} mm apart",
-                    value=f"{a * 1e3:.6g} mm",
+                    f"differs by {abs(distance - a) * 1e6:.3g} µm from the distance between the positions "
+                    f"of its bodies, {distance * 1e3:.9g} mm",
+                    value=f"{a * 1e3:.9g} mm",
                     remedy="correct center_distance or the positions, or remove the positions"
                     + _by_couplings(parts, mesh),
                 )
@@ -302,8 +303,8 @@ def _directions(parts: Parts, report: Reader) -> None:
             ):
                 report.problem(
                     ("meshes", name, "direction"),
-                    f"does not fit the positions of its bodies, which give {math.degrees(angle):.6g} deg",
-                    value=f"{math.degrees(theta):.6g} deg",
+                    f"does not fit the positions of its bodies, which give {math.degrees(angle):.9g} deg",
+                    value=f"{math.degrees(theta):.9g} deg",
                     remedy="remove direction or the positions" + _by_couplings(parts, mesh),
                 )
             theta = angle if mesh.direction is None else theta

@@ -225,7 +225,7 @@ def _planet_sets(
     model: Model, meshes: Mapping[str, Mapping[str, Any]], speeds: Mapping[str, float]
 ) -> dict[str, dict[str, Any]]:
     """Carriers with their planets, and the phases of the meshes with each central gear."""
-    from pitchpoint.analysis.planet_frequencies import excited_motion, planet_phases
+    from pitchpoint.analysis.planet_frequencies import excited_motion
     from pitchpoint.model.mechanism import base_of
 
     found: dict[str, dict[str, Any]] = {}
@@ -248,12 +248,17 @@ def _planet_sets(
             even = np.abs((angles * n / math.tau + 0.5) % 1.0 - 0.5).max() * math.tau / n < EQUAL
             apart = len(set((angles * n / math.tau).round().astype(int) % n)) == n
             entry["central"][gear] = {
-                "phases": dict(
-                    zip((mesh for mesh, _ in pairs), planet_phases(z, angles).tolist(), strict=True)
-                ),
+                "phases": dict(zip((mesh for mesh, _ in pairs), _phases(z, angles), strict=True)),
                 "excites": list(excited_motion(abs(z), n)) if even and apart and n > 2 else None,
             }
     return found
+
+
+def _phases(z: int, angles: np.ndarray) -> list[float]:
+    """Mesh phases of planets; rounded positions move a phase of zero to either side."""
+    from pitchpoint.analysis.planet_frequencies import planet_phases
+
+    return (np.round(planet_phases(z, angles), 6) % 1.0).tolist()
 
 
 def _angles(model: Model, carrier: str, planets: list[str]) -> np.ndarray:

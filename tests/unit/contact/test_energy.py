@@ -122,8 +122,8 @@ def test_contact_stiffens_with_the_load():
 
 def test_body_formula_says_where_it_ends():
     pair = helical(0.0)
-    with pytest.warns(ValidityWarning, match="r_f/r_bore = "):
+    with pytest.warns(ValidityWarning, match="root radius over bore radius h = "):
         energy(pair, bores=(0.005, None))
     small = CylindricalGear(z=17, m_n=3e-3, x=0.3, b=0.03)
-    with pytest.warns(ValidityWarning, match="theta_f = "):
+    with pytest.warns(ValidityWarning, match=r"half tooth angle at the root circle theta_f \[rad\] = "):
         energy(GearPair.from_profile_shifts(small, CylindricalGear(z=40, m_n=3e-3, b=0.03)))

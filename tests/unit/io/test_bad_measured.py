@@ -18,8 +18,8 @@ from pitchpoint.io.measured.record import MeasuredError
 from tests.support import measured_files as files
 
 TEXTS = {
-    "empty": ("", "0 bytes is empty"),
-    "zeros": ("\0" * 40, "holds nothing but zeros"),
+    "empty": ("", "a.csv: is empty; copy it again"),
+    "zeros": ("\0" * 40, "contains only zeros"),
     "remarks only": ("# a\n% b\n", "holds numbers"),
     "header only": ("time,x\n", "has a header and no rows"),
     "one row": ("time,x\n0,1\n", "is too short for a record (limit 2 or more)"),
@@ -100,12 +100,12 @@ def test_wrong_magic(tmp_path, ending):
     path.write_text("time,x\n0,1\n1,2\n", encoding="utf-8")
     text = refusal(path)
     assert (
-        "first bytes: 'time,x\\n0' are no known mark" in text
-        and f"the ending is that of {ending.upper()}" in text
+        "first bytes: 'time,x\\n0' identify no known format" in text
+        and f"but the extension is .{ending}" in text
     )
     files.write_wav(path)
     if ending != "wav":
-        assert "the mark of WAV" in refusal(path)
+        assert "identify WAV, but" in refusal(path)
 
 
 def test_channels_of_different_length(tmp_path):
@@ -165,7 +165,7 @@ def test_a_result_without_signals_over_time(tmp_path):
 
     path = tmp_path / "modes.h5"
     write_tables(path, Header("modes"), [Axis("mode", [0, 1])], [])
-    assert "modes results hold no time signals" in refusal(path)
+    assert "is a result of kind modes, without time signals" in refusal(path)
 
 
 def test_damaged_universal_files(tmp_path):

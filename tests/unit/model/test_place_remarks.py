@@ -77,3 +77,22 @@ couplings:
   joint: {{bodies: [one, two], stiffness: {{torsion: 1e5}}}}
 """
     assert len(told(text)) == heard
+
+
+@pytest.mark.parametrize(("at", "seen"), [("-60 mm", False), ("140 mm", True), ("260 mm", True)])
+def test_torques_at_the_start_of_a_shaft_from_a_body_at_its_end(at: str, seen: bool) -> None:
+    text = f"""
+shafts:
+  out: {{sections: [{{length: 200 mm, diameter: 50 mm}}], position: [0, 0, 0]}}
+bodies:
+  load: {{position: [0, 0, {at}], inertia: 0.5 kg m^2, mass: 20 kg}}
+torsion_springs:
+  coupling: {{bodies: [out, load], stiffness: 50000 N m/rad}}
+  brake: {{bodies: [load], stiffness: 1 N m/rad}}
+"""
+    found = [str(sentence) for sentence in told(text)]
+    assert len(found) == seen
+    if seen:
+        assert found[0].startswith(
+            "torsion_springs.coupling: acts at the start of the shaft out, but load is nearer to its end"
+        )

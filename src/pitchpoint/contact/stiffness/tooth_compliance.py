@@ -182,7 +182,10 @@ def body_coefficients(theta_f: float, radius_ratio: float) -> tuple[float, float
     [6.9271, 1.19, 4.3241, 0.4378]
     """
     h = radius_ratio
-    for name, value, (low, high) in (("theta_f", theta_f, THETA_RANGE), ("r_f/r_bore", h, RATIO_RANGE)):
+    for name, value, (low, high) in (
+        ("half tooth angle at the root circle theta_f [rad]", theta_f, THETA_RANGE),
+        ("root radius over bore radius h", h, RATIO_RANGE),
+    ):
         if not low <= value <= high:
             warnings.warn(
                 f"{name} = {value:.3g} lies outside the range {low} to {high} of the gear body formula"

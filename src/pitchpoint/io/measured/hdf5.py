@@ -55,7 +55,9 @@ def is_own(path: Path, data: bytes) -> bool:
     """
     remedy = "copy it again from where it was recorded"
     if not heaps_end(data):
-        raise refused(path, "", "", "is damaged: its texts do not fit where they are stored", None, remedy)
+        raise refused(
+            path, "", "", "is damaged: a text is longer than the block that contains it", None, remedy
+        )
     if data[8] == 3 and FORMAT.encode() in data[:_HEAD]:
         return True
     if not _survives(path, len(data)):
@@ -249,10 +251,12 @@ def read_own(path: Path, wanted: Wanted) -> Record:
             about = {key: value for key, value in _attributes(file).items() if key in _KEPT and value != ""}
             if "time" not in file:
                 kind = str(file.attrs["kind"])
-                remedy = "name a result of run"
-                raise refused(
-                    path, "", f"{kind} results", "hold no time signals", "signals over time", remedy
+                what = (
+                    "is damaged: it has no times"
+                    if kind == "time"
+                    else f"is a result of kind {kind}, without time signals"
                 )
+                raise refused(path, "", "", what, None, "name a result of run")
             items = members(file)
             found = {n: v for n, v in items.items() if isinstance(v, h5py.Dataset) and _over_time(v)}
             count = min(v.shape[0] for v in (items["time"], *found.values()))

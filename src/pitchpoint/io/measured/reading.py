@@ -138,10 +138,8 @@ def _contents(path: Path) -> bytes:
             path, "", "", "is larger than the memory", None, "cut it into shorter records"
         ) from error
     if not data.strip(b"\0"):
-        what = "holds nothing but zeros" if data else "is empty"
-        raise refused(
-            path, "", f"{len(data)} bytes", what, "a record", "copy it again from where it was recorded"
-        )
+        what = f"contains only zeros, {len(data)} bytes" if data else "is empty"
+        raise refused(path, "", "", what, None, "copy it again from where it was recorded")
     return data
 
 
@@ -160,15 +158,15 @@ def _form(path: Path, data: bytes) -> str:
     expected = _EXPECTED.get(path.suffix.lower(), (form,))
     if form not in expected:
         first = data[:8].decode("latin-1")
-        what = {"text": "no known mark", "MAT": "the mark of MAT 5"}.get(form, f"the mark of {form}")
+        what = {"text": "no known format", "MAT": "MAT 5"}.get(form, form)
         old = "; MAT files of version 4 are not read" if path.suffix.lower() == ".mat" else ""
         raise refused(
             path,
             "first bytes",
             f"{first!r}",
-            f"are {what}, the ending is that of {path.suffix[1:].upper()}{old}",
-            f"the mark of {' or '.join(expected)}",
-            "copy or export the file again, or give it the right ending",
+            f"identify {what}, but the extension is {path.suffix}{old}",
+            " or ".join(expected),
+            "copy or export the file again, or correct the extension",
         )
     return form
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Remarks on bodies at unintended positions, because the model does not give their positions."""
+"""Remarks on bodies and torques at unintended positions, because the model does not give them."""
 
 from __future__ import annotations
 
@@ -10,20 +10,22 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
-from pitchpoint.model.frames import Array, body_frame, split
+from pitchpoint.model.frames import GROUND, Array, body_frame, split
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Span = tuple[str, str, Array, Array, float, float]
 """Body, gear, position and axis of the body, axial start and end of the gear [m]."""
+TURNING = ("torsion_springs", "torsion_maxwells", "clutches")
+"""Sections whose torques act at the origin of a body, which is the start of a shaft."""
 SAME = 1e-6
 """Distance of two axes, relative to the tip diameter, up to which they coincide."""
 
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
-    """A remark for every axis that is located by a joint, and for overlapping gears."""
-    return (*_axes_by_joints(model), *_gears_in_gears(model))
+    """A remark for every axis that is located by a joint, overlapping gears, and the far end of a shaft."""
+    return (*_axes_by_joints(model), *_gears_in_gears(model), *_far_ends(model))
 
 
 def _axes_by_joints(model: Model) -> Iterator[Message]:
@@ -80,6 +82,25 @@ def _gears_in_gears(model: Model) -> Iterator[Message]:
                 f"{b} overlaps with {a} of {one}, on the same axis",
                 "give direction in the meshes that locate them, or position: [x, y, z] of the bodies",
             )
+
+
+def _far_ends(model: Model) -> Iterator[Message]:
+    """Torques at the start of an elastic shaft, from a body that is nearer to its end."""
+    for group in TURNING:
+        for name, part in getattr(model, group).items():
+            pairs = (part.bodies, part.bodies[::-1]) if len(part.bodies) == 2 else ()
+            for shaft, other in pairs:
+                origin, axes = body_frame(model, shaft)
+                place = body_frame(model, other)[0]
+                if shaft not in model.shafts or origin is None or place is None or other == GROUND:
+                    continue
+                if (place - origin) @ axes[:, 2] > 0.5 * model.shafts[shaft].length:
+                    yield remark(
+                        f"{group}.{name}",
+                        f"acts at the start of the shaft {shaft}, but {other} is nearer to its end: the "
+                        "torque does not twist the shaft between them",
+                        "use an element of couplings with a position instead",
+                    )
 
 
 def _on_one_axis(spans: list[Span], sizes: list[float]) -> Iterator[tuple[Span, Span]]:

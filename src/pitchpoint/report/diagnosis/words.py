@@ -54,7 +54,7 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
     """
     mine = evidence_of(finding, diagnosis)
     seen = "; ".join(dict.fromkeys(_seen(e, parts, frequency) for e in _same_lines(mine)[:3]))
-    chance = f"by chance: {percent(finding.probability)}, over all {diagnosis.tests} tests"
+    chance = f"by chance: {percent(finding.probability)}, {_over(diagnosis.tests)}"
     where = f"in {finding.channel}"
     if finding.kind == "bearing":
         what = BEARING_WORDS.get(finding.shaft, f"a fault of the {finding.shaft}")
@@ -75,6 +75,10 @@ def sentence(finding: Finding, diagnosis: Diagnosis, parts: TurningParts, freque
         f"{shaft} ({turning}) has raised lowest orders, as with unbalance, misalignment or a "
         f"bent shaft: seen {where} as {seen} ({chance})"
     )
+
+
+def _over(tests: int) -> str:
+    return "over 1 test" if tests == 1 else f"over all {tests} tests"
 
 
 def evidence_of(finding: Finding, diagnosis: Diagnosis) -> list[Evidence]:
