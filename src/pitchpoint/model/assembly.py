@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.gear_pairs import check_gear, check_pair
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.mesh import Mesh
@@ -290,10 +291,11 @@ def _directions(parts: Parts, report: Reader) -> None:
             distance, angle = math.hypot(dx, dy), math.atan2(dy, dx)
             a = abs(mesh.a_w)
             if abs(distance - a) > PLACE_TOLERANCE * a:
+                error = format_quantity(abs(distance - a), "length", 3)
                 report.problem(
                     ("meshes", name, "center_distance"),
-                    f"differs by {abs(distance - a) * 1e6:.3g} µm from the distance between the positions "
-                    f"of its bodies, {distance * 1e3:.9g} mm",
+                    f"differs by {error} from the distance between the positions of its bodies, "
+                    f"{distance * 1e3:.9g} mm",
                     value=f"{a * 1e3:.9g} mm",
                     remedy="correct center_distance or the positions, or remove the positions"
                     + _by_couplings(parts, mesh),
