@@ -11,7 +11,6 @@ import math
 from collections import deque
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -25,9 +24,6 @@ from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twist
 from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.reading.reader import Reader
-
-if TYPE_CHECKING:
-    pass
 
 PLACE_TOLERANCE = 1e-6
 """Relative tolerance for positions that are given twice."""

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,9 +14,6 @@ from pitchpoint.model.frames import joint_axes, joint_place, split
 from pitchpoint.system.rules.bank import Bank
 from pitchpoint.system.rules.bodies import CODES, bodies, end_of, frame_at, world_place
 from pitchpoint.system.rules.places import Places
-
-if TYPE_CHECKING:
-    pass
 
 
 def closure_bank(places: Places) -> Bank:

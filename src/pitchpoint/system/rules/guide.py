@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -20,9 +20,6 @@ from pitchpoint.system.rules.drive import value_of_law
 from pitchpoint.system.rules.elastic_body import elastic_of
 from pitchpoint.system.rules.places import Places
 from pitchpoint.system.rules.stiffness import user_law
-
-if TYPE_CHECKING:
-    pass
 
 
 def guide_bank(places: Places) -> Bank:

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from pitchpoint.elements import loose_bearing
@@ -14,9 +12,6 @@ from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bearing import damping_matrix, housing_numbers
 from pitchpoint.system.rules.bodies import seat_at
 from pitchpoint.system.rules.places import Places
-
-if TYPE_CHECKING:
-    pass
 
 SEAT = 0.1
 """Fraction of the radial play over which the seat stiffness increases to its full value."""

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from pitchpoint.core.errors import CompileError
@@ -13,9 +11,6 @@ from pitchpoint.model.mechanism import coordinate
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import body_numbers
 from pitchpoint.system.rules.places import Places
-
-if TYPE_CHECKING:
-    pass
 
 
 def ratio_bank(places: Places) -> Bank:
