@@ -290,7 +290,7 @@ def test_what_is_no_model_at_all_is_said_plainly(tmp_path: Path, capsys: pytest.
     file = tmp_path / "result.h5"
     file.write_bytes(b"\x89HDF\r\n\x1a\n\0\0\0\xff")
     assert run_command(["check", str(file)]) == 2
-    assert "name the model file; this one holds no text" in capsys.readouterr().err
+    assert "name the model file; this is an HDF5 file, such as a result" in capsys.readouterr().err
     text = TORSION[: TORSION.index("scenarios:")]
     assert run_command(["sweep", written(tmp_path, text)]) == 2
     assert "the model has no scenario of the kind sweep; add one" in capsys.readouterr().err
