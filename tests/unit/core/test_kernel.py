@@ -54,10 +54,17 @@ def write(path, text):
 
 
 def python(code, folder, **env):
-    """Run code in a fresh interpreter with a private kernel cache; returns what it prints."""
+    """Run code in a fresh interpreter with a private kernel cache; returns what it prints.
+
+    Without new bytecode, which Python takes for that of a file edited within the same second.
+    """
     full = {**os.environ, "NUMBA_CACHE_DIR": str(folder / "cache"), "PYTHONPATH": str(folder), **env}
     done = subprocess.run(
-        [sys.executable, "-c", textwrap.dedent(code)], env=full, capture_output=True, text=True, check=False
+        [sys.executable, "-B", "-c", textwrap.dedent(code)],
+        env=full,
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout.split()
