@@ -93,7 +93,7 @@ def summary(model: Model) -> dict[str, Any]:
                 "center_distance": abs(mesh.a_w) if mesh.a_w is not None else None,
                 "direction": mesh.theta,
                 "face_width": mesh.b_w,
-                "stiffness": mesh.stiffness.law,
+                "stiffness": mesh.law.law,
             }
             for name, mesh in model.meshes.items()
         },
@@ -104,7 +104,7 @@ def summary(model: Model) -> dict[str, Any]:
                 "cone_distance": model.bevel_pairs[name].R_m,
                 "face_width": model.bevel_pairs[name].b,
                 "backlash": model.backlash(name),
-                "stiffness": mesh.stiffness.law,
+                "stiffness": mesh.law.law,
             }
             for name, mesh in model.bevel_meshes.items()
         },

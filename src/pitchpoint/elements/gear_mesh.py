@@ -30,7 +30,12 @@ from pitchpoint.elements.mesh.flank_deviations import (
     runs_damped,
     spin_direction,
 )
-from pitchpoint.elements.mesh.force_directions import friction_directions, normal_directions, travel_direction
+from pitchpoint.elements.mesh.force_directions import (
+    friction_directions,
+    normal_directions,
+    path_direction,
+    travel_direction,
+)
 from pitchpoint.elements.mesh.line_of_action import (
     begin_flank,
     excitation,
@@ -56,20 +61,24 @@ from pitchpoint.elements.mesh.record import (
     PHASE,
     RECORD,
     ROWS,
+    SURFACE,
     USER,
     mesh_outputs,
 )
 from pitchpoint.elements.mesh.sums import (
     add_spin_tangent,
     add_spin_torque,
+    add_travel_torque,
     begin_damping,
     begin_request,
     begin_sums,
     end_damping,
     mesh_damper,
     push,
+    push_path,
     rate_of_row,
 )
+from pitchpoint.elements.mesh.surface.rigid import rigid_flank
 from pitchpoint.elements.mesh.tooth_pairs import deviating_line, profile_flank
 from pitchpoint.multibody.channels import F8, frame_args
 
@@ -95,6 +104,8 @@ def bends(record: np.void) -> tuple[str, ...]:
     friction, whose force reverses with it.
     """
     names = tuple(name for name, _ in EVENTS)
+    if record["source"] == SURFACE:  # tip edges come into contact smoothly
+        names = tuple(name for name in names if "pair" not in name)
     if record["contact"]["mu"] > 0.0:
         return names
     harmonic = record["source"] == PHASE and record["form"] == FOURIER
@@ -160,6 +171,9 @@ def _sum(b, watch, x_0):
     now = b["now"]
     now["tilt"] = now["kappa"]
     now["growth"] = 0.0
+    if b["source"] == SURFACE:
+        now["x_0"] = x_0
+        return call(b["rigid"], b["here"], 1 if watch is not None else 0, 0)
     if b["source"] == PHASE:
         ratio, rate = _stiffness_ratio(b, b["request"]["t"], watch is not None)
         if not math.isfinite(ratio):
@@ -229,7 +243,7 @@ def _one_mesh(b, fr, kk):
     if b["fixed"] == 1:
         spin_motion(b, f["spin"], g["spin"])
         u_rate = b["r_b1"] * f["spin"] + b["r_b2"] * g["spin"]
-    elif b["n_e"] > 0 or runs_damped(b) or watch or request["ev"] != 0:
+    elif b["n_e"] > 0 or runs_damped(b) or watch or request["ev"] != 0 or b["source"] == SURFACE:
         motion(b, f, g)
     psi = flank_phase(b, 1)
     psi -= math.floor(psi)
@@ -263,6 +277,8 @@ def _one_mesh(b, fr, kk):
             if spins == 1:
                 force += flank * sums["force"][0]
                 tangent += sums["tangent"][0, 0]
+                if b["source"] == SURFACE:
+                    add_travel_torque(b, f, g)
                 if request["jac"] != 0 and runs_damped(b):
                     spin_direction(b)
                     add_roll_tangent(b, kk, 1)
@@ -272,6 +288,9 @@ def _one_mesh(b, fr, kk):
                     add_friction_torques(b, N_OUT, f, g)
                 if request["jac"] != 0 and runs_damped(b):
                     add_roll_tangent(b, kk, ROWS if rubs else 2)
+                if b["source"] == SURFACE:
+                    path_direction(b, f, g)
+                    push_path(b, f, g)
                 if exact:
                     _turning(b, f, g, flank, x_0)
     damper = 0.0
@@ -352,7 +371,7 @@ KIND = Kind(
     events=EVENTS,
     bends=bends,
     exact={"turning": turning},
-    some={"deviating": (deviating_line, "n_sep")},
+    some={"deviating": (deviating_line, "n_sep"), "rigid": (rigid_flank, "is_rigid")},
     role=MESH,
     massless=True,
     spins=GEARED,

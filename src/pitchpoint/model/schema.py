@@ -74,7 +74,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
             return {"type": "object", "additionalProperties": inner}
         return {"type": "array", "items": inner} if key.kind == "list" else inner
     if key.kind == "variant":
-        return {"oneOf": [_reference(cls, definitions, law) for law, cls in key.of.items()]}
+        return {"oneOf": [_reference(cls, definitions, word, key.tag) for word, cls in key.of.items()]}
     row = {"type": "array", "items": number}
     # a list of any length may also be read from a text file
     file = {"type": "string"}
@@ -185,9 +185,8 @@ def _section(cls: type, title: str, word: str, seen: set[type], out: list[str], 
     for name, key in keys.items():
         if isinstance(key.of, dict):
             for form, variant in key.of.items():
-                _section(
-                    variant, f"{name}: {form}", form, seen, out, TYPE if key.kind == "components" else "law"
-                )
+                tag = TYPE if key.kind == "components" else key.tag
+                _section(variant, f"{name}: {form}", form, seen, out, tag)
         elif key.of is not None:
             _section(key.of, key.of.__name__, "", seen, out)
 

@@ -71,7 +71,7 @@ def model_table(model: Model) -> str:
                         f"{model.pairs[name].eps_alpha:.4f}",
                         f"{model.pairs[name].eps_beta:.4f}",
                         format_quantity(model.backlash(name), "length"),
-                        mesh.stiffness.law,
+                        mesh.law.law,
                     )
                     for name, mesh in model.meshes.items()
                 ),
@@ -99,7 +99,7 @@ def model_table(model: Model) -> str:
                         f"{model.bevel_pairs[name].eps_alpha:.4f}",
                         f"{model.bevel_pairs[name].eps_beta:.4f}",
                         format_quantity(model.backlash(name), "length"),
-                        mesh.stiffness.law,
+                        mesh.law.law,
                     )
                     for name, mesh in model.bevel_meshes.items()
                 ),

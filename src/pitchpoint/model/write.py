@@ -133,8 +133,8 @@ class _Writer:
         }
 
     def variant(self, key: Key, value: Any) -> dict[str, Any]:
-        """Component that is identified by its law."""
-        return {"law": value.law, **self.component(value)}
+        """Component that is identified by its law or level."""
+        return {key.tag: getattr(value, key.tag), **self.component(value)}
 
     def speeds(self, key: Key, value: Mapping[str, float]) -> dict[str, Any]:
         """Quantities by name."""

@@ -107,6 +107,28 @@ def pair_separation(b, z, xi, z_rate, xi_rate):
 
 
 @kernel
+def flank_slopes(b, gear, z, roll):
+    """Deviation of the tooth of gear 1 or 2 (0 or 1) of `find_rows` at a point of its flank.
+
+    z: width from the mid-face of the gear [m], roll: length of roll [m]. Gap, missing material included [m],
+    and its slopes over z and roll; additional compliance per face width [m^2/N] and its slopes.
+    """
+    rows = b["now"]["rows"]
+    gap = by_z = by_roll = soft = soft_by_z = soft_by_roll = 0.0
+    if rows[gear, 0] >= 0:
+        gap, by_z, by_roll = _read(b, gear, rows[gear, 0], z, roll)
+    if rows[gear, 1] >= 0:
+        soft, soft_by_z, soft_by_roll = _read(b, gear, rows[gear, 1], z, roll)
+    if rows[gear, 2] >= 0:
+        level, level_by_z, level_by_roll = _read(b, 2 + gear, rows[gear, 2], z, roll)
+        if level > 0.0:
+            gap += level
+            by_z += level_by_z
+            by_roll += level_by_roll
+    return gap, by_z, by_roll, soft, soft_by_z, soft_by_roll
+
+
+@kernel
 def has_level(b, gear):
     """Whether the tooth of gear 1 or 2 (0 or 1) has a level function (missing material)."""
     return b["now"]["rows"][gear, 2] >= 0

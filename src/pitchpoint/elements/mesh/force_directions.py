@@ -18,11 +18,12 @@ from pitchpoint.core.kernel import kernel
 
 
 @kernel
-def gradient(b, f, g, p, q_u, q_a, q_z):
-    """Set row `p` of both bases: wrenches of q_u du + q_a da + q_z d(dz) + q_e . de + q_m . dm + q_n . d(dn).
+def gradient(b, f, g, p, q, q_a, q_z):
+    """Set row `p` of both bases: wrenches of q_1 du_1 + q_2 du_2 + q_a da + q_z d(dz) + q_e de + q_m dm + q_n
+    d(dn).
 
-    u is the travel of the gears without its axial part, r_b1 (phi1 - gamma1) + r_b2 (phi2 - gamma2). With the
-    line between the mid-faces l = a e + dz m,
+    u_1 = r_b1 (phi1 - gamma1) and u_2 = r_b2 (phi2 - gamma2) are the travels of the gears along the line of
+    action without their axial part, q = (q_1, q_2). With the line between the mid-faces l = a e + dz m,
 
         d(dz) = m . dl + a e . dm
         da = e . dl - dz e . dm
@@ -45,8 +46,8 @@ def gradient(b, f, g, p, q_u, q_a, q_z):
     c2 = now["c2"]
     w1 = b["w1"] * now["inv_m"]
     w2 = (1.0 - b["w1"]) * now["inv_m"]
-    h1 = q_u * b["r_b1"] / (1.0 - c1 * c1)
-    h2 = q_u * b["r_b2"] / (1.0 - c2 * c2)
+    h1 = q[0] * b["r_b1"] / (1.0 - c1 * c1)
+    h2 = q[1] * b["r_b2"] / (1.0 - c2 * c2)
     Bi = b["basis_i"]
     Bj = b["basis_j"]
     # gradient by the line between the mid-faces and by the mean axis
@@ -56,16 +57,16 @@ def gradient(b, f, g, p, q_u, q_a, q_z):
     for k in range(3):
         k1 = (k + 1) % 3
         k2 = (k + 2) % 3
-        q = q_e[k] - along * e[k]
-        q -= h1 * (Rf[k1, 2] * e[k2] - Rf[k2, 2] * e[k1]) + h2 * (Rg[k1, 2] * e[k2] - Rg[k2, 2] * e[k1])
-        q /= a
-        shift -= q * m[k]
-        turn += (q_m[k] - dz * q) * m[k]
-        Bj[p, k] = q
+        s = q_e[k] - along * e[k]
+        s -= h1 * (Rf[k1, 2] * e[k2] - Rf[k2, 2] * e[k1]) + h2 * (Rg[k1, 2] * e[k2] - Rg[k2, 2] * e[k1])
+        s /= a
+        shift -= s * m[k]
+        turn += (q_m[k] - dz * s) * m[k]
+        Bj[p, k] = s
     for k in range(3):
-        q = Bj[p, k]
-        axis = q_m[k] - dz * (q + q_a * e[k]) + shift * a * e[k] - turn * m[k]
-        line = q + q_a * e[k] + shift * m[k]
+        s = Bj[p, k]
+        axis = q_m[k] - dz * (s + q_a * e[k]) + shift * a * e[k] - turn * m[k]
+        line = s + q_a * e[k] + shift * m[k]
         Bi[p, k] = -line
         Bj[p, k] = line
         Bi[p, 3 + k] = w1 * axis - q_n[k] - b["zc1"] * line
@@ -137,7 +138,7 @@ def normal_directions(b, f, g, flank):
     sa = now["sin_a"]
     tilt_t, tilt_e = flank_tilt(b, flank)
     _no_axes(b)
-    gradient(b, f, g, 0, -float(flank), sa, now["kappa"] * b["w_z"] - flank * b["tan_b"])
+    gradient(b, f, g, 0, (-float(flank), -float(flank)), sa, now["kappa"] * b["w_z"] - flank * b["tan_b"])
     for k in range(3):
         now["q_n"][k] = ca * t[k] + sa * e[k]
     if _parallel(b):
@@ -151,21 +152,35 @@ def normal_directions(b, f, g, flank):
         now["q_m"][k] = ca * (e[k1] * dn[k2] - e[k2] * dn[k1])
     # d(alpha) = cos(alpha) / (a sin(alpha)) da
     q_a = (now["cos_a"] * tilt_e - flank * sa * tilt_t) * now["cos_a"] / (now["a"] * sa)
-    gradient(b, f, g, 1, 0.0, q_a, 0.0)
+    gradient(b, f, g, 1, (0.0, 0.0), q_a, 0.0)
 
 
 @kernel
 def travel_direction(b, f, g):
     """Set row 0 of the wrench basis: -du, axial part included."""
     _no_axes(b)
-    gradient(b, f, g, 0, -1.0, 0.0, -b["tan_b"])
+    gradient(b, f, g, 0, (-1.0, -1.0), 0.0, -b["tan_b"])
 
 
 @kernel
 def offset_direction(b, f, g):
     """Set row 2 of the wrench basis: d(dz), the axial offset of the gears."""
     _no_axes(b)
-    gradient(b, f, g, 2, 0.0, 0.0, 1.0)
+    gradient(b, f, g, 2, (0.0, 0.0), 0.0, 1.0)
+
+
+@kernel
+def path_direction(b, f, g):
+    """Set row 0 of the wrench basis: minus the change of energy with path, line of action and axial offset.
+
+    The scratch holds its derivatives by the mean travel (u_1 - u_2)/2, by tan alpha and by the axial offset
+    of the gears at constant penetration.
+    """
+    now = b["now"]
+    _no_axes(b)
+    half = 0.5 * now["by_travel"]
+    q_a = -now["by_tan"] / (now["a"] * now["sin_a"] * now["cos_a"])
+    gradient(b, f, g, 0, (-half, half), q_a, -now["by_dz"])
 
 
 @kernel

@@ -15,6 +15,7 @@ from pitchpoint.elements.mesh.sums import scratch_of_sums
 #: Sources of the stiffness, field `source`.
 PROFILE = 0  # one tooth pair over its path of contact, superposed over all pairs (parabola or table)
 PHASE = 1  # prescribed total stiffness over the mesh phase
+SURFACE = 2  # tooth surfaces in contact planes over the face width, at one of three levels
 
 #: Form of a prescribed stiffness given by a user law; the others are those of `contact.pair_shape`.
 USER = 3
@@ -79,6 +80,21 @@ _STIFFNESS = [
     ("params", "i8"),  # its parameters, offset in the pool
     ("load_limit", "f8"),  # PROFILE: line load below which the pair softens [N/m], 0: linear
     ("k_step", "f8"),  # typical stiffness, for the estimate of the time step [N/m]
+]
+
+#: SURFACE only; see `mesh.surface`.
+_SURFACE = [
+    ("is_rigid", "i8"),
+    ("rigid", "i8"),  # address of `surface.rigid.rigid_flank` at this level
+    ("reach", "f8"),  # path before A and beyond E on which tip edges may be in contact [m]
+    ("rounding", "f8", 2),  # radii of the tip edges
+    ("nodes", "i8"),  # nodes of one flank, offset in the pool [max_nodes]
+    ("max_nodes", "i8"),
+    ("oil_rate", "f8"),  # film damping of one plane along the base tangent [N s/m], 0: none
+    ("oil_film", "f8"),  # film thickness h along the base tangent
+    ("oil_power", "f8"),
+    ("structural", "f8"),  # structural damping force over the elastic force
+    ("structural_speed", "f8"),  # speed at which it reaches its full value
 ]
 
 _LOSSES = [
@@ -152,7 +168,12 @@ _SCRATCH = [
     ("kappa", "f8"),  # n_f . dn, loss of penetration per lever y
     ("tilt", "f8"),  # loss of penetration per width along a contact line
     ("tan_a", "f8"),
-    ("tan_rate", "f8"),  # tan alpha and its rate, for deviating flanks
+    ("tan_rate", "f8"),  # tan alpha and its rate, for deviating flanks and surfaces
+    ("x_0", "f8"),  # SURFACE: penetration of the flank at the pitch point
+    ("by_travel", "f8"),
+    ("by_tan", "f8"),
+    ("by_dz", "f8"),  # and the energy of the flank, less that by x_0 and tilt: derivatives by mean travel,
+    # by tan alpha and by the axial offset
     ("per_z", "f8", 4),
     ("per_roll", "f8", 4),  # grid steps per metre
     ("rows", "i8", (2, N_ROW)),  # grid rows of the two teeth of a pair
@@ -171,6 +192,7 @@ RECORD = np.dtype(
         *_BODIES,
         *_GEOMETRY,
         *_STIFFNESS,
+        *_SURFACE,
         *_LOSSES,
         *_EXCITATION,
         ("now", np.dtype(_SCRATCH, align=True)),

@@ -191,15 +191,15 @@ def add_node(b, watch, x, k, limit, feed, own, size):
     if f == 0.0:
         return 0.0
     c = b["request"]["ck"] * by_x + b["request"]["cd"] * by_w
-    _add_normal(b, f, c)
-    by_f = _add_friction(b, watch, f, c) if law["mu"] > 0.0 else 0.0
+    add_normal(b, f, c)
+    by_f = add_friction(b, watch, f, c) if law["mu"] > 0.0 else 0.0
     if own is not None:
         _add_roll(b, by_f, b["request"]["cd"] * by_w * own[1])
     return f
 
 
 @kernel(inline=True)
-def _add_normal(b, f, c):
+def add_normal(b, f, c):
     """Add the normal force of a node and its tangent."""
     sums = b["sums"]
     lever = b["lever"]
@@ -213,7 +213,7 @@ def _add_normal(b, f, c):
 
 
 @kernel
-def _add_friction(b, watch, f, c):
+def add_friction(b, watch, f, c):
     """Add the friction of a node against its local sliding; returns its derivative by the normal force."""
     sums = b["sums"]
     lever = b["lever"]
@@ -310,6 +310,26 @@ def add_spin_torque(b, f, g, force):
     for k in range(3):
         f["F"][3 + k] -= s1 * m[k]
         g["F"][3 + k] -= s2 * m[k]
+
+
+@kernel
+def push_path(b, f, g):
+    """Add row 0 of the wrench basis to both bodies."""
+    for k in range(6):
+        f["F"][k] += b["basis_i"][0, k]
+        g["F"][k] += b["basis_j"][0, k]
+
+
+@kernel
+def add_travel_torque(b, f, g):
+    """Add the torques of gears that only rotate, by the change of energy with their mean travel."""
+    half = 0.5 * b["now"]["by_travel"]
+    s1 = half * b["r_b1"]
+    s2 = half * b["r_b2"]
+    m = b["now"]["m"]
+    for k in range(3):
+        f["F"][3 + k] -= s1 * m[k]
+        g["F"][3 + k] += s2 * m[k]
 
 
 @kernel

@@ -26,7 +26,7 @@ def check_meshes(parts: Parts, report: Reader) -> None:
 
 def _losses(mesh: Mesh | BevelMesh, at: Place, report: Reader) -> None:
     """Check that damping and friction are compatible with the stiffness law of a mesh."""
-    law, damping, friction = mesh.stiffness, mesh.damping, mesh.friction
+    law, damping, friction = mesh.law, mesh.damping, mesh.friction
     if isinstance(law, Hertz):
         for name, part in (("damping", damping), ("damper", mesh.damper)):
             if part is not None and part.ratio is not None:
@@ -35,7 +35,7 @@ def _losses(mesh: Mesh | BevelMesh, at: Place, report: Reader) -> None:
                     "is not defined for the law hertz, whose stiffness depends on the load",
                     remedy="give a damping",
                 )
-    if damping is not None and damping.pair is not None and law.law not in OF_PAIRS:
+    if damping is not None and damping.pair is not None and not law.of_pairs:
         report.problem(
             (*at, "damping", "pair"),
             f"is for single tooth pairs, and the law {law.law} describes the whole mesh",

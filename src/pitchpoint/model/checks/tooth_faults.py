@@ -142,7 +142,7 @@ def check_fault_laws(parts: Parts, report: Reader) -> None:
     """Report tooth faults in meshes whose stiffness law describes the whole mesh."""
     for section in ("meshes", "bevel_meshes"):
         for name, mesh in getattr(parts, section).items():
-            if mesh.stiffness.law not in OF_PAIRS and (section, name, "stiffness") not in report.tainted:
+            if not mesh.law.of_pairs and (section, name, "stiffness") not in report.tainted:
                 _without_teeth(parts, section, name, mesh, report)
 
 
@@ -154,7 +154,7 @@ def _without_teeth(parts: Parts, section: str, name: str, mesh: Mesh | BevelMesh
         for label in gears[gear].tooth_faults if gear in gears else ():
             report.problem(
                 ("gears" if section == "meshes" else "bevel_gears", gear, "faults", label),
-                f"has no effect in the mesh {name}, whose law {mesh.stiffness.law} describes the whole mesh, "
+                f"has no effect in the mesh {name}, whose law {mesh.law.law} describes the whole mesh, "
                 "not single teeth",
                 remedy=f"use {'one of ' if len(laws) > 1 else ''}{', '.join(laws)} there",
                 taint=False,

@@ -35,3 +35,8 @@ class BevelMesh:
     damping: ContactDamping | None = component(ContactDamping, "damping of flanks in contact")
     damper: Damper | None = component(Damper, "damper that also acts within the backlash")
     friction: Friction | None = component(Friction, "sliding friction of the flanks")
+
+    @property
+    def law(self) -> BevelStiffnessLaw:
+        """Stiffness law."""
+        return self.stiffness

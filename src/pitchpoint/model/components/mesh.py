@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.components.flank_contact import LEVELS, FlankContact
 from pitchpoint.model.components.stiffness import LAWS, Din3990, StiffnessLaw
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantities, quantity
 
@@ -170,6 +171,14 @@ class Mesh:
         Backlash, "backlash at center_distance, instead of that from geometry"
     )
     stiffness: StiffnessLaw = key("variant", "mesh stiffness", Din3990(), of=LAWS, display="law: din3990")
+    contact: FlankContact | None = key(
+        "variant",
+        "contact of the tooth surfaces, instead of a stiffness law",
+        None,
+        of=LEVELS,
+        tag="level",
+        later=True,
+    )
     width: str = choice(
         ("exact", "slices"),
         "integration over the face width; flanks with modifications, deviations or a tooth profile are "
@@ -187,6 +196,11 @@ class Mesh:
     friction: Friction | None = component(Friction, "sliding friction of the flanks")
     transmission_error: TransmissionError | None = component(TransmissionError, "static transmission error")
     misalignment: Misalignment | None = component(Misalignment, "shaft axes misaligned by the housing")
+    @property
+    def law(self) -> StiffnessLaw:
+        """Contact of the tooth surfaces if it is given, else the stiffness law."""
+        return self.stiffness if self.contact is None else self.contact
+
     a_w: float | None = derived()
     """Effective centre distance [m], signed as in ISO 21771 (negative for internal pairs)."""
     offset1: float = derived(0.0)

@@ -305,8 +305,8 @@ class Reader:
         return False
 
     def variant(self, description: Key, data: Any, path: Place) -> Any:
-        """Read a component whose key `law` selects its class."""
-        return self.chosen(description.of, "law", data, path)
+        """Read a component, one key of which selects its class."""
+        return self.chosen(description.of, description.tag, data, path)
 
     def chosen(self, forms: Mapping[str, type], tag: str, data: Any, path: Place) -> Any:
         """Read a component whose key `tag` selects its class."""

@@ -40,7 +40,7 @@ DRAWN_APART = 1e-6
 def follows_flanks(model: Model, mesh: str) -> bool:
     """Whether modifications, deviations or tooth profiles of the gears of a mesh have an effect."""
     found = model.meshes[mesh]
-    return found.stiffness.law in OF_PAIRS and any(model.gears[g].is_modified for g in found.gears)
+    return found.law.of_pairs and any(model.gears[g].is_modified for g in found.gears)
 
 
 def ignored_flanks(model: Model) -> tuple[Message, ...]:
@@ -48,11 +48,11 @@ def ignored_flanks(model: Model) -> tuple[Message, ...]:
     found = []
     for name, mesh in model.meshes.items():
         gears = [g for g in mesh.gears if model.gears[g].is_modified]
-        if gears and mesh.stiffness.law not in OF_PAIRS:
+        if gears and not mesh.law.of_pairs:
             found.append(
                 remark(
                     f"meshes.{name}",
-                    f"the law {mesh.stiffness.law} describes the stiffness of the whole mesh, so "
+                    f"the law {mesh.law.law} describes the stiffness of the whole mesh, so "
                     f"modifications, deviations and profiles of {' and '.join(gears)} have no effect",
                     f"{', '.join(OF_PAIRS[:-1])} and {OF_PAIRS[-1]} include them",
                 )
@@ -128,7 +128,7 @@ def jumping_ramps(model: Model) -> tuple[Message, ...]:
     """
     found = []
     for name, mesh in model.every_mesh.items():
-        ramp = getattr(mesh.stiffness, "tip_relief_factor", 0.0)
+        ramp = getattr(mesh.law, "tip_relief_factor", 0.0)
         bevel = name in model.bevel_meshes
         eps_alpha = model.bevel_pairs[name].eps_alpha if bevel else model.pairs[name].eps_alpha
         moves, cure = ("shaft angle", "an addendum") if bevel else _DISTANCE

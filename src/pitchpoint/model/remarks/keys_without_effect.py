@@ -96,10 +96,10 @@ def _frictions(model: Model) -> Iterator[Message]:
         at = f"{model.section_of(name)}.{name}"
         if mesh.friction.mu == 0.0 and mesh.friction.static:
             yield remark(f"{at}.friction.static", "has no effect with mu: 0, which disables all friction")
-        if mesh.friction.mu > 0.0 and mesh.stiffness.law not in OF_PAIRS:
+        if mesh.friction.mu > 0.0 and not mesh.law.of_pairs:
             yield remark(
                 f"{at}.friction",
-                f"the law {mesh.stiffness.law} acts at the pitch point, where "
+                f"the law {mesh.law.law} acts at the pitch point, where "
                 "rolling teeth do not slide, so friction acts only on vibration and lateral motion",
                 f"{_listed(OF_PAIRS)} follow the contact along its path",
             )
@@ -108,8 +108,8 @@ def _frictions(model: Model) -> Iterator[Message]:
 def _width_integrals(model: Model) -> Iterator[Message]:
     """Slices that are not used, and slices of a law that is uniform over the face width."""
     for name, mesh in model.meshes.items():
-        law = mesh.stiffness.law
-        follows = law in OF_PAIRS and any(model.gears[g].is_modified for g in mesh.gears)
+        law = mesh.law.law
+        follows = mesh.law.of_pairs and any(model.gears[g].is_modified for g in mesh.gears)
         if mesh.width == "exact" and mesh.slices != defaults_of(type(mesh))["slices"] and not follows:
             yield remark(
                 f"meshes.{name}.slices", "has no effect with width: exact", "write width: slices to use it"
@@ -139,7 +139,7 @@ def _restitution(damping: ContactDamping, where: str) -> Iterator[Message]:
 def _laws(model: Model) -> Iterator[Message]:
     """Keys of stiffness, contact damping and tip circles that are overridden by others."""
     for name, mesh in model.every_mesh.items():
-        law, damping, at = mesh.stiffness, mesh.damping, f"{model.section_of(name)}.{name}"
+        law, damping, at = mesh.law, mesh.damping, f"{model.section_of(name)}.{name}"
         if isinstance(law, Din3990) and law.single_stiffness is not None and law.virtual_teeth != "iso":
             yield remark(
                 f"meshes.{name}.stiffness.virtual_teeth",
@@ -166,7 +166,7 @@ def _blanks(model: Model) -> Iterator[Message]:
     """Rim and web that affect neither the inertia nor the blank factor of DIN 3990 / ISO 6336."""
     for name, gear in model.gears.items():
         keys = [k for k in ("rim_thickness", "web_thickness") if getattr(gear, k) is not None]
-        laws = {n: m.stiffness for n, m in model.meshes.items() if name in m.gears}
+        laws = {n: m.law for n, m in model.meshes.items() if name in m.gears}
         if not keys or not laws or model.body_of(name) is None:
             continue
         where = f"gears.{name}.{' and '.join(keys)}"

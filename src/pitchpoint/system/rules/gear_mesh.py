@@ -28,6 +28,7 @@ from pitchpoint.model.mechanism import seat_frame
 from pitchpoint.multibody.channels import CTL, FRAME
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bodies import seat_at
+from pitchpoint.system.rules.flank_contact import pairs_in_reach, set_surfaces
 from pitchpoint.system.rules.gear_displacement import is_displaced, set_displacements
 from pitchpoint.system.rules.mesh_laws import MeshLaws, mean_stiffness, mesh_laws, put_losses, usual_slope
 from pitchpoint.system.rules.places import Places
@@ -184,6 +185,8 @@ def mesh_row(
     for k, orders in ((1, laws.orders1), (2, laws.orders2)):
         if orders.size:
             row[f"n_e{k}"], row[f"e{k}"] = len(orders), keep(orders)
+    if laws.surface is not None:
+        set_surfaces(row, pair, laws.surface, keep)
     if place.fixed:
         _freeze(row, place)
     return row
@@ -222,8 +225,9 @@ def mesh_bank(places: Places) -> Bank:
         law_of_mesh = mesh_laws(model, name)
         row = mesh_row(pair, place, law_of_mesh, pool.add, model.backlash(name))
         row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
-        if row["source"] == layout.PROFILE:  # not with a prescribed total stiffness (no tooth pairs)
-            row["n_pair"] = math.ceil(pair.eps_gamma) + 1
+        if row["source"] != layout.PHASE:  # not with a prescribed total stiffness (no tooth pairs)
+            surfaces = row["source"] == layout.SURFACE
+            row["n_pair"] = pairs_in_reach(pair) if surfaces else math.ceil(pair.eps_gamma) + 1
             worn = worn_flanks(pair, law_of_mesh.stiffness, gears, (mesh.offset1, mesh.offset2))
             separation_grids(row, gears, pool.add, worn)
         set_displacements(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)

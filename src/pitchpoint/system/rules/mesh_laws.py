@@ -15,6 +15,7 @@ from pitchpoint.contact.mesh_cycle import pair_cycle
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.model.components.stiffness import UserStiffness
+from pitchpoint.system.rules.flank_contact import SurfaceContact, rigid_surfaces
 from pitchpoint.system.rules.stiffness import describe_stiffness
 from pitchpoint.system.rules.turning_inertia import turning_inertia
 
@@ -35,10 +36,12 @@ HEAVY_LOAD = 0.01
 class MeshLaws:
     """Stiffness, damping, friction and excitation of a mesh; damping in N s/m along the base tangent.
 
+    `surface` is the contact of tooth surfaces, None for a law over the path of contact or the mesh phase.
     `user` are the parameters of a user-defined stiffness law; the law itself is linked by the system.
     """
 
     stiffness: Description
+    surface: SurfaceContact | None = None
     slices: int = 0
     k_ref: float = 0.0
     d_in: float = 0.0
@@ -84,6 +87,8 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
     found: dict[str, Any] = {"stiffness": stiffness, "k_ref": k, **losses}
     modified = any(model.gears[g].is_modified for g in mesh.gears)
     grids = modified and isinstance(stiffness, PairShape)
+    if mesh.contact is not None:
+        found["surface"] = rigid_surfaces(mesh.contact)
     found["slices"] = mesh.slices if mesh.width == "slices" or grids else 0
     if isinstance(mesh.stiffness, UserStiffness):
         found["user"] = np.array(mesh.stiffness.python.parameters or (0.0,))

@@ -51,7 +51,7 @@ def separation_grids(
             row["n_sz"][2 * stack + k], row["n_sx"][2 * stack + k] = own.stations[stack]
             row["sep"][2 * stack + k] = keep(np.array(grids)) if grids else 0
         least += own.least()
-    row["sep_min"] = least
+    row["sep_min"] += least
 
 
 class OwnTeeth:

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contact of tooth surfaces for the record of a mesh."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.stiffness.description import PairShape
+from pitchpoint.elements.mesh import record as layout
+from pitchpoint.elements.mesh.surface.nodes import NODE
+
+if TYPE_CHECKING:
+    from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.components.flank_contact import OilFilm, RigidContact, StructuralDamping
+
+Array = NDArray[np.float64]
+
+REACH = 0.5
+"""Path before A and beyond E on which tip edges are in contact, in base pitches."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SurfaceContact:
+    """Contact of tooth surfaces, apart from its elastic law.
+
+    Parameters
+    ----------
+    planes
+        Number of contact planes over the face width.
+    oil, structural
+        Damping of each plane.
+    """
+
+    planes: int = 11
+    oil: OilFilm | None = None
+    structural: StructuralDamping | None = None
+
+
+def rigid_shape(contact: RigidContact, pair: GearPair, c_prime: float) -> PairShape:
+    """Stiffness of a tooth pair with rigid surfaces per face width, along the base tangent.
+
+    Parameters
+    ----------
+    contact
+        The contact.
+    pair
+        The gear pair.
+    c_prime
+        Single stiffness to DIN 3990 along the base tangent [N/m^2], if the contact has no stiffness.
+
+    Notes
+    -----
+    F_n = k h (x_n/h)^e with the stiffness k at the penetration h. Along the base tangent F_bt = F_n cos β_b
+    and x_bt = x_n/cos β_b.
+    """
+    cos_b, e = math.cos(pair.gear1.beta_b), contact.exponent
+    linear = c_prime if contact.stiffness is None else contact.stiffness * cos_b**2 / pair.b_w
+    return PairShape(c_prime=linear * (contact.depth / cos_b) ** (1.0 - e), S_R=1.0, power=e)
+
+
+def rigid_surfaces(contact: RigidContact) -> SurfaceContact:
+    """Contact of rigid tooth surfaces."""
+    return SurfaceContact(planes=contact.planes, oil=contact.oil, structural=contact.structural)
+
+
+def pairs_in_reach(pair: GearPair) -> int:
+    """Number of tooth pairs that may be in contact at the same time, tip edges included."""
+    return math.ceil(pair.eps_gamma + 2.0 * REACH) + 1
+
+
+def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callable[[Array], int]) -> None:
+    """Set the fields of the tooth surfaces of a mesh record; stiffness and geometry must be set.
+
+    Parameters
+    ----------
+    row
+        Record of the mesh.
+    pair
+        Geometry of the gear pair.
+    contact
+        Contact planes and their damping.
+    keep
+        Stores an array in the pool of the kind and returns its offset.
+    """
+    row["source"], row["slices"] = layout.SURFACE, contact.planes
+    row["is_rigid"] = 1
+    row["reach"] = REACH * row["p_bt"]
+    row["max_nodes"] = 1
+    row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
+    cos_b = math.cos(pair.gear1.beta_b)
+    if contact.oil is not None:
+        row["oil_rate"] = contact.oil.rate * cos_b**2
+        row["oil_film"] = contact.oil.thickness / cos_b
+        row["oil_power"] = contact.oil.exponent
+        row["sep_min"] -= 2.0 * row["oil_film"]
+    if contact.structural is not None:
+        row["structural"] = contact.structural.factor
+        row["structural_speed"] = contact.structural.speed / cos_b
