@@ -178,7 +178,7 @@ def _one_mesh(b, fr, kk):
             _follow(b, f, g, flank)
     force = 0.0
     rate = 0.0
-    if b["d_gap"] > 0.0:
+    if b["d_now"] > 0.0:
         normal_rows(b, 0)
         force, rate = mesh_damper(b, f, g, kk, 0.0)
         if exact:

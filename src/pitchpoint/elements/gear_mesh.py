@@ -294,11 +294,11 @@ def _one_mesh(b, fr, kk):
                 if exact:
                     _turning(b, f, g, flank, x_0)
     damper = 0.0
-    if b["d_gap"] > 0.0:
+    if b["d_now"] > 0.0:
         if spins == 1:
-            damper = b["d_gap"] * u_rate
+            damper = b["d_now"] * u_rate
             force += damper
-            tangent += request["cd"] * b["d_gap"]
+            tangent += request["cd"] * b["d_now"]
         else:
             travel_direction(b, f, g)
             damper, u_rate = mesh_damper(b, f, g, kk, now["e_rate"])

@@ -86,10 +86,8 @@ def line_of_action(b, f, g):
     P[0] = f["r"][0] + b["zc1"] * Rf[0, 2] + w1 * cx
     P[1] = f["r"][1] + b["zc1"] * Rf[1, 2] + w1 * cy
     P[2] = f["r"][2] + b["zc1"] * Rf[2, 2] + w1 * cz
-    c = rb / signed_a
-    now["cos_a"] = c
-    now["sin_a"] = math.sqrt(1.0 - c * c)
-    now["inv_a"] = now["sin_a"] / c - math.acos(c)
+    now["dz"] = dz
+    place_gears(b, rb / signed_a)
     # rotation of the line of centres relative to each gear frame
     x = e[0] * Rf[0, 0] + e[1] * Rf[1, 0] + e[2] * Rf[2, 0]
     y = e[0] * Rf[0, 1] + e[1] * Rf[1, 1] + e[2] * Rf[2, 1]
@@ -97,9 +95,6 @@ def line_of_action(b, f, g):
     x = e[0] * Rg[0, 0] + e[1] * Rg[1, 0] + e[2] * Rg[2, 0]
     y = e[0] * Rg[0, 1] + e[1] * Rg[1, 1] + e[2] * Rg[2, 1]
     turn2 = math.atan2(b["cos2"] * y - b["sin2"] * x, b["cos2"] * x + b["sin2"] * y)
-    now["dz"] = dz
-    now["gap"] = 2.0 * rb * (now["inv_a"] - b["inv_w0"])
-    _place(b)
     whole1 = f["turns"]
     whole2 = g["turns"]
     if b["carried"] == 1:
@@ -175,13 +170,17 @@ def _travel(b, phi1, turns1, phi2, turns2):
 
 
 @kernel
-def _place(b):
-    """Set path of contact, common face width and the offsets of the phases from the positions of the gears.
+def place_gears(b, cos_a):
+    """Set working pressure angle, backlash, path of contact, common face width and offsets of the phases.
 
     A and E are the intersections of the tip circles with the line of action; widths are relative to the plane
-    of the pitch point.
+    of the pitch point. The axial offset of the gears has been set.
     """
     now = b["now"]
+    now["cos_a"] = cos_a
+    now["sin_a"] = math.sqrt(1.0 - cos_a * cos_a)
+    now["inv_a"] = now["sin_a"] / cos_a - math.acos(cos_a)
+    now["gap"] = 2.0 * (b["r_b1"] + b["r_b2"]) * (now["inv_a"] - b["inv_w0"])
     tan_a = now["sin_a"] / now["cos_a"]
     xi_A = b["r_b2"] * tan_a - b["rho_a2"]
     eps = (b["rho_a1"] - b["r_b1"] * tan_a - xi_A) / b["p_bt"]

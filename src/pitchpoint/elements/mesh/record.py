@@ -85,11 +85,27 @@ _STIFFNESS = [
 #: SURFACE only; see `mesh.surface`.
 _SURFACE = [
     ("is_rigid", "i8"),
-    ("rigid", "i8"),  # address of `surface.rigid.rigid_flank` at this level
+    ("is_flexible", "i8"),  # level, and the address of its kernel
+    ("rigid", "i8"),
+    ("flexible", "i8"),
     ("reach", "f8"),  # path before A and beyond E on which tip edges may be in contact [m]
     ("rounding", "f8", 2),  # radii of the tip edges
     ("nodes", "i8"),  # nodes of one flank, offset in the pool [max_nodes]
     ("max_nodes", "i8"),
+    ("n_nodes", "i8"),  # result: nodes of the flank evaluated last
+    ("work", "i8"),  # flexible: further scratch in the pool, see `surface.compliance` and `surface.flexible`
+    ("own", "i8", 2),
+    ("beside", "i8", 2),  # influence functions of both gears, offsets in the pool; see `surface.compliance`
+    ("height", "f8", (2, 2)),  # length of roll at the height 0, and its half range
+    ("windup", "f8"),  # compliance of both blanks in torsion, along the base tangent [m/N]
+    ("depth", "f8", (2, 4)),  # depth of the reference points of the local contact over the height [m]
+    ("plane_width", "f8"),  # nominal width of a contact plane
+    ("line", "f8", 2),  # 2 (1 - nu^2)/(pi E cos(beta_b)) over the plane width, of both gears [m/N]
+    ("strip", "f8"),  # squared half width of the contact over force and transverse radius [m/N]
+    ("kappa_1", "f8"),
+    ("kappa_2", "f8"),  # nu/(1 - nu) of both gears
+    ("least_roll", "f8"),  # least radius of curvature of a flank in the local contact
+    ("overlap", "f8"),  # additional compliance of one node [m/N]
     ("oil_rate", "f8"),  # film damping of one plane along the base tangent [N s/m], 0: none
     ("oil_film", "f8"),  # film thickness h along the base tangent
     ("oil_power", "f8"),

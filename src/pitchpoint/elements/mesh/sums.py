@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pitchpoint.contact.damping import ramp
 from pitchpoint.contact.flank_law import flank_energy, flank_force, flank_friction
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.multibody.channels import F8, FRAME
@@ -63,6 +64,9 @@ def scratch_of_sums(rows: int) -> list[tuple]:
     ]
     return [
         ("request", REQUEST),
+        ("d_start", "f8"),
+        ("t_end", "f8"),  # additional mesh damper for the start of a run, until this time [N s/m], [s]
+        ("d_now", "f8"),  # mesh damper at the time of the request
         ("rate", "f8", rows),  # rates of both bodies along the rows
         ("lever", "f8", rows),  # of one node
         ("sums", np.dtype(sums, align=True)),
@@ -70,6 +74,9 @@ def scratch_of_sums(rows: int) -> list[tuple]:
         ("basis_j", "f8", (rows, 6)),  # wrench basis on both bodies
     ]
 
+
+_FADE = 0.1
+"""Last part of the time of the additional damper, over which it decreases to zero."""
 
 NOWHERE = -0.1
 """Distance from contact [m] of a flank without stiffness (no tooth pair in the path of contact)."""
@@ -95,6 +102,9 @@ def begin_request(b, c):
     request["nb"] = c["nb"]
     request["kk"] = c["kk"]
     request["np"] = c["np"]
+    b["d_now"] = b["d_gap"]
+    if b["d_start"] > 0.0 and c["jac"] != 2:  # not part of a linearisation
+        b["d_now"] += b["d_start"] * (1.0 - ramp(c["t"] - (1.0 - _FADE) * b["t_end"], _FADE * b["t_end"])[0])
 
 
 @kernel
@@ -292,12 +302,12 @@ def mesh_damper(b, f, g, kk, e_rate):
     of the damper [m/s].
     """
     rate = rate_of_row(b, f, g, 0) - e_rate
-    force = b["d_gap"] * rate
+    force = b["d_now"] * rate
     begin_sums(b)
     b["sums"]["force"][0] = force
-    b["sums"]["tangent"][0, 0] = b["request"]["cd"] * b["d_gap"]
+    b["sums"]["tangent"][0, 0] = b["request"]["cd"] * b["d_now"]
     push(b, f, g, kk, 1)
-    b["sums"]["tangent"][0, 0] = b["d_gap"]
+    b["sums"]["tangent"][0, 0] = b["d_now"]
     return force, rate
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from pitchpoint.model.components.mesh import Backlash, ContactDamping, Damper, Friction
+from pitchpoint.model.components.mesh import Backlash, ContactDamping, Damper, Friction, TransientDamping
 from pitchpoint.model.components.stiffness import BEVEL_LAWS, BevelDin3990, BevelStiffnessLaw
 from pitchpoint.model.keys import component, key, quantity
 
@@ -34,6 +34,9 @@ class BevelMesh:
     )
     damping: ContactDamping | None = component(ContactDamping, "damping of flanks in contact")
     damper: Damper | None = component(Damper, "damper that also acts within the backlash")
+    transient_damping: TransientDamping | None = component(
+        TransientDamping, "damper for the start of a run", later=True
+    )
     friction: Friction | None = component(Friction, "sliding friction of the flanks")
 
     @property

@@ -78,6 +78,20 @@ class Damper:
 
 
 @dataclass(frozen=True, kw_only=True)
+class TransientDamping:
+    """Damper between the gears that shortens the transient at the start of a run.
+
+    Its torque on gear 1 is proportional to the difference of the speed of gear 1 from that of gear 2 times
+    the ratio; the torque on gear 2 is conjugate to it.
+    """
+
+    rate: float = positive("torsional_damping", "torque on gear 1 over the difference of the speeds")
+    until: float = positive(
+        "time", "end of the damping; it decreases to zero over the last tenth of this time"
+    )
+
+
+@dataclass(frozen=True, kw_only=True)
 class Friction:
     """Flank friction, smoothed around zero sliding velocity, optionally with a static coefficient."""
 
@@ -193,6 +207,9 @@ class Mesh:
     )
     damping: ContactDamping | None = component(ContactDamping, "damping of flanks in contact")
     damper: Damper | None = component(Damper, "damper that also acts within the backlash")
+    transient_damping: TransientDamping | None = component(
+        TransientDamping, "damper for the start of a run", later=True
+    )
     friction: Friction | None = component(Friction, "sliding friction of the flanks")
     transmission_error: TransmissionError | None = component(TransmissionError, "static transmission error")
     misalignment: Misalignment | None = component(Misalignment, "shaft axes misaligned by the housing")

@@ -91,7 +91,7 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     row["source"], row["slices"] = layout.SURFACE, contact.planes
     row["is_rigid"] = 1
     row["reach"] = REACH * row["p_bt"]
-    row["max_nodes"] = 1
+    row["max_nodes"] = contact.planes * pairs_in_reach(pair)
     row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
     cos_b = math.cos(pair.gear1.beta_b)
     if contact.oil is not None:

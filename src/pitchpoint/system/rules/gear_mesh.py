@@ -221,15 +221,8 @@ def mesh_bank(places: Places) -> Bank:
             and skew == (0.0, 0.0),
             widths=(gears[0].face_width, gears[1].face_width),
         )
-        pair = model.pairs[name]
-        law_of_mesh = mesh_laws(model, name)
-        row = mesh_row(pair, place, law_of_mesh, pool.add, model.backlash(name))
+        row = _tooth_row(model, name, place, pool.add)
         row["i"], row["j"], row["skew"] = seats[0][0], seats[1][0], skew
-        if row["source"] != layout.PHASE:  # not with a prescribed total stiffness (no tooth pairs)
-            surfaces = row["source"] == layout.SURFACE
-            row["n_pair"] = pairs_in_reach(pair) if surfaces else math.ceil(pair.eps_gamma) + 1
-            worn = worn_flanks(pair, law_of_mesh.stiffness, gears, (mesh.offset1, mesh.offset2))
-            separation_grids(row, gears, pool.add, worn)
         set_displacements(row, gears, (place.phi1 - place.turn1, place.phi2 - place.turn2), pool.add)
         law = mesh.stiffness
         where = f"meshes.{name}.stiffness.python"
@@ -237,6 +230,42 @@ def mesh_bank(places: Places) -> Bank:
         rows.append(row)
         names.append(name)
     return pack("gear_mesh", layout.RECORD, rows, names, pool=pool.array(), laws=tuple(laws))
+
+
+def _tooth_row(model: Model, name: str, place: Placement, keep: Keep) -> np.void:
+    """Record of a mesh of a model with the deviations and faults of its teeth, without bodies."""
+    mesh, pair = model.meshes[name], model.pairs[name]
+    gears = [model.gears[g] for g in mesh.gears]
+    laws = mesh_laws(model, name)
+    row = mesh_row(pair, place, laws, keep, model.backlash(name))
+    if row["source"] != layout.PHASE:  # not with a prescribed total stiffness (no tooth pairs)
+        surfaces = row["source"] == layout.SURFACE
+        row["n_pair"] = pairs_in_reach(pair) if surfaces else math.ceil(pair.eps_gamma) + 1
+        worn = worn_flanks(pair, laws.stiffness, gears, (mesh.offset1, mesh.offset2))
+        separation_grids(row, gears, keep, worn)
+    return row
+
+
+def mesh_alone(model: Model, name: str) -> Bank:
+    """Record of one mesh on fixed parallel axes at its centre distance, without bodies.
+
+    The widths overlap as in the model; the teeth are those of an assembly with tooth 0 of gear 1 on the line
+    of centres.
+    """
+    mesh, pair, pool = model.meshes[name], model.pairs[name], Pool()
+    gears = [model.gears[g] for g in mesh.gears]
+    internal = pair.gear2.z < 0
+    space = (math.pi if internal else 0.0) + (0.0 if internal else math.pi) - math.pi / pair.gear2.z
+    place = Placement(
+        origin1=np.zeros(3),
+        origin2=np.array([abs(pair.a_w), 0.0, mesh.offset1 - mesh.offset2]),
+        phi1=math.pi if internal else 0.0,
+        phi2=space,
+        fixed=True,
+        widths=(gears[0].face_width, gears[1].face_width),
+    )
+    row = _tooth_row(model, name, place, pool.add)
+    return pack("gear_mesh", layout.RECORD, [row], [name], pool=pool.array())
 
 
 def _seat(model: Model, body: str, gear: str) -> tuple[int, float, Array, Array]:

@@ -50,6 +50,8 @@ class MeshLaws:
     smooth: bool = False
     chi: float = 0.0
     d_gap: float = 0.0
+    d_start: float = 0.0
+    t_end: float = 0.0
     mu: float = 0.0
     v_eps: float = 0.01
     mu_s: float | None = None
@@ -113,6 +115,9 @@ def flank_losses(
     if mesh.damper is not None:
         value = mesh.damper.value if mesh.damper.ratio is None else mesh.damper.ratio * critical
         found["d_gap"] = value or 0.0
+    if mesh.transient_damping is not None:
+        found["d_start"] = mesh.transient_damping.rate / radii[0] ** 2
+        found["t_end"] = mesh.transient_damping.until
     if mesh.friction is not None:
         found |= {"mu": mesh.friction.mu, "v_eps": mesh.friction.v_eps}
         found |= {"mu_s": mesh.friction.static, "v_s": mesh.friction.static_speed}
@@ -135,7 +140,7 @@ def put_losses(row: Any, laws: MeshLaws) -> None:
     contact["mu_s"] = laws.mu if laws.mu_s is None else laws.mu_s
     contact["v_s"] = laws.v_eps if laws.v_s is None else laws.v_s
     contact["normal"] = math.sqrt(1.0 + row["tan_b"] * row["tan_b"])
-    row["d_gap"] = laws.d_gap
+    row["d_gap"], row["d_start"], row["t_end"] = laws.d_gap, laws.d_start, laws.t_end
     row["rubs"] = laws.mu > 0.0
 
 

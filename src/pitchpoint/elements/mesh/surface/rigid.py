@@ -85,6 +85,7 @@ def _add(b, watch, node, k):
 def rigid_flank(record, watch, _):
     """Sum the current flank; its nodes with forces remain in the pool. `watch` 1: with observations."""
     b = view(record, 1, RECORD)[0]
+    b["n_nodes"] = 0
     if b["c_prime"] == 0.0:  # solvers remove the mesh spring in this way
         return OK
     now = b["now"]
@@ -94,7 +95,7 @@ def rigid_flank(record, watch, _):
     k = b["c_prime"] * width / b["slices"]
     bounds = tip_bounds(b)
     nodes = node_array(b)
-    node = nodes[0]
+    found = 0
     far = farthest_gap(b)
     q, count = first_pair(b)
     for _ in range(count):
@@ -110,6 +111,7 @@ def rigid_flank(record, watch, _):
                 if watch == 1 and place == 0:
                     b["sums"]["nearest"] = max(b["sums"]["nearest"], x)
                 continue
+            node = nodes[found]
             node["pair"] = now["tooth"] - q
             node["plane"] = s
             set_node(b, node, xi, z, place, eta, own)
@@ -117,7 +119,9 @@ def rigid_flank(record, watch, _):
                 b["sums"]["nearest"] = max(b["sums"]["nearest"], node["x"])
                 continue
             force += _add(b, watch, node, k)
+            found += 1
         if watch == 1 and b["request"]["out"] != 0 and b["n_pair"] > 0:
             add_pair_force(b, N_OUT, (now["tooth"] - q) % b["n_pair"], now["flank"] * force)
         q += 1
+    b["n_nodes"] = found
     return OK

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Static contact analysis of tooth surfaces (loaded tooth contact analysis)."""
