@@ -2,8 +2,9 @@
 """Cholesky factorisation of the block of a compliance matrix that belongs to the nodes in contact.
 
 A = U^T U with U in the upper triangle, by rows. All inner loops run along rows, which are contiguous, from a
-multiple of `LANES` to a multiple of it, so that they become vector instructions without a remainder. The
-factorisation subtracts four rows from two at a time.
+multiple of `LANES` to a multiple of it, so that they become vector instructions without a remainder. Four
+rows are subtracted from four at a time: a load serves several products, and the compiler does not unroll so
+large a loop beyond the short rows of small blocks.
 
 Source: Golub and Van Loan, Matrix Computations (2013), 4.2.
 """
@@ -19,6 +20,8 @@ from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR
 
 LANES = 8
 """Number of columns to which rows are padded; the width of U is a multiple of it."""
+ROWS = 4
+"""Number of rows that are treated together."""
 
 _SINGULAR = 2e-14
 """Smallest pivot relative to the diagonal element before elimination."""
@@ -28,8 +31,8 @@ _SINGULAR = 2e-14
 def pack_block(C, on, m, slope, U):
     """Copy the block of m nodes to the upper triangle of U and add slopes to its diagonal.
 
-    Columns up to the next multiple of `LANES` are set to zero; an odd block gets one more row of the unit
-    matrix.
+    The block is completed with rows and columns of the unit matrix to a multiple of `ROWS`; further columns up
+    to the next multiple of `LANES` are set to zero.
 
     Parameters
     ----------
@@ -47,25 +50,34 @@ def pack_block(C, on, m, slope, U):
     Examples
     --------
     >>> U = np.ones((8, 8))
-    >>> pack_block(np.arange(9.0).reshape(3, 3), np.array([2, 0, 0]), 2, np.array([0.5, 0.25]), U)
+    >>> C = np.array([[4.0, 3.0, 2.0], [3.0, 5.0, 1.0], [2.0, 1.0, 6.0]])
+    >>> pack_block(C, np.array([2, 0, 0]), 2, np.array([0.5, 0.25]), U)
     >>> U[:2, :4].tolist()
-    [[8.5, 6.0, 0.0, 0.0], [6.0, 0.25, 0.0, 0.0]]
+    [[6.5, 2.0, 0.0, 0.0], [2.0, 4.25, 0.0, 0.0]]
     """
     width = ((m + LANES - 1) // LANES) * LANES
-    for i in range(m):
+    for i in range(((m + ROWS - 1) // ROWS) * ROWS):
         row = U[i]
-        source = C[on[i]]
         first = (i // LANES) * LANES
-        for j in range(first, m):
-            row[j] = source[on[j]]
-        for j in range(m, width):
-            row[j] = 0.0
-        row[i] += slope[i]
-    if m % 2 == 1:
-        row = U[m]
-        for j in range((m // LANES) * LANES, width):
-            row[j] = 0.0
-        row[m] = 1.0
+        if i < m:
+            source = C[on[i]]
+            for j in range(first, m):
+                row[j] = source[on[j]]
+            for j in range(m, width):
+                row[j] = 0.0
+            row[i] += slope[i]
+        else:
+            for j in range(first, width):
+                row[j] = 0.0
+            row[i] = 1.0
+
+
+@kernel
+def _root(pivot, diagonal):
+    """Reciprocal root of a pivot, and its status: not positive within the rounding of the diagonal element."""
+    if pivot > _SINGULAR * diagonal and pivot < np.inf:
+        return 1.0 / math.sqrt(pivot), OK
+    return 0.0, SINGULAR if pivot <= _SINGULAR * diagonal else NOT_FINITE
 
 
 @kernel
@@ -79,7 +91,7 @@ def factorise_block(U, m, inverse):
     m
         Number of nodes.
     inverse
-        Reciprocal diagonal of the factor, one value per node and one more if m is odd.
+        Reciprocal diagonal of the factor, up to the next multiple of `ROWS` of m.
 
     Returns
     -------
@@ -96,55 +108,58 @@ def factorise_block(U, m, inverse):
     ([2.0, 1.0], 2.0, [0.5, 0.5])
     """
     end = ((m + LANES - 1) // LANES) * LANES
-    for i in range(0, m, 2):
+    for i in range(0, m, ROWS):
         first = (i // LANES) * LANES
         width = end - first
         x = U[i, first:]
         y = U[i + 1, first:]
-        limit = _SINGULAR * U[i, i]
-        next_limit = _SINGULAR * U[i + 1, i + 1]
-        for k in range(0, i - 2, 4):
+        z = U[i + 2, first:]
+        w = U[i + 3, first:]
+        d_0 = U[i, i]
+        d_1 = U[i + 1, i + 1]
+        d_2 = U[i + 2, i + 2]
+        d_3 = U[i + 3, i + 3]
+        for k in range(0, i, ROWS):
             p = U[k, first:]
             q = U[k + 1, first:]
             r = U[k + 2, first:]
             s = U[k + 3, first:]
-            a = U[k, i]
-            b = U[k + 1, i]
-            c = U[k + 2, i]
-            d = U[k + 3, i]
-            e = U[k, i + 1]
-            f = U[k + 1, i + 1]
-            g = U[k + 2, i + 1]
-            h = U[k + 3, i + 1]
+            p_0, p_1, p_2, p_3 = U[k, i], U[k, i + 1], U[k, i + 2], U[k, i + 3]
+            q_0, q_1, q_2, q_3 = U[k + 1, i], U[k + 1, i + 1], U[k + 1, i + 2], U[k + 1, i + 3]
+            r_0, r_1, r_2, r_3 = U[k + 2, i], U[k + 2, i + 1], U[k + 2, i + 2], U[k + 2, i + 3]
+            s_0, s_1, s_2, s_3 = U[k + 3, i], U[k + 3, i + 1], U[k + 3, i + 2], U[k + 3, i + 3]
             for j in range(width):
-                x[j] -= a * p[j] + b * q[j] + c * r[j] + d * s[j]
-                y[j] -= e * p[j] + f * q[j] + g * r[j] + h * s[j]
-        if i % 4 == 2:
-            p = U[i - 2, first:]
-            q = U[i - 1, first:]
-            a = U[i - 2, i]
-            b = U[i - 1, i]
-            e = U[i - 2, i + 1]
-            f = U[i - 1, i + 1]
-            for j in range(width):
-                x[j] -= a * p[j] + b * q[j]
-                y[j] -= e * p[j] + f * q[j]
-        pivot = U[i, i]
-        if not pivot > limit:
-            return SINGULAR if pivot <= limit else NOT_FINITE
-        a = 1.0 / math.sqrt(pivot)
-        b = U[i, i + 1] * a
-        pivot = U[i + 1, i + 1] - b * b
-        if not pivot > next_limit:
-            return SINGULAR if pivot <= next_limit else NOT_FINITE
-        c = 1.0 / math.sqrt(pivot)
-        if not a * c > 0.0:
-            return NOT_FINITE
+                e = p[j]
+                f = q[j]
+                g = r[j]
+                h = s[j]
+                x[j] -= p_0 * e + q_0 * f + r_0 * g + s_0 * h
+                y[j] -= p_1 * e + q_1 * f + r_1 * g + s_1 * h
+                z[j] -= p_2 * e + q_2 * f + r_2 * g + s_2 * h
+                w[j] -= p_3 * e + q_3 * f + r_3 * g + s_3 * h
+        # factor of the four rows on the diagonal, then the four rows
+        a_0, sound_0 = _root(U[i, i], d_0)
+        x_1, x_2, x_3 = U[i, i + 1] * a_0, U[i, i + 2] * a_0, U[i, i + 3] * a_0
+        a_1, sound_1 = _root(U[i + 1, i + 1] - x_1 * x_1, d_1)
+        y_2, y_3 = (U[i + 1, i + 2] - x_1 * x_2) * a_1, (U[i + 1, i + 3] - x_1 * x_3) * a_1
+        a_2, sound_2 = _root(U[i + 2, i + 2] - x_2 * x_2 - y_2 * y_2, d_2)
+        z_3 = (U[i + 2, i + 3] - x_2 * x_3 - y_2 * y_3) * a_2
+        a_3, sound_3 = _root(U[i + 3, i + 3] - x_3 * x_3 - y_3 * y_3 - z_3 * z_3, d_3)
+        status = max(sound_0, sound_1, sound_2, sound_3)
+        if status != OK:
+            return status
         for j in range(width):
-            x[j] *= a
-            y[j] = (y[j] - b * x[j]) * c
-        inverse[i] = a
-        inverse[i + 1] = c
+            e = x[j] * a_0
+            f = (y[j] - x_1 * e) * a_1
+            g = (z[j] - x_2 * e - y_2 * f) * a_2
+            x[j] = e
+            y[j] = f
+            z[j] = g
+            w[j] = (w[j] - x_3 * e - y_3 * f - z_3 * g) * a_3
+        inverse[i] = a_0
+        inverse[i + 1] = a_1
+        inverse[i + 2] = a_2
+        inverse[i + 3] = a_3
     return OK
 
 
@@ -157,7 +172,7 @@ def solve_block(U, m, inverse, b):
     U, m, inverse
         Factor, see `factorise_block`.
     b
-        Right-hand side on entry, solution on exit; up to the next multiple of `LANES` it is overwritten.
+        Right-hand side on entry, solution on exit; up to the next multiple of `ROWS` it is overwritten.
 
     Examples
     --------
@@ -169,29 +184,92 @@ def solve_block(U, m, inverse, b):
     >>> b[:2].round(12).tolist()
     [1.375, 1.25]
     """
-    end = ((m + LANES - 1) // LANES) * LANES
+    end = ((m + ROWS - 1) // ROWS) * ROWS
     for j in range(m, end):
         b[j] = 0.0
-    for k in range(0, m, 2):
-        # rows k and k + 1: forward elimination of their columns from all that follow
-        x = b[k] * inverse[k]
-        y = (b[k + 1] - U[k, k + 1] * x) * inverse[k + 1]
-        p = U[k, k:]
-        q = U[k + 1, k:]
-        rest = b[k:]
-        for j in range(2, end - k):
-            rest[j] -= p[j] * x + q[j] * y
-        rest[0] = x
-        rest[1] = y
-    for k in range(((m - 1) // 2) * 2, -1, -2):
-        p = U[k, k:]
-        q = U[k + 1, k:]
-        rest = b[k:]
-        x = 0.0
-        y = 0.0
-        for j in range(2, m - k):
-            x += p[j] * rest[j]
-            y += q[j] * rest[j]
-        y = (rest[1] - y) * inverse[k + 1]
-        rest[0] = (rest[0] - x - p[1] * y) * inverse[k]
-        rest[1] = y
+    for k in range(0, end, ROWS):
+        p = U[k, k:end]
+        q = U[k + 1, k:end]
+        r = U[k + 2, k:end]
+        s = U[k + 3, k:end]
+        rest = b[k:end]
+        e = rest[0] * inverse[k]
+        f = (rest[1] - p[1] * e) * inverse[k + 1]
+        g = (rest[2] - p[2] * e - q[2] * f) * inverse[k + 2]
+        h = (rest[3] - p[3] * e - q[3] * f - r[3] * g) * inverse[k + 3]
+        for j in range(ROWS, end - k):
+            rest[j] -= p[j] * e + q[j] * f + r[j] * g + s[j] * h
+        rest[0] = e
+        rest[1] = f
+        rest[2] = g
+        rest[3] = h
+    for k in range(end - ROWS, -1, -ROWS):
+        p = U[k, k:end]
+        q = U[k + 1, k:end]
+        r = U[k + 2, k:end]
+        s = U[k + 3, k:end]
+        rest = b[k:end]
+        e = rest[0]
+        f = rest[1]
+        g = rest[2]
+        h = rest[3]
+        for j in range(ROWS, end - k):
+            e -= p[j] * rest[j]
+            f -= q[j] * rest[j]
+            g -= r[j] * rest[j]
+            h -= s[j] * rest[j]
+        h *= inverse[k + 3]
+        g = (g - r[3] * h) * inverse[k + 2]
+        f = (f - q[2] * g - q[3] * h) * inverse[k + 1]
+        e = (e - p[1] * f - p[2] * g - p[3] * h) * inverse[k]
+        rest[0] = e
+        rest[1] = f
+        rest[2] = g
+        rest[3] = h
+
+
+@kernel
+def subtract_columns(C, on, m, f, x, o):
+    """Difference x - C f for forces at m nodes.
+
+    Parameters
+    ----------
+    C
+        Symmetric matrix, shape (n, n) or larger.
+    on
+        Indices of the nodes with forces, the first m of which are used.
+    m
+        Number of these nodes.
+    f
+        Forces by node.
+    x
+        Minuend, shape (n,).
+    o
+        Difference, shape (n,).
+
+    Examples
+    --------
+    >>> C, o = np.array([[4.0, 2.0], [2.0, 5.0]]), np.zeros(2)
+    >>> subtract_columns(C, np.array([1]), 1, np.array([9.0, 2.0]), np.array([5.0, 5.0]), o)
+    >>> o.tolist()
+    [1.0, -5.0]
+    """
+    n = x.size
+    for i in range(n):
+        o[i] = x[i]
+    whole = (m // LANES) * LANES
+    for k in range(0, whole, LANES):
+        a, b, c, d = on[k], on[k + 1], on[k + 2], on[k + 3]
+        e, g, h, i = on[k + 4], on[k + 5], on[k + 6], on[k + 7]
+        p, q, r, s = C[a], C[b], C[c], C[d]
+        t, u, v, w = C[e], C[g], C[h], C[i]
+        f_p, f_q, f_r, f_s = f[a], f[b], f[c], f[d]
+        f_t, f_u, f_v, f_w = f[e], f[g], f[h], f[i]
+        for j in range(n):
+            first = f_p * p[j] + f_q * q[j] + f_r * r[j] + f_s * s[j]
+            o[j] -= first + (f_t * t[j] + f_u * u[j] + f_v * v[j] + f_w * w[j])
+    for k in range(whole, m):
+        p = C[on[k]]
+        f_p = f[on[k]]
+        for j in range(n):
+            o[j] -= f_p * p[j]
