@@ -15,6 +15,7 @@ import numpy as np
 from pitchpoint.core.kernel import address
 from pitchpoint.elements.gear_mesh import entry
 from pitchpoint.elements.mesh import record as layout
+from pitchpoint.elements.mesh.surface.flexible import flexible_flank
 from pitchpoint.elements.mesh.surface.rigid import rigid_flank
 from pitchpoint.elements.mesh.tooth_pairs import deviating_line
 from pitchpoint.geometry import CylindricalGear, GearPair
@@ -67,6 +68,8 @@ class OneMesh(MeshAlone):
         self.rec["pool"] = self.pool.ctypes.data
         if self.row["is_rigid"]:
             self.rec["rigid"] = address(rigid_flank)
+        if self.row["is_flexible"]:
+            self.rec["flexible"] = address(flexible_flank)
         self.frames = np.zeros(2, FRAME)
         self.frames["r"] = o1, o2
         self.frames["R"] = np.eye(3)

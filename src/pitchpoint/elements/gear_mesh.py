@@ -78,6 +78,7 @@ from pitchpoint.elements.mesh.sums import (
     push_path,
     rate_of_row,
 )
+from pitchpoint.elements.mesh.surface.flexible import flexible_flank
 from pitchpoint.elements.mesh.surface.rigid import rigid_flank
 from pitchpoint.elements.mesh.tooth_pairs import deviating_line, profile_flank
 from pitchpoint.multibody.channels import F8, frame_args
@@ -173,7 +174,9 @@ def _sum(b, watch, x_0):
     now["growth"] = 0.0
     if b["source"] == SURFACE:
         now["x_0"] = x_0
-        return call(b["rigid"], b["here"], 1 if watch is not None else 0, 0)
+        return call(
+            b["flexible"] if b["is_flexible"] == 1 else b["rigid"], b["here"], 1 if watch is not None else 0, 0
+        )
     if b["source"] == PHASE:
         ratio, rate = _stiffness_ratio(b, b["request"]["t"], watch is not None)
         if not math.isfinite(ratio):
@@ -371,7 +374,11 @@ KIND = Kind(
     events=EVENTS,
     bends=bends,
     exact={"turning": turning},
-    some={"deviating": (deviating_line, "n_sep"), "rigid": (rigid_flank, "is_rigid")},
+    some={
+        "deviating": (deviating_line, "n_sep"),
+        "rigid": (rigid_flank, "is_rigid"),
+        "flexible": (flexible_flank, "is_flexible"),
+    },
     role=MESH,
     massless=True,
     spins=GEARED,

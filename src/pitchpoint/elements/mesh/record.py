@@ -94,6 +94,8 @@ _SURFACE = [
     ("max_nodes", "i8"),
     ("n_nodes", "i8"),  # result: nodes of the flank evaluated last
     ("work", "i8"),  # flexible: further scratch in the pool, see `surface.compliance` and `surface.flexible`
+    ("n_slots", "i8"),  # nodes of the last solution, -1: none
+    ("n_slot_pairs", "i8"),  # number of tooth pairs whose forces start the next solution
     ("own", "i8", 2),
     ("beside", "i8", 2),  # influence functions of both gears, offsets in the pool; see `surface.compliance`
     ("height", "f8", (2, 2)),  # length of roll at the height 0, and its half range

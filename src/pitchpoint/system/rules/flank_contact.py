@@ -6,14 +6,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
+from pitchpoint.elements.mesh.surface.scratch import scratch_size
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -23,6 +25,77 @@ Array = NDArray[np.float64]
 
 REACH = 0.5
 """Path before A and beyond E on which tip edges are in contact, in base pitches."""
+
+
+LEAST_ROLL = 0.02
+"""Least radius of curvature of a flank in the local contact, in base pitches: flanks next to a base circle."""
+
+
+class Influence(Protocol):
+    """Influence functions of the teeth of one gear (`contact.compliance`, `contact.tooth_fe`)."""
+
+    @property
+    def roll(self) -> tuple[float, float]:
+        """Lengths of roll at the heights -1 and +1 [m]."""
+
+    @property
+    def own(self) -> Array:
+        """Compliances of a tooth, shape (planes, planes, 4, 4) [m/N]."""
+
+    @property
+    def beside(self) -> Array:
+        """Compliances between neighbouring teeth, likewise."""
+
+    @property
+    def windup(self) -> float:
+        """Compliance of the blank in torsion along the base tangent [m/N]."""
+
+    @property
+    def depth(self) -> Array:
+        """Depth of the reference point of the local contact over the height, shape (4,) [m]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ElasticFlanks:
+    """Elastic properties of both gears.
+
+    Parameters
+    ----------
+    gears
+        Influence functions of both gears, for the planes of the contact.
+    moduli, poisson
+        Young's moduli [Pa] and Poisson's ratios.
+    overlap
+        Additional compliance of one node [m/N].
+    """
+
+    gears: tuple[Influence, Influence]
+    moduli: tuple[float, float]
+    poisson: tuple[float, float]
+    overlap: float = 0.0
+
+
+def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callable[[Array], int]) -> None:
+    """Set influence functions, local contact and scratch of flexible teeth."""
+    planes, pairs = int(row["slices"]), pairs_in_reach(pair)
+    cos_b = math.cos(pair.gear1.beta_b)
+    row["is_flexible"] = 1
+    row["n_slots"], row["n_slot_pairs"] = -1, pairs
+    row["plane_width"] = width = pair.b_w / planes
+    row["work"] = keep(np.zeros(scratch_size(int(row["max_nodes"]), pairs * planes)))
+    c = [plane_strain_compliance(E, nu) for E, nu in zip(elastic.moduli, elastic.poisson, strict=True)]
+    for k, gear in enumerate(elastic.gears):
+        low, high = gear.roll
+        row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
+        row["own"][k], row["beside"][k] = keep(gear.own), keep(gear.beside)
+        row["depth"][k] = gear.depth
+        row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width)
+        row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
+    row["windup"] = sum(gear.windup for gear in elastic.gears)
+    # the radius normal to the contact line is the transverse one over cos(beta_b)
+    row["strip"] = 4.0 * sum(c) / (math.pi * width * cos_b)
+    row["least_roll"] = LEAST_ROLL * row["p_bt"]
+    row["overlap"] = elastic.overlap
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,9 +108,12 @@ class SurfaceContact:
         Number of contact planes over the face width.
     oil, structural
         Damping of each plane.
+    elastic
+        Compliance of flexible teeth; None: rigid.
     """
 
     planes: int = 11
+    elastic: ElasticFlanks | None = None
     oil: OilFilm | None = None
     structural: StructuralDamping | None = None
 
@@ -89,11 +165,13 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
         Stores an array in the pool of the kind and returns its offset.
     """
     row["source"], row["slices"] = layout.SURFACE, contact.planes
-    row["is_rigid"] = 1
+    row["is_rigid"] = contact.elastic is None
     row["reach"] = REACH * row["p_bt"]
     row["max_nodes"] = contact.planes * pairs_in_reach(pair)
     row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
     cos_b = math.cos(pair.gear1.beta_b)
+    if contact.elastic is not None:
+        _set_elastic(row, pair, contact.elastic, keep)
     if contact.oil is not None:
         row["oil_rate"] = contact.oil.rate * cos_b**2
         row["oil_film"] = contact.oil.thickness / cos_b
