@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Rules of the contact of tooth surfaces, for every level, kind of pair and both flanks.
 
-The reference of every force is the stored energy: U(q) is a function of all coordinates of both gears, and the
-wrench of a conservative level is its slope by each of them, the spins included. Laws with a prescribed
+The reference of every force is the stored energy: U(q) is a function of all coordinates of both gears, and
+the wrench of a conservative level is its slope by each of them, the spins included. Laws with a prescribed
 stiffness over the path meet this for constant phase only.
 """
 
@@ -95,7 +95,7 @@ def test_forces_are_the_slopes_of_one_potential(pair, level, flank, tilt):
 @every_level
 @pytest.mark.parametrize("widths", [(0.03, 0.04), (0.04, 0.03), (0.03, 0.03)])
 def test_the_common_width_is_part_of_the_potential(level, widths):
-    """With an axial offset of equal gears the planes become narrower; the axial force is the slope of that."""
+    """With an axial offset of equal gears the planes become narrower; the axial force is its slope."""
     m = mesh("helical", level, 0.05, b1=widths[0], b2=widths[1])
     m.rec["w_z"] = (0.5 if widths[0] == widths[1] else 0.0 if widths[0] < widths[1] else 1.0) - m.row["w1"]
     m = shaken(m, 1e-3)
@@ -170,6 +170,6 @@ def test_the_force_is_continuous_through_the_ends_of_the_path(pair, level):
         m.evaluate(fr)
         force[k] = m.get("mesh_force")
     steps = np.abs(np.diff(force))
-    # a tooth pair comes into contact over the path on which its tip gap falls by the deflection, about a tenth
+    # a tooth pair comes into contact over the path on which its tip gap falls by the deflection, a tenth
     # of the base pitch and more: 2000 phases resolve this by 200 steps of at most twice the mean
     assert steps.max() < 2.5 / 200.0 * np.ptp(force) + 1e-9 * force.max()

@@ -22,7 +22,7 @@ from pitchpoint.contact.active_block import solve_block
 from pitchpoint.contact.active_newton import newton
 from pitchpoint.contact.local_approach import local_approach, local_energy
 from pitchpoint.contact.pivoting import factorise, pivot
-from pitchpoint.contact.unilateral_work import FORCE, INVERSE, LISTED, PENETRATION, ContactWorkspace, forget
+from pitchpoint.contact.unilateral_work import FORCE, INVERSE, LISTED, PENETRATION, forget
 from pitchpoint.core.kernel import kernel
 from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR, SLOW
 

@@ -175,7 +175,10 @@ def _sum(b, watch, x_0):
     if b["source"] == SURFACE:
         now["x_0"] = x_0
         return call(
-            b["flexible"] if b["is_flexible"] == 1 else b["rigid"], b["here"], 1 if watch is not None else 0, 0
+            b["flexible"] if b["is_flexible"] == 1 else b["rigid"],
+            b["here"],
+            1 if watch is not None else 0,
+            0,
         )
     if b["source"] == PHASE:
         ratio, rate = _stiffness_ratio(b, b["request"]["t"], watch is not None)

@@ -123,7 +123,9 @@ def test_slope_is_unbounded_only_as_a_logarithm(case):
 def test_energy_is_the_integral_of_the_approach(case, f):
     node = node_of(*CASES[case])
     # f = g^2 removes the singularity of the slope from the integrand
-    work = quad(lambda g: approach(g * g, *CASES[case]) * 2.0 * g, 0.0, math.sqrt(f), epsabs=0.0, epsrel=1e-12)
+    work = quad(
+        lambda g: approach(g * g, *CASES[case]) * 2.0 * g, 0.0, math.sqrt(f), epsabs=0.0, epsrel=1e-12
+    )
     assert local_energy(node, 0, f) == pytest.approx(work[0], rel=1e-11)
 
 

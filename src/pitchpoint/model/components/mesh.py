@@ -213,6 +213,7 @@ class Mesh:
     friction: Friction | None = component(Friction, "sliding friction of the flanks")
     transmission_error: TransmissionError | None = component(TransmissionError, "static transmission error")
     misalignment: Misalignment | None = component(Misalignment, "shaft axes misaligned by the housing")
+
     @property
     def law(self) -> StiffnessLaw:
         """Contact of the tooth surfaces if it is given, else the stiffness law."""

@@ -28,7 +28,7 @@ REACH = 0.5
 
 
 LEAST_ROLL = 0.02
-"""Least radius of curvature of a flank in the local contact, in base pitches: flanks next to a base circle."""
+"""Least radius of curvature of a flank in the local contact, in base pitches: next to base circles."""
 
 
 class Influence(Protocol):

@@ -17,7 +17,7 @@ from pitchpoint.contact.damping import linear_ramp, ramp
 from pitchpoint.contact.flank_law import flank_friction
 from pitchpoint.contact.local_approach import energy_slopes
 from pitchpoint.contact.unilateral import contact_energy, solve_contact, solve_tangent, tangent_block
-from pitchpoint.contact.unilateral_work import CONTACT_STATE, FORCE, LISTED
+from pitchpoint.contact.unilateral_work import FORCE, LISTED
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.mesh.observations import add_pair_force

@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from pitchpoint.contact.active_block import LANES
 from pitchpoint.contact.local_approach import N_NODE
 from pitchpoint.contact.unilateral_work import CONTACT_STATE, N_VECTOR

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contact analysis of one mesh over mesh phase and torque: transmission error, stiffness, loads, pressure."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.hertz import half_width, peak_pressure, plane_strain_compliance
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
+from pitchpoint.elements.mesh.surface.nodes import ON_PATH
+from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+
+Array = NDArray[np.float64]
+
+NODE_FIELDS: dict[str, tuple[str, str]] = {
+    "plane_force": ("N", "force of a tooth pair in a contact plane along the base tangent"),
+    "line_load": ("N/m", "normal force per length of the contact line"),
+    "pressure": ("Pa", "Hertzian pressure of the flanks on the line of action"),
+    "edge_pressure": ("Pa", "Hertzian pressure of a rounded tip edge on the mating flank"),
+    "roll_1": ("m", "length of roll on gear 1"),
+    "roll_2": ("m", "length of roll on gear 2"),
+}
+"""Variables over torque, phase, tooth pair and plane: units and long names."""
+
+
+def solve_contact(
+    model: Model,
+    mesh: str | None = None,
+    *,
+    torque: float | Sequence[float],
+    positions: int = 64,
+    misalignment: float = 0.0,
+    flank: int = 1,
+    progress: Progress = silent,
+) -> xr.Dataset:
+    """Contact analysis of a mesh on fixed axes over one base pitch.
+
+    Parameters
+    ----------
+    model
+        The model; the mesh has `contact`.
+    mesh
+        Name of the mesh; may be omitted if there is only one.
+    torque
+        Torque on gear 1, or several [N m]; only the magnitude counts.
+    positions
+        Equidistant mesh phases over one base pitch.
+    misalignment
+        Angle between the flanks in the plane of action [rad]: the gap increases by it towards +z.
+    flank
+        1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
+    progress
+        Called after each torque.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `torque` and `mesh_phase_position`: transmission_error [m] (approach of the flanks along the base
+        tangent under load), unloaded_transmission_error, mesh_stiffness (tangent) and secant_stiffness [N/m],
+        elastic_energy [J]; over these, `tooth_pair` and `plane`: plane_force [N], line_load [N/m],
+        pressure, edge_pressure [Pa], lengths of roll roll_1, roll_2 [m]. NaN where a pair has no contact.
+
+    Raises
+    ------
+    SolverError
+        If the mesh has no contact of tooth surfaces, or a state has no solution; with the partial result.
+    """
+    name = mesh_of(model, mesh)
+    torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
+    if not np.all(np.isfinite(torques)) or np.any(torques == 0.0):
+        raise SolverError(f"torque {torque} is not a load; give torques other than 0", INCONSISTENT)
+    began = time.perf_counter()
+    flanks = FlankStates(model, name, flank)
+    phase = np.arange(positions) / positions
+    found: list[tuple[NDArray[np.void], NDArray[np.void]]] = []
+    status, text = OK, sentence(OK)
+    try:
+        for n, one in enumerate(torques):
+            states = flanks.states(phase)
+            states["kappa"], states["by_force"] = misalignment, 1
+            states["force"] = flanks.force_of(float(one))
+            nodes = flanks.solve(states, keep_nodes=True)
+            assert nodes is not None
+            found.append((states, nodes))
+            progress(n + 1, torques.size, f"{name}: contact analysis")
+            if states["status"].max() != OK:
+                status = int(states["status"].max())
+                text = _failure(name, float(one), states)
+                break
+    except KeyboardInterrupt:
+        status, text = INTERRUPTED, sentence(INTERRUPTED)
+    data = _dataset(flanks, torques[: len(found)], phase, found)
+    data.attrs |= _attributes(flanks, status, time.perf_counter() - began, positions=positions, flank=flank)
+    if status != OK:
+        raise SolverError(text, status, data)
+    return data
+
+
+def mesh_of(model: Model, mesh: str | None) -> str:
+    """Name of the mesh to analyse.
+
+    Raises
+    ------
+    SolverError
+        If it does not exist, or the model has several and none is given.
+    """
+    if mesh is None and len(model.meshes) == 1:
+        return next(iter(model.meshes))
+    if mesh is None or mesh not in model.meshes:
+        what = "choose a mesh" if mesh is None else f"no mesh {mesh!r}"
+        raise SolverError(f"{what}; there are: {', '.join(model.meshes) or 'none'}", INCONSISTENT)
+    return mesh
+
+
+def _failure(mesh: str, torque: float, states: NDArray[np.void]) -> str:
+    """Description of the first state without a solution."""
+    bad = states[int(np.argmax(states["status"] != OK))]
+    return (
+        f"mesh {mesh}: no contact state at {torque:g} N m, mesh phase {bad['pairs'] + bad['psi']:.4f}: "
+        f"{sentence(int(bad['status']))}"
+    )
+
+
+def _attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any) -> dict[str, Any]:
+    from pitchpoint.core.provenance import content_hash, provenance
+    from pitchpoint.model.write import model_text
+
+    found = provenance(
+        model_hash=content_hash(flanks.model),
+        solver="contact",
+        options={"mesh": flanks.mesh, **options},
+        status=status,
+        wall_s=wall_s,
+    )
+    return {"title": flanks.model.title, "model_text": model_text(flanks.model), "mesh": flanks.mesh, **found}
+
+
+def _dataset(
+    flanks: FlankStates, torques: Array, phase: Array, found: list[tuple[NDArray[np.void], NDArray[np.void]]]
+) -> xr.Dataset:
+    import xarray as xr
+
+    over = ("torque", "mesh_phase_position")
+    size = (len(found), phase.size)
+    states = np.array([s for s, _ in found]).reshape(size)
+    first, force = states["first"], states["force"]
+    error = states["x_0"] - first.min(axis=1, keepdims=True)
+    curves = {
+        "transmission_error": (error, "m", "approach of the flanks along the base tangent"),
+        "unloaded_transmission_error": (
+            first - first.min(axis=1, keepdims=True),
+            "m",
+            "the same at vanishing torque",
+        ),
+        "mesh_force": (force, "N", "force along the base tangent"),
+        "mesh_stiffness": (states["stiffness"], "N/m", "derivative of the force by the approach"),
+        "secant_stiffness": (force / (states["x_0"] - first), "N/m", "force over the approach from contact"),
+        "elastic_energy": (states["energy"], "J", "energy stored in teeth and contacts"),
+    }
+    variables = {
+        name: (over, values, {"units": unit, "long_name": text})
+        for name, (values, unit, text) in curves.items()
+    }
+    for name, values in _node_fields(flanks, found, size).items():
+        unit, text = NODE_FIELDS[name]
+        variables[name] = ((*over, "tooth_pair", "plane"), values, {"units": unit, "long_name": text})
+    coords = {
+        "torque": (("torque",), torques, {"units": "N m", "long_name": "torque on gear 1"}),
+        "mesh_phase_position": (
+            ("mesh_phase_position",),
+            phase,
+            {"units": "1", "long_name": "mesh phase, 0 when a pair reaches A at mid-face"},
+        ),
+        "plane": (("plane",), flanks.widths, {"units": "m", "long_name": "position over the face width"}),
+    }
+    return xr.Dataset(variables, coords=coords)
+
+
+def _node_fields(
+    flanks: FlankStates, found: list[tuple[NDArray[np.void], NDArray[np.void]]], size: tuple[int, int]
+) -> dict[str, Array]:
+    """Fields of the contact nodes by tooth pair and plane, NaN without contact."""
+    record = flanks.record
+    pairs, planes = int(record["n_pair"]), int(record["slices"])
+    width = (record["now"]["z_hi"] - record["now"]["z_lo"]) / planes
+    cos_b = 1.0 / math.sqrt(1.0 + float(record["tan_b"]) ** 2)
+    materials = [flanks.model.gears[g].material_data for g in flanks.model.meshes[flanks.mesh].gears]
+    soft = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
+    fields = {name: np.full((*size, pairs, planes), np.nan) for name in NODE_FIELDS}
+    for t, (states, nodes) in enumerate(found):
+        held = np.arange(nodes.shape[1]) < states["n_nodes"][:, None]
+        at, k = np.nonzero(held & (nodes["force"] > 0.0))
+        node = nodes[at, k]
+        where = (t, at, node["pair"] % pairs, node["plane"])
+        one, two = node["roll"].T
+        load = node["force"] / width
+        on_path = node["place"] == ON_PATH
+        with np.errstate(divide="ignore", invalid="ignore"):
+            radius = np.where(on_path, one * two / (one + two), np.nan) / cos_b
+            edge = np.where(on_path, np.nan, _edge_radius(record, node))
+        fields["plane_force"][where] = node["force"]
+        fields["line_load"][where] = load
+        fields["pressure"][where] = peak_pressure(load, half_width(load, radius, *soft))
+        fields["edge_pressure"][where] = peak_pressure(load, half_width(load, edge, *soft))
+        fields["roll_1"][where], fields["roll_2"][where] = np.abs(one), np.abs(two)
+    return fields
+
+
+def _edge_radius(record: np.void, node: NDArray[np.void]) -> Array:
+    """Reduced radius of curvature of a rounded tip edge on the mating flank [m]; NaN for sharp edges."""
+    edge = np.clip(node["place"] - 1, 0, 1)
+    own = np.asarray(record["rounding"])[edge]
+    mate = node["roll"][np.arange(node.size), 1 - edge]
+    return np.where(own > 0.0, own * mate / (own + mate), np.nan)
