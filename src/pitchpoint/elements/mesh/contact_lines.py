@@ -19,8 +19,10 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.mesh.flank_deviations import begin_separation, find_rows
 from pitchpoint.elements.mesh.force_directions import flank_tilt
 from pitchpoint.elements.mesh.line_of_action import begin_flank, countable
-from pitchpoint.elements.mesh.record import PROFILE, RECORD, ROWS
+from pitchpoint.elements.mesh.record import PHASE, RECORD, ROWS, SURFACE
 from pitchpoint.elements.mesh.sums import begin_sums
+from pitchpoint.elements.mesh.surface.nodes import node_array
+from pitchpoint.elements.mesh.surface.states import flank_at
 from pitchpoint.elements.mesh.tooth_pairs import pair_line, pair_node, pair_teeth
 from pitchpoint.multibody.channels import F8
 
@@ -56,6 +58,8 @@ def _begin(b, flank, deflection):
     for k in range(ROWS):
         b["rate"][k] = 0.0
     b["request"]["jac"] = 0
+    b["request"]["out"] = 0
+    b["request"]["ev"] = 0
     begin_sums(b)
     if b["n_sep"] > 0:
         begin_separation(b)
@@ -65,19 +69,44 @@ def _begin(b, flank, deflection):
 @kernel
 def _loads(b, p_0, x_q, deviating, loads):
     """Loads per face width at equidistant stations on the part of a contact line within the flanks."""
-    now = b["now"]
-    a = now["z_lo"]
-    end = now["z_hi"]
-    lam = now["lam"]
-    if lam != 0.0:
-        u = -p_0 / lam
-        v = (now["eps"] - p_0) / lam
-        a = max(a, min(u, v))
-        end = min(end, max(u, v))
+    a, end = _line_ends(b, p_0)
     n = loads.size
     for s in range(n):
         share = INSIDE + (1.0 - 2.0 * INSIDE) * s / (n - 1)
         loads[s] = pair_node(b, None, p_0, x_q, a + share * (end - a), 1.0, deviating)
+
+
+@kernel
+def _line_ends(b, p_0):
+    """Ends of the part of a contact line within the flanks [m from the pitch point]."""
+    now = b["now"]
+    lam = now["lam"]
+    if lam == 0.0:
+        return now["z_lo"], now["z_hi"]
+    u = -p_0 / lam
+    v = (now["eps"] - p_0) / lam
+    return max(now["z_lo"], min(u, v)), min(now["z_hi"], max(u, v))
+
+
+@kernel
+def _surface_loads(b, x_0, forces, loads):
+    """Forces and loads of all pairs of tooth surfaces; loads are linear between the contact planes."""
+    now = b["now"]
+    if flank_at(b, x_0) != OK:
+        return
+    nodes = node_array(b)
+    planes = b["slices"]
+    width = (now["z_hi"] - now["z_lo"]) / planes
+    stations = loads.shape[1]
+    for k in range(b["n_nodes"]):
+        node = nodes[k]
+        slot = node["pair"] % b["n_pair"]
+        forces[slot] += now["flank"] * node["elastic"]
+        a, end = _line_ends(b, now["psi"] + now["tooth"] - node["pair"])
+        for s in range(stations):
+            z = a + s / (stations - 1) * (end - a)
+            plane = min(max((z - now["z_lo"]) / width - 0.5, 0.0), planes - 1.0)
+            loads[slot, s] += node["elastic"] / width * max(0.0, 1.0 - abs(plane - node["plane"]))
 
 
 @kernel
@@ -97,9 +126,12 @@ def contact_lines(b, question):
         forces[k] = 0.0
         for s in range(stations):
             loads[k, s] = 0.0
-    if b["source"] != PROFILE or n == 0 or now["eps"] <= 0.0 or now["z_hi"] <= now["z_lo"]:
+    if b["source"] == PHASE or n == 0 or now["eps"] <= 0.0 or now["z_hi"] <= now["z_lo"]:
         return
     if countable(deflection, now["travel"], b["p_bt"], now["eps"]) != OK:
+        return
+    if b["source"] == SURFACE:
+        _surface_loads(b, x_0, forces, loads)
         return
     middle = now["psi"] + 0.5 * now["lam"] * (now["z_lo"] + now["z_hi"])
     reach = 0.5 * abs(now["lam"]) * (now["z_hi"] - now["z_lo"])

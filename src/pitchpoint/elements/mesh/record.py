@@ -192,6 +192,15 @@ _SCRATCH = [
     ("by_tan", "f8"),
     ("by_dz", "f8"),  # and the energy of the flank, less that by x_0 and tilt: derivatives by mean travel,
     # by tan alpha and by the axial offset
+    ("plane_step", "f8"),  # distance of the contact planes
+    (
+        "place_slope",
+        "f8",
+        2,
+    ),  # of the middle of a plane by the axial offset: at the width 0, and over the width
+    ("xi_slope", "f8"),  # of the path position by tan alpha
+    ("xi_rate", "f8", 2),  # rate of the path position of a plane: at the width 0, and over the width
+    ("x_rate", "f8", 2),  # rate of the penetration of unmodified flanks on the path of contact, likewise
     ("per_z", "f8", 4),
     ("per_roll", "f8", 4),  # grid steps per metre
     ("rows", "i8", (2, N_ROW)),  # grid rows of the two teeth of a pair

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import flank_radius, half_width, peak_pressure, plane_strain_compliance
 from pitchpoint.core.kernel import plain
-from pitchpoint.elements.mesh.record import PROFILE
+from pitchpoint.elements.mesh.record import PHASE
 from pitchpoint.elements.mesh.tooth_pairs import pair_teeth
 from pitchpoint.report.scene.contact_lines import BevelLines, ContactLines, MeshLines, Read
 from pitchpoint.report.scene.motion import shown_bodies
@@ -58,7 +58,7 @@ def scene_contacts(
     shown = shown_bodies(system)
     for name, mesh in lines.meshes.items():
         m = mesh_names(system).index(name)
-        if mesh.first["source"] != PROFILE:
+        if mesh.first["source"] == PHASE:
             notes.append(
                 f"mesh {name}: its stiffness law has no single tooth pairs, so contact lines have no loads"
             )

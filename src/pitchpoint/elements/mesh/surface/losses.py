@@ -25,7 +25,8 @@ def with_losses(b, x, w, elastic, found):
         share, slope = structural_share(w, b["structural"], b["structural_speed"])
         f += elastic[0] * share
         by_x += elastic[1] * share
-        by_w += elastic[0] * slope
+        if b["request"]["jac"] != 2:  # a dry friction, which has no linearisation at rest
+            by_w += elastic[0] * slope
     if b["oil_rate"] > 0.0:
         film, film_by_x, film_by_w = film_force(x, w, b["oil_rate"], b["oil_film"], b["oil_power"])
         f += film

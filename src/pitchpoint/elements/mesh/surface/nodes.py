@@ -22,7 +22,7 @@ from pitchpoint.contact.tip_contact import tip_gap, tip_gap_curvature
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh.flank_deviations import begin_separation, find_rows, flank_slopes
 from pitchpoint.elements.mesh.line_of_action import pooled
-from pitchpoint.elements.mesh.nodes import drift, set_levers, width_rate
+from pitchpoint.elements.mesh.nodes import set_levers
 from pitchpoint.elements.mesh.sums import add_friction, add_normal
 from pitchpoint.elements.mesh.tooth_pairs import pair_teeth
 
@@ -38,9 +38,15 @@ NODE = np.dtype(
         ("z", "f8"),
         ("xi", "f8"),  # width and path position from the pitch point [m]
         ("x", "f8"),  # penetration without deformation [m]
+        ("plain", "i8"),  # 1: unmodified flanks on the path of contact, the next four fields are 0
         ("by_xi", "f8"),
         ("by_tan", "f8"),
-        ("by_z", "f8", 2),  # its derivatives by path position, by tan(alpha), and by the widths on both gears
+        (
+            "by_z",
+            "f8",
+            2,
+        ),  # derivatives of x by path position, without that by the misalignment, by tan(alpha),
+        # and by the widths on both gears
         ("roll", "f8", 2),  # lengths of roll on both gears [m], signed
         ("roll_by_xi", "f8", 2),
         ("roll_by_tan", "f8", 2),
@@ -62,12 +68,27 @@ def begin_surface(b):
     now["by_travel"] = 0.0
     now["by_tan"] = 0.0
     now["by_dz"] = 0.0
-    now["growth"] = 0.0
+    width = now["z_hi"] - now["z_lo"]
+    now["plane_step"] = width / b["slices"]
+    now["growth"] = (now["hi_slope"] - now["lo_slope"]) / width
     if b["n_sep"] > 0:
         begin_separation(b)
-        return
-    now["tan_a"] = now["sin_a"] / now["cos_a"]
-    now["tan_rate"] = now["xi_A_rate"] / b["r_b2"]
+    else:
+        now["tan_a"] = now["sin_a"] / now["cos_a"]
+        now["tan_rate"] = now["xi_A_rate"] / b["r_b2"]
+    place = now["place_slope"]
+    place[1] = now["growth"]
+    place[0] = now["lo_slope"] - now["z_lo"] * place[1]
+    now["xi_slope"] = -0.5 * (b["r_b1"] - b["r_b2"]) * now["sin_a"] * now["sin_a"]
+    # path positions and penetrations are linear over the width, and so are their rates
+    fh = now["flank"] * b["tan_b"]
+    xi = now["xi_rate"]
+    xi[0] = now["flank"] * now["travel_rate"] + now["xi_slope"] * now["tan_rate"]
+    xi[0] += fh * (b["w1"] - 0.5 + place[0]) * now["dz_rate"]
+    xi[1] = fh * place[1] * now["dz_rate"]
+    x = now["x_rate"]
+    x[0] = -now["kappa"] * (fh * xi[0] + (place[0] - b["w_z"]) * now["dz_rate"])
+    x[1] = -now["kappa"] * (fh * xi[1] + place[1] * now["dz_rate"])
 
 
 @kernel
@@ -84,8 +105,7 @@ def first_pair(b):
 @kernel
 def plane_place(b, s):
     """Middle of the contact plane s, from the pitch point along the axes [m]."""
-    now = b["now"]
-    return now["z_lo"] + (s + 0.5) / b["slices"] * (now["z_hi"] - now["z_lo"])
+    return b["now"]["z_lo"] + (s + 0.5) * b["now"]["plane_step"]
 
 
 @kernel
@@ -132,7 +152,8 @@ def set_node(b, node, xi, z, place, eta, deviating):
     node["z"] = z
     node["xi"] = xi
     node["x"] = now["x_0"] - now["kappa"] * (z + fh * xi)
-    node["by_xi"] = -now["kappa"] * fh
+    node["plain"] = 1 if place == ON_PATH and not deviating else 0
+    node["by_xi"] = 0.0
     node["by_tan"] = 0.0
     roll = node["roll"]
     by_xi = node["roll_by_xi"]
@@ -188,30 +209,16 @@ def _set_tip(b, node, edge, mate, eta, way, r_edge):
 
 
 @kernel
-def path_slopes(b, z):
-    """Derivatives of the path position of a point at a constant fraction of the width, and of its width.
-
-    By mean travel, tan(alpha) and axial offset of the gears; of the width by the offset.
-    """
-    now = b["now"]
-    share = (z - now["z_lo"]) / (now["z_hi"] - now["z_lo"])
-    of_z = now["lo_slope"] + share * (now["hi_slope"] - now["lo_slope"])
-    fh = now["flank"] * b["tan_b"]
-    by_tan = -0.5 * (b["r_b1"] - b["r_b2"]) * now["sin_a"] * now["sin_a"]
-    return float(now["flank"]), by_tan, fh * (b["w1"] - 0.5 + of_z), of_z
-
-
-@kernel
 def node_rate(b, node):
     """Rate of the penetration of a node whose levers are set, without deformation [m/s]."""
     now = b["now"]
-    lever = b["lever"]
     z = node["z"]
-    by_T, by_tan, by_dz, _ = path_slopes(b, z)
-    xi_rate = by_T * now["travel_rate"] + by_tan * now["tan_rate"] + by_dz * now["dz_rate"]
-    w = lever[0] * b["rate"][0] + lever[1] * b["rate"][1]
-    w += node["by_xi"] * xi_rate + node["by_tan"] * now["tan_rate"] - now["kappa"] * drift(b, z)
-    z_rate = width_rate(b, z) + b["w1"] * now["dz_rate"]
+    w = b["rate"][0] + b["lever"][1] * b["rate"][1] + now["x_rate"][0] + now["x_rate"][1] * z
+    if node["plain"] == 1:
+        return w
+    xi_rate = now["xi_rate"][0] + now["xi_rate"][1] * z
+    w += node["by_xi"] * xi_rate + node["by_tan"] * now["tan_rate"]
+    z_rate = (now["place_slope"][0] + now["place_slope"][1] * z + b["w1"]) * now["dz_rate"]
     return w + node["by_z"][0] * z_rate + node["by_z"][1] * (z_rate - now["dz_rate"])
 
 
@@ -223,12 +230,13 @@ def add_slopes(b, node, f, by_xi, by_tan, by_z):
     `by_z`: by the axial position of the plane on gear 1, and likewise on gear 2 [N].
     """
     now = b["now"]
-    over_T, over_tan, over_dz, of_z = path_slopes(b, node["z"])
-    s = f * node["by_xi"] + by_xi
-    now["by_travel"] += s * over_T
-    now["by_tan"] += s * over_tan + f * node["by_tan"] + by_tan
+    fh = now["flank"] * b["tan_b"]
+    of_z = now["place_slope"][0] + now["place_slope"][1] * node["z"]
+    s = f * (node["by_xi"] - now["kappa"] * fh) + by_xi
+    now["by_travel"] += s * now["flank"]
+    now["by_tan"] += s * now["xi_slope"] + f * node["by_tan"] + by_tan
     shift = of_z + b["w1"]
-    now["by_dz"] += s * over_dz - f * now["kappa"] * (of_z - b["w_z"])
+    now["by_dz"] += s * fh * (shift - 0.5) - f * now["kappa"] * (of_z - b["w_z"])
     now["by_dz"] += (f * node["by_z"][0] + by_z[0]) * shift
     now["by_dz"] += (f * node["by_z"][1] + by_z[1]) * (shift - 1.0)
 

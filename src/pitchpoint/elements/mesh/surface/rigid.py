@@ -41,7 +41,7 @@ def _store(b, node, k, u, soft):
     now["by_dz"] += energy * now["growth"]
     if soft == 0.0:
         return
-    slope = by_soft * b["slices"] / (now["z_hi"] - now["z_lo"])
+    slope = by_soft / now["plane_step"]
     of_roll = node["soft_by_roll"]
     of_z = node["soft_by_z"]
     by_xi = of_roll[0] * node["roll_by_xi"][0] + of_roll[1] * node["roll_by_xi"][1]
@@ -61,7 +61,7 @@ def _add(b, watch, node, k):
     stiffness = 0.0
     f = by_x = by_w = 0.0
     if x > 0.0:
-        soft = node["soft"] * b["slices"] / (b["now"]["z_hi"] - b["now"]["z_lo"])
+        soft = node["soft"] / b["now"]["plane_step"]
         f, by_x, by_w, elastic, stiffness, u, _ = flank_force(b["contact"], x, k, 0.0, w, soft)
         if watch == 1 or b["now"]["growth"] != 0.0 or soft > 0.0:
             _store(b, node, k, u, soft)
@@ -90,9 +90,7 @@ def rigid_flank(record, watch, _):
         return OK
     now = b["now"]
     begin_surface(b)
-    width = now["z_hi"] - now["z_lo"]
-    now["growth"] = (now["hi_slope"] - now["lo_slope"]) / width
-    k = b["c_prime"] * width / b["slices"]
+    k = b["c_prime"] * now["plane_step"]
     bounds = tip_bounds(b)
     nodes = node_array(b)
     found = 0
