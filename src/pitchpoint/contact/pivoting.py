@@ -188,7 +188,7 @@ def _infeasible(C, n, limit, state, on, v):
     count = 0
     lowest = -1
     for i in range(n):
-        if on[MEMBER, i] == 0 and v[OVERLAP, i] > limit:
+        if on[MEMBER, i] == 0 and not v[OVERLAP, i] <= limit:
             on[MEMBER, i] = 2
         if on[MEMBER, i] >= 2:
             count += 1

@@ -20,6 +20,7 @@ CONTACT_STATE = np.dtype(
         ("m", "i8"),  # nodes in contact
         ("factored", "i8"),  # 1: U is a factor for these nodes, with the slopes of an earlier iteration
         ("exact", "i8"),  # 1: with the slopes of the solution
+        ("rate", "f8"),  # last ratio of successive residuals with this factor, 0: none yet
         ("approach", "f8"),  # rigid-body approach X of the last `solve_load` [m]
         ("newton", "i8"),  # Newton steps since the workspace was made
         ("factorisations", "i8"),
