@@ -16,8 +16,8 @@ from __future__ import annotations
 import numpy as np
 
 from pitchpoint.contact.active_block import solve_block
+from pitchpoint.contact.active_nodes import TOLERANCE, factorise, residual
 from pitchpoint.contact.local_approach import local_force
-from pitchpoint.contact.pivoting import TOLERANCE, factorise, residual
 from pitchpoint.contact.unilateral_work import (
     APPROACH,
     FORCE,
@@ -147,9 +147,10 @@ def newton(C, node, n, load, state, on, v, U):
 
     Examples
     --------
+    >>> from pitchpoint.contact.local_approach import N_NODE, D
     >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
-    >>> work, node = ContactWorkspace.of(2), np.zeros((2, 8))
-    >>> work.v[PENETRATION, :2], node[:, 0] = (9.0, 2.0), 1.0
+    >>> work, node = ContactWorkspace.of(2), np.zeros((2, N_NODE))
+    >>> work.v[PENETRATION, :2], node[:, D] = (9.0, 2.0), 1.0
     >>> newton(np.array([[2.0, 1.0], [1.0, 2.0]]), node, 2, 0.0, *work.arrays())
     1
     >>> work.v[FORCE, :2].tolist()

@@ -2,8 +2,8 @@
 """Unilateral contact under a given total force: rigid-body approach and forces.
 
 The penetrations are x_i = p_i X - g_i with one approach X, gaps g_i and weights p_i > 0, and the load is
-sum p_i f_i = F. The weights are the derivatives of the penetrations by X, so that F X is the work of the load:
-F increases with X, from 0 at the first contact, and the approach is unique.
+sum p_i f_i = F. The weights are the derivatives of the penetrations by X, so that F dX is the work of the
+load: F increases with X, from 0 at the first contact, and the approach is unique.
 
 Source: Judice and Pires, Comput. Oper. Res. 21 (1994) 587-596, for the forces at one approach. Derivation:
 docs/decisions/0032-unilateral-contact.md.
@@ -16,17 +16,14 @@ import numpy as np
 from pitchpoint.contact.active_newton import newton
 from pitchpoint.contact.local_approach import local_approach
 from pitchpoint.contact.unilateral import solve_contact, solve_tangent, tangent_block
-from pitchpoint.contact.unilateral_work import FORCE, GAP, LISTED, SIDE, WEIGHT, ContactWorkspace, forget
+from pitchpoint.contact.unilateral_work import FORCE, GAP, LISTED, SIDE, WEIGHT, forget
 from pitchpoint.core.kernel import kernel
-from pitchpoint.core.status import NOT_FINITE, OK, REFUSED, SINGULAR, SLOW
+from pitchpoint.core.status import NOT_FINITE, OK, REFUSED, SLOW
 
 _SEARCHES = 200
 """Maximum number of approaches of a search; fewer than ten are needed."""
 _EXACT = 1e-12
 """Relative error of the load at the end of a search."""
-
-#: Two nodes as in `unilateral.PAIR`, for examples.
-PAIR = np.array([[2.0, 1.0], [1.0, 2.0]]), np.eye(8)[[0, 0]]
 
 
 @kernel
@@ -116,8 +113,10 @@ def solve_load(C, node, gap, weight, load, state, on, v, U):
 
     Examples
     --------
-    >>> work = ContactWorkspace.of(2)
-    >>> solve_load(*PAIR, np.array([0.0, 4.0]), np.ones(2), 10.0, *work.arrays())
+    >>> from pitchpoint.contact.local_approach import N_NODE, D
+    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
+    >>> C, node, work = np.array([[2.0, 1.0], [1.0, 2.0]]), np.eye(N_NODE)[[D, D]], ContactWorkspace.of(2)
+    >>> solve_load(C, node, np.array([0.0, 4.0]), np.ones(2), 10.0, *work.arrays())
     1
     >>> float(work.state["approach"][0]), work.v[FORCE, :2].tolist()
     (22.0, [6.0, 4.0])
@@ -150,7 +149,7 @@ def solve_load(C, node, gap, weight, load, state, on, v, U):
         y = _alone(C, node, load, first, v)
     state["approach"] = y
     status = newton(C, node, n, load, state, on, v, U)
-    if status == SLOW or status == SINGULAR:
+    if status == SLOW:
         status = _search(C, node, n, load, y, state, on, v, U)
     if status != OK:
         forget(n, state, v)

@@ -34,8 +34,8 @@ CONTACT_STATE = np.dtype(
 
 #: Rows of the vectors. By node: force, overlap x - C f, penetration x, gap, weight.
 FORCE, OVERLAP, PENETRATION, GAP, WEIGHT = range(5)
-#: By position in the list of nodes in contact: approach, its slope, Newton step, second right-hand side, forces
-#: before a step, reciprocal diagonal of the factor.
+#: By position in the list of nodes in contact: local approach, its slope, residual and then Newton step,
+#: second right-hand side, step of `pivoting`, reciprocal diagonal of the factor.
 APPROACH, SLOPE, STEP, SIDE, BASE, INVERSE = range(5, 11)
 N_VECTOR = 11
 

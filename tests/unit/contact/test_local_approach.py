@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Hertzian approach of a contact node: published numbers, slopes against complex steps, energy against work."""
+"""Hertzian approach of a contact node: published numbers, slopes by complex steps, energy as work."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ CASES = {
     ],
 )
 def test_line_compliance_of_one_body(q, numbers):
-    """Bracket of one steel body, 1e-3 um per N/mm, at the depths 0.5, 0.8 and 1 mm; printed with 5 decimals."""
+    """Bracket of one steel body, 1e-3 um per N/mm, at the depths 0.5, 0.8 and 1 mm; 5 decimals."""
     for depth, number in zip((0.5e-3, 0.8e-3, 1.0e-3), numbers, strict=True):
         node = node_of(1e-3, RADIUS_17_43, (depth, depth), (STEEL, STEEL))
         assert 0.5 * local_approach(node, 0, q)[0] / q * 1e9 == pytest.approx(number, rel=1e-6)
@@ -123,7 +123,9 @@ def test_slope_is_unbounded_only_as_a_logarithm(case):
 def test_energy_is_the_integral_of_the_approach(case, f):
     node = node_of(*CASES[case])
     # f = g^2 removes the singularity of the slope from the integrand
-    work = quad(lambda g: approach(g * g, *CASES[case]) * 2.0 * g, 0.0, math.sqrt(f), epsabs=0.0, epsrel=1e-12)
+    work = quad(
+        lambda g: approach(g * g, *CASES[case]) * 2.0 * g, 0.0, math.sqrt(f), epsabs=0.0, epsrel=1e-12
+    )
     assert local_energy(node, 0, f) == pytest.approx(work[0], rel=1e-11)
 
 
