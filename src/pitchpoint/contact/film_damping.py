@@ -35,7 +35,8 @@ def film_force(x, w, rate, film, power):
     Returns
     -------
     tuple
-        Force rate w b^power for 0 < b < 1, rate w for b >= 1, 0 for b <= 0 [N]; derivatives by x and w.
+        Force rate w b^power for 0 < b < 1, rate w for b >= 1, 0 for b <= 0 [N]; derivatives by x and w
+        (docs/theory/flank_contact.md, "Damping of the planes").
 
     Examples
     --------
