@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear, minimize
 
-from pitchpoint.contact.local_approach import local_energy
-from pitchpoint.contact.unilateral import solve_tangent, tangent_block
+from pitchpoint.contact.local_approach import N_NODE, local_energy
+from pitchpoint.contact.unilateral import solve_contact, solve_tangent, tangent_block
 from pitchpoint.contact.unilateral_work import LISTED, ContactWorkspace
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR
@@ -190,7 +190,7 @@ def test_no_exchanges_by_murty_for_flanks():
 @pytest.mark.nojit
 @pytest.mark.parametrize("hertzian", [False, True])
 def test_limits(hertzian):
-    """All apart, at zero, one node, all in contact, and no node at all."""
+    """All apart, at zero, uncoupled, and all in contact."""
     rng = np.random.default_rng(2)
     p, size = random_problem("regular", 6, hertzian, rng)
     for x in (np.full(6, -size), np.zeros(6), np.array([0.0, -0.0, -size, 0.0, -size, -size])):
@@ -198,7 +198,6 @@ def test_limits(hertzian):
         assert solved.status[0] == OK
         assert not solved.f.any()
         assert solved.energy[0] == 0.0
-    assert solve(p, np.zeros((1, 0))).status[0] == OK
     alone, _ = random_problem("none", 6, hertzian, rng)
     x = size * np.array([1.0, -1.0, 0.0, 1e-3, 1e-6, 1e-11])
     solved = solve(alone, x)
@@ -206,6 +205,14 @@ def test_limits(hertzian):
     assert (solved.f[0] > 0.0).tolist() == [True, False, False, True, True, True]
     x = p.C @ np.ones(6) * 1e3 + p.approach(np.full(6, 1e3))
     assert solve(p, x).f[0] == pytest.approx(1e3, rel=1e-11)
+
+
+@pytest.mark.nojit
+def test_no_nodes():
+    work = ContactWorkspace.of(0)
+    empty = np.zeros((0, 0)), np.zeros((0, N_NODE)), np.zeros(0)
+    assert plain(solve_contact)(*empty, *work.arrays()) == OK
+    assert work.state["m"][0] == 0
 
 
 @pytest.mark.nojit

@@ -9,8 +9,11 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from pitchpoint.contact.local_approach import N_NODE
 from pitchpoint.contact.unilateral import solve_tangent, tangent_block
-from pitchpoint.contact.unilateral_work import LISTED
+from pitchpoint.contact.unilateral_load import solve_load
+from pitchpoint.contact.unilateral_work import LISTED, ContactWorkspace
+from pitchpoint.core.kernel import plain
 from pitchpoint.core.status import NOT_FINITE, OK, REFUSED
 from tests.support.unilateral import KINDS, Problem, problem, random_problem, solve, with_nodes
 
@@ -126,7 +129,6 @@ def test_first_contact_and_tiny_loads():
         ([0.0, 1.0], [1.0, 1.0], -1.0, REFUSED),
         ([0.0, 1.0], [1.0, 0.0], 1.0, REFUSED),
         ([0.0, 1.0], [1.0, -1.0], 1.0, REFUSED),
-        ([], [], 1.0, REFUSED),
         ([0.0, np.nan], [1.0, 1.0], 1.0, NOT_FINITE),
         ([0.0, np.inf], [1.0, 1.0], 1.0, NOT_FINITE),
         ([0.0, 1.0], [1.0, np.nan], 1.0, NOT_FINITE),
@@ -135,12 +137,18 @@ def test_first_contact_and_tiny_loads():
     ],
 )
 def test_wrong_values_have_a_status(gap, weight, load, status):
-    n = len(gap)
-    p = problem(np.zeros((n, n)), np.ones(n))
-    solved = solve(p, np.array([gap]), weight=np.array(weight) if n else np.ones(1), load=[load])
+    p = problem(np.zeros((2, 2)), np.ones(2))
+    solved = solve(p, np.array([gap]), weight=np.array(weight), load=[load])
     assert solved.status[0] == status
     assert not solved.f.any()
     assert solved.approach[0] == 0.0
+
+
+@pytest.mark.nojit
+def test_load_without_nodes():
+    none = np.zeros(0)
+    arrays = ContactWorkspace.of(0).arrays()
+    assert plain(solve_load)(np.zeros((0, 0)), np.zeros((0, N_NODE)), none, none, 1.0, *arrays) == REFUSED
 
 
 def test_stiffness_and_work_of_the_load():
