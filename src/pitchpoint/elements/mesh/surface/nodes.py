@@ -122,12 +122,12 @@ def node_place(b, xi):
 
 @kernel
 def tip_bounds(b):
-    """Half the curvature of the gap of both tip edges: eta^2 times this is less than the gap [1/m]."""
+    """Lower bounds of the gaps of both tip edges over eta^2 [1/m]."""
     now = b["now"]
     tan_a = now["tan_a"]
     c_1 = tip_gap_curvature(b["r_b1"], b["r_b2"], b["rho_a1"] - b["rounding"][0], tan_a)
     c_2 = tip_gap_curvature(b["r_b2"], b["r_b1"], b["rho_a2"] - b["rounding"][1], tan_a)
-    return 0.25 * c_1, 0.25 * c_2
+    return b["tip_share"][0] * c_1, b["tip_share"][1] * c_2
 
 
 @kernel
@@ -194,16 +194,16 @@ def _set_tip(b, node, edge, mate, eta, way, r_edge):
     """
     r = b["r_b2"] if edge == 0 else b["r_b1"]
     L = b["rho_a1"] if edge == 0 else b["rho_a2"]
-    gap, by_eta, by_tan, roll, roll_by_eta, roll_by_tan = tip_gap(
-        eta, r_edge, r, L - b["rounding"][edge], b["now"]["tan_a"]
-    )
+    radius = b["rounding"][edge]
+    found = tip_gap(eta, r_edge, r, L - radius, b["now"]["tan_a"])
+    gap, by_eta, by_tan, roll, roll_by_eta, roll_by_tan, _, _ = found
     node["x"] -= gap
     node["by_xi"] -= way * by_eta
     node["by_tan"] -= by_tan + by_eta * r_edge
     node["roll"][edge] = L
     node["roll_by_xi"][edge] = 0.0
     node["roll_by_tan"][edge] = 0.0
-    node["roll"][mate] = roll
+    node["roll"][mate] = roll - radius
     node["roll_by_xi"][mate] = way * roll_by_eta
     node["roll_by_tan"][mate] = roll_by_tan + roll_by_eta * r_edge
 
