@@ -94,7 +94,7 @@ _SURFACE = [
         "tip_share",
         "f8",
         2,
-    ),  # lower bound of the gap of a tip edge within reach, over its curvature times eta^2
+    ),  # lower bound of a tip gap within reach over curvature eta^2; -1: not known yet
     ("nodes", "i8"),  # nodes of one flank, offset in the pool [max_nodes]
     ("max_nodes", "i8"),
     ("n_nodes", "i8"),  # result: nodes of the flank evaluated last

@@ -18,7 +18,6 @@ from pitchpoint.contact.compliance.heights import dual
 from pitchpoint.contact.compliance.pair import contact_depth, pair_slice
 from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.stiffness.description import PairShape
-from pitchpoint.contact.tip_contact import tip_gap_curvature, tip_gap_floor
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
 from pitchpoint.elements.mesh.surface.scratch import scratch_size
@@ -261,17 +260,6 @@ def pairs_in_reach(pair: GearPair) -> int:
     return math.ceil(pair.eps_gamma + 2.0 * REACH) + 1
 
 
-def _set_tips(row: Any, tan_a: float) -> None:
-    """Set the lower bounds of the gaps of the tip edges, at the nominal centre distance with a margin."""
-    for k, mate in ((0, 1), (1, 0)):
-        r = row["r_b1"], row["r_b2"]
-        edge = r[k], r[mate], float(row[f"rho_a{k + 1}"] - row["rounding"][k]), tan_a
-        curvature = float(tip_gap_curvature(*edge))
-        row["tip_share"][k] = 0.0
-        if math.isfinite(curvature) and curvature > 0.0:
-            row["tip_share"][k] = 0.5 * float(tip_gap_floor(float(row["reach"]), *edge)) / curvature
-
-
 def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callable[[Array], int]) -> None:
     """Set the fields of the tooth surfaces of a mesh record; stiffness and geometry must be set.
 
@@ -289,7 +277,7 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     row["source"], row["slices"] = layout.SURFACE, contact.planes
     row["is_rigid"] = contact.elastic is None
     row["reach"] = REACH * row["p_bt"]
-    _set_tips(row, math.tan(pair.alpha_wt))
+    row["tip_share"] = -1.0
     row["max_nodes"] = contact.planes * pairs_in_reach(pair)
     row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
     cos_b = math.cos(pair.gear1.beta_b)
