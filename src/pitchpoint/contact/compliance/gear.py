@@ -31,9 +31,9 @@ COUPLINGS = ("plate", "springs", "none")
 STEEL = LIBRARY["steel"]
 
 _HEIGHTS = leggauss(24)
-_LEAST_WAVES, _MOST_WAVES = 8, 32
-_PER_MODULE = 1.5
-"""Legendre polynomials along the trace per normal module of face width."""
+_LEAST_WAVES, _MOST_WAVES = 8, 40
+_PER_PLANE = 1.5
+"""Legendre polynomials along the trace per plane."""
 
 
 @dataclass(frozen=True)
@@ -217,7 +217,8 @@ def flank_compliance(
     before, following = plate.uniform(part.ground)
     turn = congruence(before, target)
     if coupling == "plate":
-        waves = min(_MOST_WAVES, max(_LEAST_WAVES, planes, round(_PER_MODULE * gear.b / gear.m_n)))
+        waves = math.ceil(_PER_PLANE * planes * gear.b / (high - low))
+        waves = min(_MOST_WAVES, max(_LEAST_WAVES, waves))
         length = gear.b / tooth.cos_beta
         ground = foundation(tooth, part.radii, material, body, wave_numbers(waves, length))
         edges = np.linspace(low, high, planes + 1) / half

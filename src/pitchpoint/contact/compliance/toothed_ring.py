@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 _REACH = 12.0
 """Largest order times half the angle of the strip with the full response of the ring."""
-_TAIL = 600.0
+_TAIL = 200.0
 """The same for the tail, at uniform tractions along the face width."""
 
 
