@@ -62,7 +62,7 @@ _GEOMETRY = [
     ("xi_0", "f8"),  # mean path position of the front flank at zero angles, less its involute part
     ("xi_b", "f8"),  # the same for the back flank
     ("rho_a1", "f8"),
-    ("rho_a2", "f8"),  # lengths of roll up to the tips: sqrt(r_a^2 - r_b^2)
+    ("rho_a2", "f8"),  # lengths of roll up to the tip form circles: sqrt(r_Fa^2 - r_b^2)
 ]
 
 _STIFFNESS = [
