@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Left half of the outline of one pitch: involute, fillet and root circle in closed form.
 
-Frame as in `pitchpoint.geometry.tooth_form`: tooth on the +x axis, points x + iy. Positions on the involute are
-lengths of roll ρ, positions on the fillet are angles between its tangent and the centre line of the tooth.
+Frame as in `pitchpoint.geometry.tooth_form`: tooth on the +x axis, points x + iy. Positions on the involute
+are lengths of roll ρ, positions on the fillet are angles between its tangent and the tooth centre line.
 
 Derivation: docs/theory/tooth_fe.md, "Mesh".
 """
@@ -88,7 +88,7 @@ class Contour:
         return float(tangent[-1]), float(tangent[0])
 
     def fillet_length_at(self, tangent: FloatArray) -> FloatArray:
-        """Arc length [m] from the root circle to points of the fillet with given tangent angles [rad], (n,)."""
+        """Arc lengths from the root circle [m] of points with tangent angles [rad], shape (n,)."""
         _, _, length, angle = self._fillet
         order = np.argsort(angle)
         return np.interp(tangent, angle[order], length[order])

@@ -20,11 +20,11 @@ from pitchpoint.contact.tooth_fe.width_basis import WidthBasis
 FloatArray = NDArray[np.float64]
 
 _FLOOR = 1e-9
-"""Smallest eigenvalue of the compliance of a tooth relative to its largest, above the error of the solution."""
+"""Smallest eigenvalue of the compliance of a tooth relative to its largest; above round-off errors."""
 _COMMON = 0.95
 """Largest part of the compliance of a tooth that is common to all teeth, in any pattern of forces."""
 _NEIGHBOUR = 0.5
-"""Largest ratio of coupling to own compliance for which rows of any number of teeth are positive semidefinite."""
+"""Largest ratio of coupling to own compliance for which any number of teeth is positive semidefinite."""
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Load cases of a tooth: forces on its left flank, and forces whose displacements are stresses of its fillet.
+"""Load cases of the left flank of a tooth: Legendre polynomials over height and width.
 
-Heights on the flank are t from -1 at the root end of the involute to +1 at its tip end, linear in the length of
-roll. Flank forces are Legendre polynomials in t and in z.
+Heights t are -1 at the root end of the involute and +1 at its tip end, linear in the length of roll.
 
 Derivation: docs/theory/tooth_fe.md, "Loads".
 """
@@ -43,7 +42,7 @@ def gauss_heights(count: int) -> tuple[FloatArray, FloatArray]:
 
 
 def flank_load(mesh: SectionMesh, contour: Contour, rho: float) -> tuple[int, FloatArray, FloatArray]:
-    """Element, shares of its nodes, shape (n,), and their forces, shape (n, 2), of a unit force along the base tangent into the left flank.
+    """Unit force into the left flank along the base tangent, as forces on the nodes of an element.
 
     Parameters
     ----------
@@ -51,6 +50,14 @@ def flank_load(mesh: SectionMesh, contour: Contour, rho: float) -> tuple[int, Fl
         The section.
     rho
         Length of roll [m].
+
+    Returns
+    -------
+    element : int
+    shares : ndarray, shape (n,)
+        Shares of the nodes.
+    forces : ndarray, shape (n, 2)
+        Forces on the nodes.
     """
     borders = mesh.flank_roll**2
     rising = 1.0 if borders[-1] > borders[0] else -1.0

@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.tooth_fe.contour import ComplexArray, Contour
-from pitchpoint.contact.tooth_fe.section_mesh import SectionMesh
 from pitchpoint.contact.tooth_fe.loads import flank_cases
+from pitchpoint.contact.tooth_fe.section_mesh import SectionMesh
 from pitchpoint.contact.tooth_fe.solid import PLANE_STRAIN, Freedoms, LoadCase, Solid
 from pitchpoint.contact.tooth_fe.substructure import Part
 

@@ -19,7 +19,7 @@ FloatArray = NDArray[np.float64]
 
 
 def stress_points(contour: Contour, count: int) -> FloatArray:
-    """Tangent angles of points of the fillet [rad], shape (count,), from root to involute, with the 30° tangent.
+    """Tangent angles of points of the fillet [rad], from root to involute, shape (count,).
 
     Parameters
     ----------
@@ -27,6 +27,11 @@ def stress_points(contour: Contour, count: int) -> FloatArray:
         Outline of the tooth.
     count
         Number of points.
+
+    Notes
+    -----
+    The point nearest to the critical section of ISO 6336-3 is moved to it: tangent at 30°, for internal gears
+    at 60°.
     """
     low, high = contour.tangent_range
     found = np.linspace(min(high, math.radians(80.0)), max(low, 0.0), count)

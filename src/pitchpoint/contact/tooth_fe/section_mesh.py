@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Structured mesh of the transverse section of one pitch: tooth, root and body down to the clamped circle.
 
-The tooth is a block of rows between its flanks. It stands on an arc between the middles of both fillets, which
+The tooth is a block of rows between its flanks. It ends at an arc between the middles of both fillets, which
 is part of the upper edge of the body; the columns of the body continue from this edge to the clamped circle.
 
 Derivation: docs/theory/tooth_fe.md, "Mesh".
@@ -21,7 +21,7 @@ from pitchpoint.contact.tooth_fe.contour import ComplexArray, Contour, FloatArra
 IntArray = NDArray[np.int64]
 
 _SAG = 0.3
-"""Height of the arc below the tooth relative to half its chord: its ends meet flank and root at larger angles."""
+"""Height of the arc below the tooth relative to half its chord, for larger angles at its ends."""
 _DEEP = 1.2
 """Depth of the layers that follow the contour of the root, in modules; deeper layers are concentric rings."""
 _LAND = 0.3
@@ -38,10 +38,10 @@ class Density:
         Polynomial order.
     across
         Borders of the columns of the tooth from its centre line (0) to its left flank (1).
-    fillet, flank
-        Rows of the tooth at the upper part of the fillet and at the involute.
-    root
-        Columns beside the tooth at the lower part of the fillet.
+    flank
+        Borders of the rows at the involute from its root end (0) to its tip end (1), in arc length.
+    fillet, root
+        Rows of the tooth at the upper part of the fillet, columns beside the tooth at its lower part.
     body
         Borders of the layers below the root, from its contour (0) to the first ring (1).
     growth
@@ -50,8 +50,8 @@ class Density:
 
     order: int = 4
     across: tuple[float, ...] = (0.0, 0.7, 1.0)
+    flank: tuple[float, ...] = (0.0, 0.5, 1.0)
     fillet: int = 1
-    flank: int = 2
     root: int = 1
     body: tuple[float, ...] = (0.0, 0.3, 1.0)
     growth: float = 3.0
@@ -145,13 +145,14 @@ def section_mesh(
         Radius between rim and web [m]; None without web.
     """
     q, form = density.order, contour.form
-    low, high = contour.tangent_range
-    middle = float(contour.fillet_length_at(np.array([0.5 * (max(low, 0.0) + high)]))[0])
+    tangent = 0.5 * (max(contour.tangent_range[0], 0.0) + contour.tangent_range[1])
+    middle = float(contour.fillet_length_at(np.array([tangent]))[0])
     root = _root_borders(contour, density, middle)
     edge = contour.root(nodes_between(root, q))  # from the middle of the root to the foot of the tooth
     upper = np.linspace(middle, contour.fillet_length, density.fillet + 1)
     # equal arc lengths, which are proportional to the squares of the lengths of roll
-    roll = np.linspace(*(rho * rho for rho in contour.roll), density.flank + 1)
+    low, high = (rho * rho for rho in contour.roll)
+    roll = low + (high - low) * np.array(density.flank)
     involute = contour.involute(np.sqrt(nodes_between(roll, q)))
     side = np.append(contour.root(nodes_between(upper, q)), involute[1:])
     if form.sign * (form.r_a - form.r_Fa) > 1e-6 * module:
@@ -283,7 +284,7 @@ def _numbered(
 
 
 def _positions(shape: tuple[int, ...], first: int, sign: int) -> IntArray:
-    """Grid positions of a block of elements (column, row): columns from `first`, rows 0, 1 ... or -1, -2 ..."""
+    """Grid positions of a block of elements: columns from `first`, rows 0, 1 ... or -1, -2 ..."""
     column, row = np.indices(shape)
     row = row if sign > 0 else -1 - row
     return np.column_stack([first + column.ravel(), row.ravel()])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Substructures: stiffness and loads of parts of a solid, condensed to the nodes at their borders.
 
-Parts are joined in pairs; nodes inside are eliminated by Cholesky factorisation (nested dissection: A. George,
-SIAM J. Numer. Anal. 10 (1973) 345).
+Parts are joined in pairs and nodes inside are eliminated by Cholesky factorisation (nested dissection: A.
+George, SIAM J. Numer. Anal. 10 (1973) 345).
 """
 
 from __future__ import annotations

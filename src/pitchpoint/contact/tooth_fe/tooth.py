@@ -46,7 +46,7 @@ class ToothFE:
         These points at the loaded side of tooth 0 in the section z = 0 [m], shape (F, 2).
     stress
         Stress along the profile, stress along the width and shear stress in the surface of the fillet, as
-        polynomials ψ_p(z), due to forces on the previous tooth (clockwise), the same and the next tooth [1/m],
+        polynomials ψ_p(z), due to forces on the previous (clockwise), the same and the next tooth [1/m],
         shape (F, 3, P, 3, M, P).
     provenance
         Settings of the calculation.
