@@ -20,7 +20,7 @@ import pytest
 from pitchpoint.contact.hertz import half_width, plane_strain_compliance
 from pitchpoint.contact.tooth_fe.section_mesh import Density
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-from tests.support.plane_teeth import E, FINE, NU, PlaneTooth, approach
+from tests.support.plane_teeth import FINE, NU, E, PlaneTooth, approach
 
 TOOTH = {z: PlaneTooth(CylindricalGear(z=z, m_n=1e-3), FINE) for z in (17, 43)}
 PITCH = {17: 8.5e-3, 43: 21.5e-3}
