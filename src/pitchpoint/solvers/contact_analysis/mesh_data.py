@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 import numpy as np
@@ -63,3 +64,14 @@ def mesh_geometry(flanks: FlankStates) -> tuple[dict[str, Any], dict[str, Any]]:
         "mark": (("mark",), list(MARKS), {"units": "1", "long_name": "point of the path of contact"}),
     }
     return variables, coordinates
+
+
+def contact_options(flanks: FlankStates) -> dict[str, str | int | float]:
+    """Level of the contact and its options that are numbers or texts, by their keys in the model file."""
+    contact = flanks.model.meshes[flanks.mesh].contact
+    assert contact is not None
+    values = {
+        "level": contact.level,
+        **{f.name: getattr(contact, f.name) for f in dataclasses.fields(contact)},
+    }
+    return {name: value for name, value in values.items() if isinstance(value, str | int | float)}

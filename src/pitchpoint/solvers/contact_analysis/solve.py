@@ -17,7 +17,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.solvers.contact_analysis.mesh_data import mesh_geometry
+from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -151,7 +151,8 @@ def _attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any)
         status=status,
         wall_s=wall_s,
     )
-    return {"title": flanks.model.title, "model_text": model_text(flanks.model), "mesh": flanks.mesh, **found}
+    about = {"title": flanks.model.title, "model_text": model_text(flanks.model), "mesh": flanks.mesh}
+    return {**about, **contact_options(flanks), **found}
 
 
 def _dataset(
