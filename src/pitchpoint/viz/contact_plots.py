@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Plots of a contact analysis: contact pattern, pressure and load along the path, load over the face width."""
+"""Plots of a contact analysis: contact pattern, path, face width, torque."""
 
 from __future__ import annotations
 
@@ -9,10 +9,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.flank_contact.contact_pattern import ContactPattern, on_flank
+from pitchpoint.analysis.flank_contact.contact_pattern import (
+    ContactField,
+    ContactPattern,
+    on_flank,
+    on_path,
+)
 from pitchpoint.analysis.flank_contact.teeth import MARKS, MeshTeeth
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import Array, number, scale
+from pitchpoint.viz.quantities import Array, Scale, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -23,14 +28,34 @@ FIELDS = {
     "line_load": ("line load", "N/m"),
 }
 """Fields of a contact pattern: name and unit."""
+LINE_LOAD = Scale("N/mm", 1e-3)
+"""Loads per width; channels in N/m are stiffnesses elsewhere."""
 HEIGHT, MARGINS, TEXT_HEIGHT = 420, 90, 15
 """Height of a pattern, its margins, and a line of text [pixels]."""
 HALO = 0.04
 """Space around the range of contact, as a share of it."""
 
 
-def plot_contact_pattern(pattern: ContactPattern, name: str, gear: int = 1, title: str = "") -> go.Figure:
-    """Map of a field on the flank of one gear over face width and roll angle, with diameters at A to E.
+def plot_path_pattern(pattern: ContactPattern, name: str) -> go.Figure:
+    """Map of a field of one tooth pair over face width and position on the path of contact.
+
+    The position is the roll angle of gear 1 on the line of action; it continues before A and beyond E, where
+    tip edges are in contact.
+
+    Parameters
+    ----------
+    pattern
+        Contact pattern of one tooth pair.
+    name
+        Field: `pressure`, `any_pressure` (tip edges included) or `line_load`.
+    """
+    field, teeth = on_path(pattern, name), pattern.teeth
+    roll = teeth.mark_roll[0, 0] + teeth.base_pitch * field.place
+    return _map(field, roll, name, teeth, 1, "roll angle of gear 1 on the path [°]")
+
+
+def plot_flank_pattern(pattern: ContactPattern, name: str, gear: int = 1) -> go.Figure:
+    """Map of a field on the flank of one gear over face width and roll angle: maxima during contact.
 
     Parameters
     ----------
@@ -40,19 +65,21 @@ def plot_contact_pattern(pattern: ContactPattern, name: str, gear: int = 1, titl
         Field: `pressure`, `any_pressure` (tip edges included) or `line_load`.
     gear
         1 or 2.
-    title
-        Text above the map.
     """
     field = on_flank(pattern, name, gear)
-    teeth = pattern.teeth
+    return _map(field, field.place, name, pattern.teeth, gear, f"roll angle of gear {gear} [°]")
+
+
+def _map(
+    field: ContactField, roll: Array, name: str, teeth: MeshTeeth, gear: int, vertical: str
+) -> go.Figure:
+    """Map over face width and roll angle, with diameters at A to E."""
     words, unit = FIELDS[name]
-    shown = scale(unit, field.values)
-    across = scale("m", teeth.z)
+    shown = LINE_LOAD if unit == "N/m" else scale(unit, field.values)
     edges = np.append(teeth.z - 0.5 * teeth.width, teeth.z[-1] + 0.5 * teeth.width[-1])
-    angle = np.degrees(field.roll / teeth.base_radius[gear - 1])
-    figure = theme.figure(
-        across.title("face width z"), f"roll angle of gear {gear} [°]", height=HEIGHT, title=None
-    )
+    across = scale("m", edges)
+    angle = np.degrees(roll / teeth.base_radius[gear - 1])
+    figure = theme.figure(across.title("face width z"), vertical, height=HEIGHT)
     most = float(np.nanmax(field.values)) if np.isfinite(field.values).any() else 1.0
     figure.add_heatmap(
         x=(edges * across.factor).astype(np.float32),
@@ -71,10 +98,8 @@ def plot_contact_pattern(pattern: ContactPattern, name: str, gear: int = 1, titl
         hovertemplate="z %{x:.4g}, roll angle %{y:.4g}°: %{z:.5g}<extra></extra>",
     )
     _mark_diameters(figure, teeth, gear, (float(angle[0]), float(angle[-1])))
-    figure.update_xaxes(showgrid=False)
-    figure.update_yaxes(showgrid=False)
-    if title:
-        figure.update_layout(title=theme.title_above(title))
+    figure.update_xaxes(showgrid=False, zeroline=False)
+    figure.update_yaxes(showgrid=False, zeroline=False)
     return figure
 
 
@@ -110,27 +135,35 @@ def _mark_diameters(figure: go.Figure, teeth: MeshTeeth, gear: int, ends: tuple[
 
 
 def plot_along_path(
-    curves: Mapping[str, tuple[ArrayLike, ArrayLike]], teeth: MeshTeeth, title: str, unit: str = "1"
+    curves: Mapping[str, tuple[ArrayLike, ArrayLike]],
+    teeth: MeshTeeth,
+    title: str,
+    unit: str = "1",
+    *,
+    of_pair: bool = True,
 ) -> go.Figure:
-    """Curves of one tooth pair along the path of contact, with A to E.
+    """Curves along the path of contact, with A to E.
 
     Parameters
     ----------
     curves
-        Positions [base pitches from A] and values in SI by name.
+        Positions [base pitches from A] and values in SI by name; drawn from the first to the last that is not
+        zero.
     teeth
         Geometry of the mesh.
     title
         Name of the vertical axis.
     unit
         SI unit of the values; "%" for shares.
+    of_pair
+        Whether the position is that of a tooth pair in the middle of the face, or of each contact.
     """
     data = {name: np.asarray(values, dtype=np.float64) for name, (_, values) in curves.items()}
     every = np.concatenate([*data.values(), np.zeros(1)])
     shown = scale(unit, every) if unit != "%" else None
     factor = shown.factor if shown else 100.0
     figure = theme.figure(
-        "position of the tooth pair from A [base pitches]",
+        f"position {'of the tooth pair' if of_pair else 'on the path'} from A [base pitches]",
         shown.title(title) if shown else f"{title} [%]",
         height=360,
         margin={"t": 52},
@@ -147,6 +180,10 @@ def plot_along_path(
         )
     top = float(np.nanmax(every)) * factor
     figure.update_yaxes(range=[0.0, 1.06 * top if top > 0.0 else 1.0])
+    ways = [np.asarray(way)[np.nan_to_num(data[name]) != 0.0] for name, (way, _) in curves.items()]
+    drawn = np.concatenate([*ways, [0.0, teeth.eps_alpha]])
+    edge = 0.03 * float(np.ptp(drawn))
+    figure.update_xaxes(range=[float(drawn.min()) - edge, float(drawn.max()) + edge])
     mark_path(figure, teeth)
     figure.update_layout(showlegend=len(curves) > 1)
     return figure
@@ -182,7 +219,7 @@ def plot_load_over_width(z: ArrayLike, loads: Mapping[str, ArrayLike], width: Ar
     middle, plane = np.asarray(z, dtype=np.float64), np.asarray(width, dtype=np.float64)
     edges = np.append(middle - 0.5 * plane, middle[-1] + 0.5 * plane[-1])
     data = {name: np.asarray(values, dtype=np.float64) for name, values in loads.items()}
-    shown, across = scale("N/m", np.concatenate([*data.values()])), scale("m", edges)
+    shown, across = LINE_LOAD, scale("m", edges)
     figure = theme.figure(across.title("face width z"), shown.title("line load over the width"), height=340)
     for k, (name, values) in enumerate(data.items()):
         figure.add_scatter(

@@ -25,15 +25,15 @@ class Column(NamedTuple):
 COLUMNS = (
     Column("mean_transmission_error", "TE mean", "length"),
     Column("transmission_error_pp", "TE p–p", "length", 4),
-    Column("mean_secant_stiffness", "stiffness secant", "stiffness"),
-    Column("mean_mesh_stiffness", "stiffness tangent", "stiffness"),
-    Column("flank_pressure", "pressure flank", "pressure", 4),
-    Column("edge_pressure", "pressure tip edge", "pressure", 4),
+    Column("mean_secant_stiffness", "k secant", "stiffness"),
+    Column("mean_mesh_stiffness", "k tangent", "stiffness"),
+    Column("flank_pressure", "p flank", "pressure", 4),
+    Column("edge_pressure", "p tip edge", "pressure", 4),
     Column("face_load_factor", "K_Hβ", "dimensionless"),
     Column("transverse_load_factor", "K_Hα", "dimensionless"),
     Column("line_load_ratio", "w max/mean", "dimensionless", 4),
-    Column("loaded_pairs", "loaded pairs", "dimensionless", 4),
-    Column("loss_factor", "loss H_V", "dimensionless", 4),
+    Column("loaded_pairs", "pairs", "dimensionless", 4),
+    Column("loss_factor", "H_V", "dimensionless", 4),
 )
 """Main results of a contact analysis, one row per torque."""
 

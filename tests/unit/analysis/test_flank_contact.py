@@ -7,7 +7,12 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from pitchpoint.analysis.flank_contact.contact_pattern import contact_pattern, load_sharing, on_flank
+from pitchpoint.analysis.flank_contact.contact_pattern import (
+    contact_pattern,
+    load_sharing,
+    on_flank,
+    on_path,
+)
 from pitchpoint.analysis.flank_contact.load_factors import (
     OVER,
     face_load_factor,
@@ -157,8 +162,8 @@ def test_pattern_on_the_flank(gear):
     pattern = contact_pattern(shared_equally(FZG, 200, planes=3))
     field = on_flank(pattern, "line_load", gear)
     path = (FZG.T1A, FZG.T1E) if gear == 1 else (FZG.T1T2 - FZG.T1E, FZG.T1T2 - FZG.T1A)
-    assert (field.roll[0], field.roll[-1]) == pytest.approx(path, rel=1e-12)
-    ways = field.roll if gear == 1 else FZG.T1T2 - field.roll
+    assert (field.place[0], field.place[-1]) == pytest.approx(path, rel=1e-12)
+    ways = field.place if gear == 1 else FZG.T1T2 - field.place
     w = 302.0 / FZG.gear1.r_b / B
     step = FZG.p_et / 200
     for low, high, share in (
@@ -177,20 +182,62 @@ def test_pattern_leaves_places_without_contact_empty():
     for name in ("line_load", "pressure", "edge_pressure", "roll_1", "roll_2", "plane_force"):
         data[name] = data[name].where(~hole)
     field = on_flank(contact_pattern(data), "any_pressure")
-    gone = np.abs(field.roll - FZG.T1C) < 0.8e-3
+    gone = np.abs(field.place - FZG.T1C) < 0.8e-3
     assert np.all(np.isnan(field.values[gone]))
     assert np.isfinite(field.values).sum() > 0.8 * field.values.size
 
 
-def test_tip_edges_keep_their_largest_value():
-    """Beyond E the tip edge of gear 1 is in contact over a range of the flank of gear 2."""
+def with_tip_edge(length):
+    """Tip edge of gear 1 in contact over a length of the path beyond E, with a pressure that falls there."""
     data = shared_equally(FZG, 100)
-    last = data["roll_1"] > FZG.T1E - 1e-3
-    data["edge_pressure"] = data["pressure"].where(last) * (data["roll_1"] / FZG.T1E) ** 10
-    data["pressure"] = data["pressure"].where(~last)
-    data["roll_1"] = data["roll_1"].where(~last, FZG.T1E).where(data["plane_force"] > 0.0)
-    field = on_flank(contact_pattern(data), "edge_pressure", 1)
-    assert np.isfinite(field.values).sum() == 1
-    assert field.values[-1, 0] == pytest.approx(1e9, rel=0.05)
-    mate = on_flank(contact_pattern(data), "edge_pressure", 2)
-    assert np.isfinite(mate.values).sum() > 5
+    place = data["mesh_phase_position"] + data["tooth_pair"]
+    edge = (place >= FZG.eps_alpha) & (place < FZG.eps_alpha + length)
+    beyond = place - FZG.eps_alpha
+    data["edge_pressure"] = data["pressure"].fillna(0.0) * 0.0 + 2e9 * (1.0 - beyond)
+    data["edge_pressure"] = data["edge_pressure"].where(edge)
+    data["roll_1"] = data["roll_1"].where(~edge, FZG.T1E)
+    # over places of the flank of gear 2 that are in contact before, too
+    data["roll_2"] = data["roll_2"].where(~edge, FZG.T1T2 - FZG.T1E + 0.3 * FZG.p_et * beyond)
+    return data
+
+
+def test_tip_edges_have_their_largest_value():
+    """At one place of their own gear, over a range of the other; there flanks and edges overlap."""
+    pattern = contact_pattern(with_tip_edge(0.2))
+    own = on_flank(pattern, "edge_pressure", 1)
+    assert np.isfinite(own.values).sum() == 1
+    assert own.values[-1, 0] == pytest.approx(2e9, rel=0.02)
+    mate = on_flank(pattern, "edge_pressure", 2)
+    touched = np.isfinite(mate.values[:, 0])
+    assert mate.place[touched].max() == pytest.approx(
+        FZG.T1T2 - FZG.T1E + 0.06 * FZG.p_et, abs=0.02 * FZG.p_et
+    )
+    both = on_flank(pattern, "any_pressure", 2)
+    assert np.all(both.values[touched] >= 1.5e9)
+    assert both.values[~touched & np.isfinite(both.values[:, 0])] == pytest.approx(1e9, rel=1e-12)
+
+
+def test_pattern_over_the_path_includes_contact_beyond_E():
+    pattern = contact_pattern(with_tip_edge(0.2))
+    field = on_path(pattern, "any_pressure")
+    assert field.place[0] == 0.0
+    assert field.place[-1] == pytest.approx(FZG.eps_alpha + 0.2, abs=0.02)
+    at_E = field.place < FZG.eps_alpha - 0.02
+    assert field.values[at_E] == pytest.approx(1e9, rel=1e-12)
+    assert field.values[-1, 0] == pytest.approx(1.6e9, rel=0.02)
+
+
+def test_planes_are_at_their_own_place_of_the_path():
+    """Helical teeth: the load of a plane belongs to the position of the plane."""
+    data = shared_equally(FZG, 400, planes=3)
+    data["plane_advance"] = "plane", [-0.25, 0.0, 0.25]
+    along = (data["mesh_phase_position"] + data["tooth_pair"] + data["plane_advance"]).transpose(*OVER[1:])
+    on = (along >= 0.0) & (along <= FZG.eps_alpha)
+    data["line_load"] = (along * 1e5).where(on).expand_dims(torque=1)
+    field = on_path(contact_pattern(data), "line_load", points=50)
+    inside = (field.place > 0.01) & (field.place < FZG.eps_alpha - 0.01)
+    for plane in range(3):
+        # tooth pairs -1 to 1 reach these places in all planes
+        known = inside & np.isfinite(field.values[:, plane])
+        assert known.sum() > 40
+        assert field.values[known, plane] == pytest.approx(1e5 * field.place[known], rel=1e-9)

@@ -10,7 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.analysis.flank_contact.contact_pattern import ContactPattern, contact_pattern, load_sharing
+from pitchpoint.analysis.flank_contact.contact_pattern import (
+    ContactPattern,
+    contact_pattern,
+    load_sharing,
+    on_path,
+)
 from pitchpoint.analysis.flank_contact.load_factors import load_over_width
 from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.viz import contact_plots as plots
@@ -54,10 +59,17 @@ def _add_analysis(section: Section, data: xr.Dataset) -> None:
     most = int(np.argmax(torques))
     pattern = contact_pattern(data, most)
     at = amount(float(torques[most]), "N m")
+    section.add_figure(
+        plots.plot_path_pattern(pattern, "line_load"),
+        f"Line load of one tooth pair at {at}: normal force per length of the contact line, over the path of "
+        "contact with contacts of tip edges before A and beyond E.",
+    )
     for gear in (1, 2):
-        for field in ("any_pressure", "line_load") if gear == 1 else ("any_pressure",):
-            drawn = plots.plot_contact_pattern(pattern, field, gear)
-            section.add_figure(drawn, _pattern_words(field, gear, at))
+        section.add_figure(
+            plots.plot_flank_pattern(pattern, "any_pressure", gear),
+            f"Contact pattern on the flank of gear {gear} at {at}: maximum Hertzian pressure at each place, "
+            "rounded tip edges included.",
+        )
     chosen = chosen_torques(torques)
     names = {k: amount(float(torques[k]), "N m") for k in chosen}
     _add_path(section, data, pattern, names, at)
@@ -67,8 +79,8 @@ def _add_analysis(section: Section, data: xr.Dataset) -> None:
         plots.plot_load_over_width(
             data["plane"].values, {names[k]: loads[k] for k in chosen}, data["plane_width"].values
         ),
-        "Line load over the face width, integrated over the profile: sum of all tooth pairs, mean over the mesh "
-        f"cycle. K_Hβ, its maximum over its mean, is {number(float(found['face_load_factor'][most]), 4)} at {at}.",
+        "Line load over the face width, integrated over the profile: sum of all tooth pairs, mean over the "
+        f"mesh cycle. Maximum over mean, K_Hβ, at {at}: {number(float(found['face_load_factor'][most]), 4)}.",
     )
     if torques.size > 2:
         section.add_figure(
@@ -90,11 +102,13 @@ def _add_path(
         ),
         "Load share of one tooth pair from its first to its last contact; A to E for contact at mid-face.",
     )
-    curves = {"flanks": (pattern.position, _largest(pattern.pressure))}
-    if np.isfinite(pattern.edge_pressure).any():
-        curves["tip edges"] = pattern.position, _largest(pattern.edge_pressure)
+    curves = {}
+    for words, name in (("flanks", "pressure"), ("tip edges", "edge_pressure")):
+        field = on_path(pattern, name)
+        if np.isfinite(field.values).any():
+            curves[words] = field.place, _largest(field.values)
     section.add_figure(
-        plots.plot_along_path(curves, pattern.teeth, "maximum pressure", "Pa"),
+        plots.plot_along_path(curves, pattern.teeth, "maximum pressure", "Pa", of_pair=False),
         f"Maximum contact pressure over the face width along the path of contact, at {at}.",
     )
 
@@ -114,8 +128,8 @@ def _add_cycle(section: Section, data: xr.Dataset, names: Mapping[int, str], mos
         plots.plot_stiffness(
             phase, data["mesh_stiffness"].values[most], data["secant_stiffness"].values[most]
         ),
-        f"Stiffness along the base tangent at {at}. Tangent: derivative of the mesh force, for vibration about "
-        "the loaded state; secant: mesh force over the approach from first contact.",
+        f"Stiffness along the base tangent at {at}. Tangent: derivative of the mesh force, for vibration "
+        "about the loaded state; secant: mesh force over the approach from first contact.",
     )
 
 
@@ -165,13 +179,3 @@ def _cell(value: float, dimension: str, digits: int) -> str:
     from pitchpoint.core.units import format_quantity
 
     return format_quantity(value, dimension, digits) if np.isfinite(value) else "–"
-
-
-def _pattern_words(field: str, gear: int, at: str) -> str:
-    words = {
-        "any_pressure": "maximum Hertzian pressure, tip edges with a rounding included",
-        "line_load": "normal force per length of the contact line",
-    }
-    return (
-        f"Contact pattern on the flank of gear {gear} at {at}: {words[field]}; all positions of a tooth pair."
-    )
