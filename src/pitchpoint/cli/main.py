@@ -26,6 +26,7 @@ COMMANDS = {
     "clearance": "Clearances between assembled gears, with pictures.",
     "mass": "Mass and inertia from geometry, solids, given values.",
     "mesh": "Mesh stiffness over the mesh cycle.",
+    "contact": "Loaded tooth contact: load distribution, pressure, TE.",
     "frequencies": "Frequencies of shafts, meshes, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",
     "frf": "Frequency response about an operating point.",
