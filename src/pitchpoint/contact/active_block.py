@@ -31,8 +31,8 @@ _SINGULAR = 2e-14
 def pack_block(C, on, m, slope, U):
     """Copy the block of m nodes to the upper triangle of U and add slopes to its diagonal.
 
-    The block is completed with rows and columns of the unit matrix to a multiple of `ROWS`; further columns up
-    to the next multiple of `LANES` are set to zero.
+    The block is completed with rows and columns of the unit matrix to a multiple of `ROWS`; further columns
+    up to the next multiple of `LANES` are set to zero.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def pack_block(C, on, m, slope, U):
 
 @kernel
 def _root(pivot, diagonal):
-    """Reciprocal root of a pivot, and its status: not positive within the rounding of the diagonal element."""
+    """Reciprocal root of a pivot, and SINGULAR if it is not positive within the rounding of the diagonal."""
     if pivot > _SINGULAR * diagonal and pivot < np.inf:
         return 1.0 / math.sqrt(pivot), OK
     return 0.0, SINGULAR if pivot <= _SINGULAR * diagonal else NOT_FINITE

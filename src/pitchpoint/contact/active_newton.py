@@ -5,16 +5,19 @@ One step: overlaps of all nodes; nodes that overlap join the set; residuals and 
 solution with the factor at hand, or a new one; nodes that would pull leave the set. With a prescribed total
 force the rigid-body approach is one more unknown, eliminated by a second right-hand side.
 
-A factor serves as long as it reduces residuals tenfold, over calls as well. Without exchanges and with a fresh
+A factor serves over calls, as long as each step with it reduces residuals to less than 1/300: one more
+factorisation costs about as much as two steps. Without exchanges and with a fresh
 factor this is Newton's method; with exchanges it is block pivoting with inexact solutions (the primal-dual
 active set method of Hintermueller, Ito and Kunisch, SIAM J. Optim. 13 (2002) 865-888), which may cycle.
 """
 
 from __future__ import annotations
 
+import numpy as np
+
 from pitchpoint.contact.active_block import solve_block
+from pitchpoint.contact.active_nodes import TOLERANCE, factorise, residual
 from pitchpoint.contact.local_approach import local_force
-from pitchpoint.contact.pivoting import TOLERANCE, factorise, residual
 from pitchpoint.contact.unilateral_work import (
     APPROACH,
     FORCE,
@@ -33,8 +36,10 @@ from pitchpoint.core.status import NOT_FINITE, OK, SLOW
 
 _STEPS = 30
 """Maximum number of steps; two to five are needed, about ten from scratch."""
-_STALE = 0.1
+_STALE = 3e-3
 """Ratio of successive residuals above which the factor is renewed."""
+_TRUST = 1e-3
+"""Smallest ratio of residuals that is expected of the last step."""
 _SHORT = 0.3
 """A force that would fall below this fraction is scaled with its overlap instead."""
 
@@ -49,7 +54,7 @@ def _join(C, node, n, limit, state, on, v):
     f = v[FORCE]
     o = v[OVERLAP, :n]
     for i in range(n):
-        if o[i] > limit and f[i] == 0.0:
+        if not o[i] <= limit and f[i] == 0.0:  # overlap, or not a number
             force = local_force(node, i, o[i], C[i, i])
             row = C[i]
             f[i] = force
@@ -95,7 +100,10 @@ def _apply(state, on, v):
 
 @kernel
 def _border(load, state, on, v, U):
-    """Complete the step in row STEP by the rigid-body approach so that the weighted forces sum to the load."""
+    """Complete the step in row STEP by the rigid-body approach so that the weighted forces sum to the load.
+
+    Returns the largest change of a penetration; not finite if the set has no stiffness.
+    """
     m = state["m"]
     side = v[SIDE]
     for k in range(m):
@@ -103,15 +111,17 @@ def _border(load, state, on, v, U):
     solve_block(U, m, v[INVERSE], side)
     lacking = load
     soft = 0.0
+    most = 0.0
     for k in range(m):
         i = on[LISTED, k]
         lacking -= v[WEIGHT, i] * (v[FORCE, i] + v[STEP, k])
         soft += v[WEIGHT, i] * side[k]
+        most = max(most, v[WEIGHT, i])
     by = lacking / soft
     for k in range(m):
         v[STEP, k] += by * side[k]
     state["approach"] += by
-    return OK if soft > 0.0 else NOT_FINITE
+    return most * abs(by)
 
 
 @kernel
@@ -137,10 +147,10 @@ def newton(C, node, n, load, state, on, v, U):
 
     Examples
     --------
-    >>> import numpy as np
+    >>> from pitchpoint.contact.local_approach import N_NODE, D
     >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
-    >>> work, node = ContactWorkspace.of(2), np.zeros((2, 8))
-    >>> work.v[PENETRATION, :2], node[:, 0] = (9.0, 2.0), 1.0
+    >>> work, node = ContactWorkspace.of(2), np.zeros((2, N_NODE))
+    >>> work.v[PENETRATION, :2], node[:, D] = (9.0, 2.0), 1.0
     >>> newton(np.array([[2.0, 1.0], [1.0, 2.0]]), node, 2, 0.0, *work.arrays())
     1
     >>> work.v[FORCE, :2].tolist()
@@ -160,7 +170,8 @@ def newton(C, node, n, load, state, on, v, U):
         if sound != 0.0:
             return NOT_FINITE
         limit = TOLERANCE * scale
-        if _join(C, node, n, limit, state, on, v) > 0:
+        joined = _join(C, node, n, limit, state, on, v) > 0
+        if joined:
             state["factored"] = 0
             before = 0.0
             # the slopes of the new nodes, and the residuals that their forces leave
@@ -168,20 +179,24 @@ def newton(C, node, n, load, state, on, v, U):
         m = state["m"]
         if m == 0:
             return OK if load == 0.0 else SLOW
-        rate = largest / before if before > 0.0 else 1.0
-        if state["factored"] == 0 or (before > 0.0 and rate > _STALE):
+        rate = min(largest / before, 1.0) if before > 0.0 else 1.0
+        if before > 0.0:
+            state["rate"] = rate
+        if state["factored"] == 0 or state["rate"] > _STALE:
             status = factorise(C, state, on, v, U)
             if status != OK:
                 return status
             state["exact"] = 1
+            state["rate"] = 0.0
         solve_block(U, m, v[INVERSE], v[STEP])
         state["newton"] += 1
         if load > 0.0:
-            status = _border(load, state, on, v, U)
-            if status != OK:
-                return status
+            change = _border(load, state, on, v, U)
+            if not change < np.inf:
+                return NOT_FINITE
+            largest = max(largest, change)
         scaled = _apply(state, on, v)
         before = 0.0 if scaled else largest
-        if not scaled and largest * min(rate, 1.0) <= 0.1 * limit:
+        if not joined and not scaled and largest * max(rate, _TRUST) <= 0.1 * limit:
             return OK
     return SLOW

@@ -120,8 +120,9 @@ def local_approach(node, i, f):
 def local_force(node, i, overlap, compliance):
     """Force at which the approach of node i plus a linear compliance equals an overlap >= 0 [N].
 
-    Root of h(f) + compliance f = overlap. As h is concave, scaling a force by overlap over approach leads to a
-    force above the root, and Newton's method from there to one below, from which it increases monotonically.
+    Root of h(f) + compliance f = overlap. As h is concave, scaling a force by overlap over approach leads to
+    a force above the root, and Newton's method from there to one below, from which it increases
+    monotonically.
 
     Parameters
     ----------

@@ -14,25 +14,13 @@ Derivation: docs/decisions/0032-unilateral-contact.md.
 
 from __future__ import annotations
 
-from pitchpoint.contact.active_block import factorise_block, pack_block, solve_block, subtract_columns
-from pitchpoint.contact.local_approach import local_approach, local_force
-from pitchpoint.contact.unilateral_work import (
-    APPROACH,
-    BASE,
-    FORCE,
-    INVERSE,
-    LISTED,
-    MEMBER,
-    OVERLAP,
-    PENETRATION,
-    SLOPE,
-    STEP,
-)
+from pitchpoint.contact.active_block import solve_block
+from pitchpoint.contact.active_nodes import TOLERANCE, factorise, residual
+from pitchpoint.contact.local_approach import local_force
+from pitchpoint.contact.unilateral_work import BASE, FORCE, INVERSE, LISTED, MEMBER, OVERLAP, SLOPE, STEP
 from pitchpoint.core.kernel import kernel
 from pitchpoint.core.status import NOT_FINITE, OK, SLOW
 
-TOLERANCE = 1e-12
-"""Largest residual overlap, relative to the largest penetration."""
 _CHANCES = 5
 """Block exchanges without a decrease of the number of infeasible nodes before Murty's rule."""
 _STEPS = 80
@@ -41,82 +29,6 @@ _HALVINGS = 60
 """Maximum number of halvings of a Newton step."""
 _ROUNDING = 1e-15
 """Rounding error of a residual relative to the largest product of compliance and force, per node."""
-
-
-@kernel
-def residual(C, node, n, m, on, v):
-    """Residuals of the nodes in contact at the current forces; approach, slope and overlap on the way.
-
-    Parameters
-    ----------
-    C, node
-        Compliance matrix and nodes.
-    n, m
-        Number of nodes, and of those in contact.
-    on, v
-        Indices and vectors of the workspace; the residuals are in row STEP.
-
-    Returns
-    -------
-    tuple
-        Largest absolute residual [m]; a number that is 0 if all residuals are finite and NaN otherwise.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
-    >>> work, node = ContactWorkspace.of(2), np.zeros((2, 8))
-    >>> work.v[PENETRATION, :2], work.v[FORCE, :2], node[:, 0] = (9.0, 2.0), (1.0, 0.0), 3.0
-    >>> C = np.array([[2.0, 1.0], [1.0, 2.0]])
-    >>> tuple(float(value) for value in residual(C, node, 2, 1, work.on, work.v))
-    (4.0, 0.0)
-    """
-    f = v[FORCE]
-    o = v[OVERLAP]
-    approach = v[APPROACH]
-    slopes = v[SLOPE]
-    step = v[STEP]
-    listed = on[LISTED]
-    subtract_columns(C, listed, m, f, v[PENETRATION, :n], o)
-    largest = 0.0
-    sound = 0.0
-    for k in range(m):
-        i = listed[k]
-        h, slope = local_approach(node, i, f[i])
-        approach[k] = h
-        slopes[k] = slope
-        r = o[i] - h
-        step[k] = r
-        sound += 0.0 * r
-        largest = max(largest, abs(r))
-    return largest, sound
-
-
-@kernel
-def factorise(C, state, on, v, U):
-    """Factorise the block of the nodes in contact with the slopes in row SLOPE; returns a status.
-
-    Parameters
-    ----------
-    C
-        Compliance matrix.
-    state, on, v, U
-        Workspace.
-
-    Examples
-    --------
-    >>> import numpy as np
-    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
-    >>> state, on, v, U = ContactWorkspace.of(1).arrays()
-    >>> state["m"], v[SLOPE, 0] = 1, 1.0
-    >>> factorise(np.array([[3.0]]), state, on, v, U), float(U[0, 0])
-    (1, 2.0)
-    """
-    pack_block(C, on[LISTED], state["m"], v[SLOPE], U)
-    status = factorise_block(U, state["m"], v[INVERSE])
-    state["factorisations"] += 1
-    state["factored"] = 1 if status == OK else 0
-    return status
 
 
 @kernel
@@ -188,7 +100,7 @@ def _infeasible(C, n, limit, state, on, v):
     count = 0
     lowest = -1
     for i in range(n):
-        if on[MEMBER, i] == 0 and v[OVERLAP, i] > limit:
+        if on[MEMBER, i] == 0 and not v[OVERLAP, i] <= limit:
             on[MEMBER, i] = 2
         if on[MEMBER, i] >= 2:
             count += 1
@@ -240,9 +152,10 @@ def pivot(C, node, n, scale, state, on, v, U):
     Examples
     --------
     >>> import numpy as np
-    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
+    >>> from pitchpoint.contact.local_approach import D
+    >>> from pitchpoint.contact.unilateral_work import PENETRATION, ContactWorkspace
     >>> work, node = ContactWorkspace.of(2), np.zeros((2, 8))
-    >>> work.v[PENETRATION, :2], node[:, 0] = (9.0, 2.0), 1.0
+    >>> work.v[PENETRATION, :2], node[:, D] = (9.0, 2.0), 1.0
     >>> pivot(np.array([[2.0, 1.0], [1.0, 2.0]]), node, 2, 9.0, *work.arrays())
     1
     >>> work.v[FORCE, :2].tolist()

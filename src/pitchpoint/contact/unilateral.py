@@ -16,18 +16,14 @@ docs/decisions/0032-unilateral-contact.md.
 
 from __future__ import annotations
 
-import numpy as np
-
 from pitchpoint.contact.active_block import solve_block
 from pitchpoint.contact.active_newton import newton
+from pitchpoint.contact.active_nodes import factorise
 from pitchpoint.contact.local_approach import local_approach, local_energy
-from pitchpoint.contact.pivoting import factorise, pivot
+from pitchpoint.contact.pivoting import pivot
 from pitchpoint.contact.unilateral_work import FORCE, INVERSE, LISTED, PENETRATION, forget
 from pitchpoint.core.kernel import kernel
-from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR, SLOW
-
-#: Two nodes with coupling 1 m/N, own compliance 2 m/N and a linear local approach of 1 m/N, for examples.
-PAIR = np.array([[2.0, 1.0], [1.0, 2.0]]), np.eye(8)[[0, 0]]
+from pitchpoint.core.status import NOT_FINITE, OK, SLOW
 
 
 @kernel
@@ -54,8 +50,11 @@ def solve_contact(C, node, x, state, on, v, U):
 
     Examples
     --------
-    >>> work = ContactWorkspace.of(2)
-    >>> solve_contact(*PAIR, np.array([9.0, 4.0]), *work.arrays())
+    >>> import numpy as np
+    >>> from pitchpoint.contact.local_approach import N_NODE, D
+    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
+    >>> C, node, work = np.array([[2.0, 1.0], [1.0, 2.0]]), np.eye(N_NODE)[[D, D]], ContactWorkspace.of(2)
+    >>> solve_contact(C, node, np.array([9.0, 4.0]), *work.arrays())
     1
     >>> work.v[FORCE, :2].tolist()
     [2.875, 0.375]
@@ -71,7 +70,7 @@ def solve_contact(C, node, x, state, on, v, U):
         forget(n, state, v)
         return OK if sound == 0.0 else NOT_FINITE
     status = newton(C, node, n, 0.0, state, on, v, U)
-    if status == SLOW or status == SINGULAR:
+    if status == SLOW:
         status = pivot(C, node, n, scale, state, on, v, U)
     if status != OK:
         forget(n, state, v)
@@ -97,8 +96,11 @@ def tangent_block(C, state, on, v, U):
 
     Examples
     --------
-    >>> work = ContactWorkspace.of(2)
-    >>> solve_contact(*PAIR, np.array([9.0, 4.0]), *work.arrays()), tangent_block(PAIR[0], *work.arrays())
+    >>> import numpy as np
+    >>> from pitchpoint.contact.local_approach import N_NODE, D
+    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
+    >>> C, node, work = np.array([[2.0, 1.0], [1.0, 2.0]]), np.eye(N_NODE)[[D, D]], ContactWorkspace.of(2)
+    >>> solve_contact(C, node, np.array([9.0, 4.0]), *work.arrays()), tangent_block(C, *work.arrays())
     (1, 1)
     """
     if state["exact"] == 1 and state["factored"] == 1:
@@ -122,8 +124,11 @@ def solve_tangent(state, v, U, b):
 
     Examples
     --------
-    >>> work = ContactWorkspace.of(2)
-    >>> solve_contact(*PAIR, np.array([9.0, 4.0]), *work.arrays())
+    >>> import numpy as np
+    >>> from pitchpoint.contact.local_approach import N_NODE, D
+    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
+    >>> C, node, work = np.array([[2.0, 1.0], [1.0, 2.0]]), np.eye(N_NODE)[[D, D]], ContactWorkspace.of(2)
+    >>> solve_contact(C, node, np.array([9.0, 4.0]), *work.arrays())
     1
     >>> b = np.array([1.0, 0, 0, 0, 0, 0, 0, 0])
     >>> solve_tangent(work.state[0], work.v, work.U, b)
@@ -142,10 +147,13 @@ def contact_energy(node, state, on, v):
 
     Examples
     --------
-    >>> work = ContactWorkspace.of(2)
-    >>> solve_contact(*PAIR, np.array([9.0, 4.0]), *work.arrays())
+    >>> import numpy as np
+    >>> from pitchpoint.contact.local_approach import N_NODE, D
+    >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
+    >>> C, node, work = np.array([[2.0, 1.0], [1.0, 2.0]]), np.eye(N_NODE)[[D, D]], ContactWorkspace.of(2)
+    >>> solve_contact(C, node, np.array([9.0, 4.0]), *work.arrays())
     1
-    >>> float(contact_energy(PAIR[1], work.state[0], work.on, work.v))
+    >>> float(contact_energy(node, work.state[0], work.on, work.v))
     13.6875
     """
     total = 0.0

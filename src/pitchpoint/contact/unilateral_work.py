@@ -20,6 +20,7 @@ CONTACT_STATE = np.dtype(
         ("m", "i8"),  # nodes in contact
         ("factored", "i8"),  # 1: U is a factor for these nodes, with the slopes of an earlier iteration
         ("exact", "i8"),  # 1: with the slopes of the solution
+        ("rate", "f8"),  # last ratio of successive residuals with this factor, 0: none yet
         ("approach", "f8"),  # rigid-body approach X of the last `solve_load` [m]
         ("newton", "i8"),  # Newton steps since the workspace was made
         ("factorisations", "i8"),
@@ -33,8 +34,8 @@ CONTACT_STATE = np.dtype(
 
 #: Rows of the vectors. By node: force, overlap x - C f, penetration x, gap, weight.
 FORCE, OVERLAP, PENETRATION, GAP, WEIGHT = range(5)
-#: By position in the list of nodes in contact: approach, its slope, Newton step, second right-hand side, forces
-#: before a step, reciprocal diagonal of the factor.
+#: By position in the list of nodes in contact: local approach, its slope, residual and then Newton step,
+#: second right-hand side, step of `pivoting`, reciprocal diagonal of the factor.
 APPROACH, SLOPE, STEP, SIDE, BASE, INVERSE = range(5, 11)
 N_VECTOR = 11
 

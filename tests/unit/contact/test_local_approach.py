@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Hertzian approach of a contact node: published numbers, slopes against complex steps, energy against work."""
+"""Hertzian approach of a contact node: published numbers, slopes by complex steps, energy as work."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ CASES = {
     ],
 )
 def test_line_compliance_of_one_body(q, numbers):
-    """Bracket of one steel body, 1e-3 um per N/mm, at the depths 0.5, 0.8 and 1 mm; printed with 5 decimals."""
+    """Bracket of one steel body, 1e-3 um per N/mm, at the depths 0.5, 0.8 and 1 mm; 5 decimals."""
     for depth, number in zip((0.5e-3, 0.8e-3, 1.0e-3), numbers, strict=True):
         node = node_of(1e-3, RADIUS_17_43, (depth, depth), (STEEL, STEEL))
         assert 0.5 * local_approach(node, 0, q)[0] / q * 1e9 == pytest.approx(number, rel=1e-6)

@@ -53,7 +53,7 @@ class FlankStates:
             )
         assert bank.pool is not None
         self.pool = bank.pool
-        link({"gear_mesh": self.records}, {"gear_mesh": self.pool}, {})
+        link({bank.kind: self.records}, {bank.kind: self.pool}, {})
 
     @property
     def record(self) -> np.void:

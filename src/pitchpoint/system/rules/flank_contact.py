@@ -43,7 +43,7 @@ class Influence(Protocol):
         """Compliances of a tooth, shape (planes, planes, 4, 4) [m/N]."""
 
     @property
-    def beside(self) -> Array:
+    def neighbour(self) -> Array:
         """Compliances between neighbouring teeth, likewise."""
 
     @property
@@ -87,7 +87,7 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
     for k, gear in enumerate(elastic.gears):
         low, high = gear.roll
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
-        row["own"][k], row["beside"][k] = keep(gear.own), keep(gear.beside)
+        row["own"][k], row["neighbour"][k] = keep(gear.own), keep(gear.neighbour)
         row["depth"][k] = gear.depth
         row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
