@@ -90,6 +90,11 @@ _SURFACE = [
     ("flexible", "i8"),
     ("reach", "f8"),  # path before A and beyond E on which tip edges may be in contact [m]
     ("rounding", "f8", 2),  # radii of the tip edges
+    (
+        "tip_share",
+        "f8",
+        2,
+    ),  # lower bound of a tip gap within reach over curvature eta^2; -1: not known yet
     ("nodes", "i8"),  # nodes of one flank, offset in the pool [max_nodes]
     ("max_nodes", "i8"),
     ("n_nodes", "i8"),  # result: nodes of the flank evaluated last

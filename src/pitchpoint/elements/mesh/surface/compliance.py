@@ -6,8 +6,8 @@ A force f_j on the plane s_j of a tooth at the height t_j displaces the plane s_
     f_j times the sum over m, n of P_m(t_i) own[s_i, s_j, m, n] P_n(t_j)
 
 with Legendre polynomials P of the height t, -1 at the root and +1 at the tip; that of the next tooth likewise
-by `neighbour` (`contact.compliance`). All nodes of a gear also move by the torsion of its blank. Matrices refer
-to a nominal width of the planes; their change with an axial offset of the gears is neglected.
+by `neighbour` (`contact.compliance`). All nodes of a gear also move by the torsion of its blank. Matrices
+refer to a nominal width of the planes; their change with an axial offset of the gears is neglected.
 """
 
 from __future__ import annotations

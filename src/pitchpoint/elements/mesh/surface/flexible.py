@@ -7,8 +7,8 @@ unilateral`), starting from the last solution. The stored energy is
 
     U = max over f >= 0 of f x - f C f/2 - sum Psi(f)
 
-and all forces on the gears are its slopes: in addition to those of the penetrations also those of the compliances,
-which change as the contact moves over the teeth.
+and all forces on the gears are its slopes: those of the penetrations, and those of the compliances, which
+change as the contact moves over the teeth.
 """
 
 from __future__ import annotations
