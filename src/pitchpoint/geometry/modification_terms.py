@@ -66,7 +66,7 @@ def modification_terms(modifications: FlankModifications, gear: CylindricalGear)
     >>> relieved = FlankModifications(tip_relief=Relief(amount=20e-6, length=4e-3))
     >>> row = modification_terms(relieved, CylindricalGear(z=50, m_n=3e-3, b=0.02))
     >>> (row[TIP : TIP + 3] * [1e6, 1.0, 1.0]).round(6).tolist()
-    [20.0, 0.758177, 1.0]
+    [20.0, 0.758179, 1.0]
     """
     m = modifications
     root, tip = flank_range(gear)

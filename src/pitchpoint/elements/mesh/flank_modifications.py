@@ -32,21 +32,13 @@ def _relief(row, at, u):
 
 
 @kernel
-def modification(b, gear, z, roll):
-    """Gap of the modifications of gear 1 or 2 (0 or 1) of the current flank, and its slopes over z and roll.
+def modification_at(row, t, zeta):
+    """Gap of the modifications in a row at the relative height t and the relative width zeta, and its slopes.
 
-    z: width from the mid-face of the gear [m], roll: length of roll [m], signed. Constant beyond the ends of
-    the flank.
+    Constant beyond 0 <= t <= 1 and -1 <= zeta <= 1.
     """
-    row = view(pooled(b, b["terms"][gear]), (2, N_TERM), F8)[0 if b["now"]["flank"] > 0 else 1]
-    per_z = 2.0 / (b["b1"] if gear == 0 else b["b2"])
-    first = b["roll"][gear, 0]
-    per_roll = 1.0 / (b["roll"][gear, 1] - first)
-    sign = 1.0 if roll > 0.0 else -1.0
-    t = (sign * roll - first) * per_roll
-    zeta = z * per_z
-    per_roll = sign * per_roll if t > 0.0 and t < 1.0 else 0.0
-    per_z = per_z if zeta > -1.0 and zeta < 1.0 else 0.0
+    inside_t = 1.0 if t > 0.0 and t < 1.0 else 0.0
+    inside_zeta = 1.0 if zeta > -1.0 and zeta < 1.0 else 0.0
     t = min(max(t, 0.0), 1.0)
     zeta = min(max(zeta, -1.0), 1.0)
     tip, tip_slope = _relief(row, TIP, t)
@@ -58,4 +50,29 @@ def modification(b, gear, z, roll):
     by_t = 4.0 * row[PROFILE_CROWNING] * c - row[PROFILE_SLOPE] + tip_slope - root_slope
     by_zeta = 2.0 * row[LEAD_CROWNING] * zeta - 0.5 * row[HELIX_SLOPE]
     by_zeta += end_slope if zeta > 0.0 else -end_slope
+    return gap, by_t * inside_t, by_zeta * inside_zeta
+
+
+@kernel
+def relative_place(b, gear, z, roll):
+    """Relative height and width of a point of a flank of gear 1 or 2 (0 or 1), and their slopes.
+
+    z: width from the mid-face of the gear [m], roll: length of roll [m], signed.
+    """
+    per_z = 2.0 / (b["b1"] if gear == 0 else b["b2"])
+    first = b["roll"][gear, 0]
+    per_roll = 1.0 / (b["roll"][gear, 1] - first)
+    sign = 1.0 if roll > 0.0 else -1.0
+    return (sign * roll - first) * per_roll, z * per_z, sign * per_roll, per_z
+
+
+@kernel
+def modification(b, gear, z, roll):
+    """Gap of the modifications of gear 1 or 2 (0 or 1) of the current flank, and its slopes over z and roll.
+
+    z: width from the mid-face of the gear [m], roll: length of roll [m], signed.
+    """
+    row = view(pooled(b, b["terms"][gear]), (2, N_TERM), F8)[0 if b["now"]["flank"] > 0 else 1]
+    t, zeta, per_roll, per_z = relative_place(b, gear, z, roll)
+    gap, by_t, by_zeta = modification_at(row, t, zeta)
     return gap, by_zeta * per_z, by_t * per_roll
