@@ -148,13 +148,15 @@ _EXCITATION = [
     ("e2", "i8"),
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 in mesh at assembly
-    ("n_sep", "i8"),  # 1: some teeth have deviation grids, see `mesh.flank_deviations`
+    ("n_sep", "i8"),  # 1: some teeth have modifications or deviation grids, see `mesh.flank_deviations`
     ("n_t", "i8", 2),  # numbers of teeth in the tables of both gears
     ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
     ("n_sz", "i8", 4),
     ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
     ("sep", "i8", 4),  # offsets of the stacks of grids [row, width, roll], likewise
     ("roll", "f8", (2, 2)),  # range of the length of roll of the grids of both gears [m]
+    ("modified", "i8", 2),  # 1: both flanks of a gear have modifications, see `mesh.flank_modifications`
+    ("terms", "i8", 2),  # offsets of their rows [flank, N_TERM]
     ("stride", "i8"),  # stations of gaps and compliances per piece of a contact line
     ("sep_min", "f8"),  # minimum of the sum of both gaps
 ]
