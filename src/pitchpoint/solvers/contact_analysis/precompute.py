@@ -14,11 +14,10 @@ from numpy.typing import NDArray
 from pitchpoint.contact.potential_build import (
     NominalValues,
     Runner,
-    TableRange,
-    TableSize,
     build_potential_table,
     one_after_another,
 )
+from pitchpoint.contact.potential_range import TableRange, TableSize
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, OK, sentence
