@@ -32,7 +32,7 @@ from pitchpoint.contact.stiffness.description import frozen_array, refuse
 
 FloatArray = NDArray[np.float64]
 
-MOST_POINTS = 4096
+MOST_POINTS = 512
 """Largest number of points of an axis."""
 _FEWEST = 4
 """Smallest number of interpolated points of a cubic spline."""

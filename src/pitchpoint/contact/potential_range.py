@@ -26,7 +26,7 @@ SCAN = 4
 APPROACHES = 6
 """Approaches of the preliminary scan."""
 _SCAN_MISALIGNMENT = 0.6
-"""Share of the largest misalignment in the preliminary scan, which also has zero."""
+"""Share of the largest misalignment at which the preliminary scan meets the ends of the centre distance."""
 _EVEN = 0.5
 """Weight of equal steps in the density of the phase axis."""
 _GRADING = 1.25
@@ -130,10 +130,11 @@ def scan_states(span: TableRange, size: TableSize) -> FloatArray:
     """
     phases = np.arange(SCAN * size.phase) / (SCAN * size.phase)
     approaches = np.linspace(*span.approach, APPROACHES + 1)[1:]
-    kappa = _SCAN_MISALIGNMENT * span.misalignment
-    kappas = [0.0] if kappa == 0.0 else [-kappa, 0.0, kappa]
-    grid = np.meshgrid(kappas, phases, approaches, np.mean(span.centre_distance), indexing="ij")
-    return np.stack([grid[1], grid[2], grid[0], grid[3]], -1).reshape(-1, APPROACHES, 4)
+    share, phase, approach = np.meshgrid([-1.0, 0.0, 1.0], phases, approaches, indexing="ij")
+    near, far = span.centre_distance
+    centre = 0.5 * (near + far) + 0.5 * (far - near) * share
+    kappa = _SCAN_MISALIGNMENT * span.misalignment * share
+    return np.stack([phase, approach, kappa, centre], -1).reshape(-1, APPROACHES, 4)
 
 
 def phase_axis(forces: FloatArray, count: int) -> TableAxis:
@@ -157,7 +158,7 @@ def phase_axis(forces: FloatArray, count: int) -> TableAxis:
     scanned = forces.reshape(-1, SCAN * count, APPROACHES)
     kinks = np.roll(scanned, -1, 1) - 2.0 * scanned + np.roll(scanned, 1, 1)
     density = np.mean(kinks**2, axis=(0, 2)) ** 0.25
-    for _ in range(4):  # kinks between the scanned states
+    for _ in range(8):  # kinks between the scanned states
         density = (np.roll(density, 1) + density + np.roll(density, -1)) / 3.0
     density += _EVEN * np.mean(density) + 1e-300
     sums = np.concatenate([[0.0], np.cumsum(0.5 * (density + np.roll(density, -1)))])
