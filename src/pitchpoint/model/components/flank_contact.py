@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from pitchpoint.model.components.stiffness import StiffnessLaw
-from pitchpoint.model.keys import choice, component, integer, positive, quantity
+from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,5 +107,21 @@ class FlexibleContact(FlankContact):
     structural: StructuralDamping | None = component(StructuralDamping, "structural damping of the teeth")
 
 
-LEVELS: dict[str, type[FlankContact]] = {c.level: c for c in (RigidContact, FlexibleContact)}
+@dataclass(frozen=True, kw_only=True)
+class PrecomputedContact(FlankContact):
+    """Forces from a table of the elastic potential, computed from flexible contact by `contact-table`.
+
+    The file contains the options of that contact. It is refused if a gear or the centre distance differs.
+    """
+
+    level: ClassVar[str] = "precomputed"
+    law: ClassVar[str] = "pre-computed contact"
+    file: str = key("file", "table of the contact, .gcp.h5", sample="stage.gcp.h5")
+    tables: Any = derived()
+    """Tables of front and back flanks and the options of the flexible contact, read with the model."""
+
+
+LEVELS: dict[str, type[FlankContact]] = {
+    c.level: c for c in (RigidContact, FlexibleContact, PrecomputedContact)
+}
 """Levels of the contact of tooth surfaces."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,10 +18,17 @@ from pitchpoint.contact.compliance.heights import dual
 from pitchpoint.contact.compliance.pair import contact_depth, pair_slice
 from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.stiffness.description import PairShape
+from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
 from pitchpoint.elements.mesh.surface.scratch import scratch_size
-from pitchpoint.model.components.flank_contact import OVERLAPS, FlexibleContact, RigidContact
+from pitchpoint.model.components.flank_contact import (
+    OVERLAPS,
+    FlexibleContact,
+    PrecomputedContact,
+    RigidContact,
+)
+from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.contact.compliance.description import FlankCompliance
@@ -112,10 +119,13 @@ class SurfaceContact:
         Damping of each plane.
     elastic
         Compliance of flexible teeth; None: rigid.
+    tables
+        Tabulated potentials of front and back flanks, shape (n,) each; empty: not pre-computed.
     """
 
     planes: int = 11
     elastic: ElasticFlanks | None = None
+    tables: tuple[Array, ...] = ()
     oil: OilFilm | None = None
     structural: StructuralDamping | None = None
 
@@ -237,10 +247,34 @@ def flexible_surfaces(
     )
 
 
+def flexible_options(contact: PrecomputedContact) -> FlexibleContact:
+    """Flexible contact from which a table was computed.
+
+    Raises
+    ------
+    CompileError
+        If the table has not been read, because the model does not come from a file.
+    """
+    if contact.tables is None:
+        raise CompileError(
+            f"the contact table {contact.file} has not been read; load the model from its file"
+        )
+    reader = Reader()
+    found = reader.component(FlexibleContact, contact.tables.inputs["contact"], ("contact",))
+    if reader.problems:
+        raise ModelError(reader.problems, contact.file)
+    assert isinstance(found, FlexibleContact)
+    return found
+
+
 def surfaces(
     contact: FlankContact, pair: GearPair, gears: Sequence[Gear], offsets: tuple[float, float]
 ) -> SurfaceContact:
     """Contact of tooth surfaces of a mesh; arguments as for `flexible_surfaces`."""
+    if isinstance(contact, PrecomputedContact):
+        found = flexible_surfaces(flexible_options(contact), pair, gears, offsets)
+        tables = (contact.tables.tables[flank].packed for flank in ("front", "back"))
+        return replace(found, tables=tuple(tables))
     if isinstance(contact, FlexibleContact):
         return flexible_surfaces(contact, pair, gears, offsets)
     assert isinstance(contact, RigidContact)
@@ -249,6 +283,8 @@ def surfaces(
 
 def surface_shape(contact: FlankContact, pair: GearPair, gears: Sequence[Gear], c_prime: float) -> PairShape:
     """Stiffness of one tooth pair with contact of tooth surfaces; `c_prime` as for `rigid_shape`."""
+    if isinstance(contact, PrecomputedContact):
+        contact = flexible_options(contact)
     if isinstance(contact, FlexibleContact):
         return flexible_shape(contact, pair, gears)
     assert isinstance(contact, RigidContact)
@@ -283,6 +319,9 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     cos_b = math.cos(pair.gear1.beta_b)
     if contact.elastic is not None:
         _set_elastic(row, pair, contact.elastic, keep)
+    row["is_tabulated"] = bool(contact.tables)
+    for side, table in enumerate(contact.tables):
+        row["gcp"][side], row["gcp_size"][side] = keep(table), table.size
     if contact.oil is not None:
         row["oil_rate"] = contact.oil.rate * cos_b**2
         row["oil_film"] = contact.oil.thickness / cos_b
