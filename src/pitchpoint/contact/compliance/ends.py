@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Softer ends of helical teeth: slices near the acute end of a tooth by a rule of commercial programs.
+"""Softer ends of helical teeth: slices near the acute end of a tooth, a rule of the KISSsoft user manual.
 
-Source: KISSsoft, manual of release 2023, contact analysis. Derivation: docs/theory/flank_compliance.md,
-"Coupling along the face width".
+Derivation: docs/theory/flank_compliance.md, "Coupling along the face width".
 """
 
 from __future__ import annotations
@@ -70,7 +69,7 @@ def reduced_ends(
     -----
     The stiffness of a plane whose middle has the thickness s_red < s_n counts with √(s_red/s_n), its
     compliance with the reciprocal; half of the factor on each side keeps the matrix symmetric and positive.
-    KISSsoft, manual of release 2023.
+    Derivation: docs/theory/flank_compliance.md, "Coupling along the face width".
 
     Examples
     --------

@@ -184,14 +184,14 @@ def _bounded(own: Array, following: Array) -> tuple[Array, tuple[float, float]]:
     values, vectors = np.linalg.eigh(own)
     root = vectors / np.sqrt(values)[:, None, :]
 
-    def radius(normal: float, waves: Array) -> Array:
+    def radius(normal: float, waves: NDArray[np.intp]) -> Array:
         """Numerical radius of the coupling of some waves with a factor on normal forces, shape of waves."""
         N = root[waves].transpose(0, 2, 1) @ _reduced(following[waves], normal) @ root[waves]
         turned = _ANGLES[:, None, None, None] * N
         hermitian = turned + turned.conj().transpose(0, 1, 3, 2)
         return np.asarray(0.5 * np.linalg.eigvalsh(hermitian)[..., -1].max(axis=0))
 
-    all_waves = np.arange(own.shape[0])
+    all_waves = np.arange(own.shape[0], dtype=np.intp)
     critical = all_waves[radius(1.0, all_waves) > _LIMIT]
     normal = 1.0
     while critical.size and normal > 0.0:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Analytic compliance of the teeth and body of one gear for the contact of flanks.
 
-Derivation: docs/theory/flank_compliance.md.
+Derivation: docs/theory/flank_compliance.md, "What the contact needs".
 """
 
 from __future__ import annotations
@@ -171,7 +171,7 @@ def flank_compliance(
     material, blank, body, clamp
         As for `gear_slice`.
     coupling
-        Coupling along the face width: "plate", "springs" (rule of commercial programs) or "none".
+        Coupling along the face width: "plate", "springs" (for comparison) or "none".
     order
         Number of Legendre polynomials over the height M.
     C_M

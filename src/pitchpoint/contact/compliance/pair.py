@@ -91,7 +91,8 @@ def pair_slice(
     pair
         The gear pair.
     T1Y
-        Positions on the path of contact, from the tangent point T1 on the base circle of gear 1 [m].
+        Positions on the path of contact, from the tangent point T1 on the base circle of gear 1 [m], any
+        shape.
     line_load
         Force along the base tangent per unit face width, > 0 [N/m].
     parts

@@ -39,8 +39,8 @@ def wave_numbers(waves: int, length: float) -> Array:
 
     Notes
     -----
-    Cosines that are level at the end faces: a uniform load remains in plane strain (docs/theory, Derivation:
-    docs/theory/flank_compliance.md, "Coupling along the face width").
+    Cosines that are level at the end faces: a uniform load remains in plane strain. Derivation:
+    docs/theory/flank_compliance.md, "Coupling along the face width".
 
     Examples
     --------
@@ -163,7 +163,7 @@ def _cosines(count: int, waves: int, length: float) -> Array:
 
 
 def springs(planes: int) -> Array:
-    """Coupling of slices by springs, as a rule of commercial programs.
+    """Coupling of slices by springs, a rule of the KISSsoft user manual.
 
     Parameters
     ----------
@@ -178,7 +178,8 @@ def springs(planes: int) -> Array:
     Notes
     -----
     Springs C_c = 0.04 N² (C_i + C_{i+1})/2 between adjacent slices of stiffness C_i; here all slices have
-    the same one. KISSsoft, manual of release 2023, contact analysis. The teeth end with the common face.
+    the same one, and the teeth end with the common face. Derivation: docs/theory/flank_compliance.md,
+    "Coupling along the face width".
 
     Examples
     --------

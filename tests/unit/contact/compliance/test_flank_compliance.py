@@ -214,16 +214,23 @@ def test_right_flank_is_the_mirror_image():
     assert mirrored == pytest.approx(found.matrix(rho, 3), rel=1e-13)
 
 
-def test_next_and_previous_teeth_move_differently():
-    """Loaded near the tip, observed near the root: finite elements 4.31 and 4.67 um mm/N (z 43, r_f/1.4)."""
-    part = gear_slice(GEARS["spur"], body="ring", blank=Blank(bore_diameter=40.5e-3 / 1.4))
+@pytest.mark.parametrize(
+    "z, blank, after, previous",
+    [
+        (43, Blank(bore_diameter=40.5e-3 / 1.4), 4.31, 4.67),
+        (-60, Blank(rim_thickness=3.5e-3), 0.93, 1.57),
+    ],
+)
+def test_next_and_previous_teeth_move_differently(z, blank, after, previous):
+    """Loaded near the tip, observed near the root of the next and the previous tooth: finite elements."""
+    gear = CylindricalGear(z=z, m_n=1e-3) if z > 0 else CylindricalGear.internal(z=-z, m_n=1e-3)
+    part = gear_slice(gear, body="ring", blank=blank)
     low, high = part.tooth.roll
     root, tip = low + 0.1 * (high - low), low + 0.95 * (high - low)
-    previous = part.next(root, tip) + part.common  # the force is on the next tooth: we are the previous one
-    after = part.next(tip, root) + part.common
-    assert 1e12 * float(after) == pytest.approx(4.31, abs=0.25)
-    assert 1e12 * float(previous) == pytest.approx(4.67, abs=0.25)
-    assert previous > after
+    # the tooth before the loaded one has the force on its next tooth
+    assert 1e12 * float(part.next(root, tip) + part.common) == pytest.approx(previous, abs=0.25)
+    assert 1e12 * float(part.next(tip, root) + part.common) == pytest.approx(after, abs=0.25)
+    assert part.next(root, tip) > part.next(tip, root)
 
 
 def test_correction_factor():

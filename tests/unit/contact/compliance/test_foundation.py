@@ -50,7 +50,7 @@ def a_gear(z):
 
 @pytest.mark.parametrize("case", FINITE_ELEMENTS, ids=str)
 def test_ring_against_finite_elements(case):
-    """Loaded tooth within 6 % (internal: 10 %), neighbours within 5 % of the loaded tooth."""
+    """Loaded tooth within 6 % (internal: 10 %), next and second within 1.5 and 2.5 % of it."""
     z, size, share = case
     gear = a_gear(z)
     blank = Blank(bore_diameter=gear.d_f / size) if z > 0 else Blank(rim_thickness=size * 1e-3)
@@ -59,9 +59,9 @@ def test_ring_against_finite_elements(case):
     rho = low + share * (high - low)
     own, after, before, second = FINITE_ELEMENTS[case]
     assert 1e12 * float(part.own(rho, rho) + part.common) == pytest.approx(own, rel=0.06 if z > 0 else 0.1)
-    assert 1e12 * float(part.next(rho, rho) + part.common) == pytest.approx(after, abs=0.05 * own)
-    assert 1e12 * float(part.next(rho, rho) + part.common) == pytest.approx(before, abs=0.05 * own)
-    assert 1e12 * part.common == pytest.approx(second, abs=0.05 * own)
+    assert 1e12 * float(part.next(rho, rho) + part.common) == pytest.approx(after, abs=0.015 * own)
+    assert 1e12 * float(part.next(rho, rho) + part.common) == pytest.approx(before, abs=0.015 * own)
+    assert 1e12 * part.common == pytest.approx(second, abs=0.025 * own)
 
 
 def test_web_against_finite_elements():
