@@ -6,14 +6,13 @@ the wrench of a conservative level is its slope by each of them, the spins inclu
 stiffness over the path meet this for constant phase only.
 """
 
+import functools
 import math
 
 import numpy as np
 import pytest
 
-from pitchpoint.contact.stiffness.description import PairShape
-from pitchpoint.system.rules.flank_contact import SurfaceContact
-from pitchpoint.system.rules.mesh_laws import MeshLaws
+from tests.support.flank_levels import flexible, rigid
 from tests.support.mesh_alone import moved, rotation
 from tests.support.one_mesh import OneMesh, make_pair
 
@@ -25,10 +24,9 @@ PAIRS = {
     "internal helical": dict(beta=0.2, z2=70, internal=True),
 }
 LEVELS = {
-    "rigid": MeshLaws(stiffness=PairShape(c_prime=14e9, S_R=1.0), surface=SurfaceContact()),
-    "rigid, power 1.5": MeshLaws(
-        stiffness=PairShape(c_prime=4e12, S_R=1.0, power=1.5), surface=SurfaceContact()
-    ),
+    "rigid": rigid,
+    "rigid, power 1.5": functools.partial(rigid, c_prime=4e12, power=1.5),
+    "flexible": flexible,
 }
 every_pair = pytest.mark.parametrize("pair", PAIRS)
 every_level = pytest.mark.parametrize("level", LEVELS)
@@ -36,8 +34,13 @@ both_flanks = pytest.mark.parametrize("flank", [1, -1])
 N_PAIR = 7
 
 
+@functools.cache
+def laws(pair, level):
+    return LEVELS[level](make_pair(**PAIRS[pair]))
+
+
 def mesh(pair, level, roll=0.0, **widths):
-    m = OneMesh(make_pair(**PAIRS[pair]), LEVELS[level], n_pair=N_PAIR)
+    m = OneMesh(make_pair(**PAIRS[pair]), laws(pair, level), n_pair=N_PAIR)
     for name, value in widths.items():
         m.rec[name] = value
     m.frames["phi"] = [roll, -roll * m.row["r_b1"] / m.row["r_b2"]]

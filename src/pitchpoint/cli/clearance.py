@@ -25,8 +25,9 @@ def clearance(
 ) -> None:
     """Check the clearances between the assembled gears of FILE.
 
-    Flanks, tips, roots and fillets of every mesh are rolled through one pitch, without flank modifications.
-    Gears that do not mesh, and shafts next to gears, are treated as cylinders.
+    Flanks, tips, roots and fillets of every mesh are rolled through one pitch, flanks with their
+    modifications, deviations and misalignment. Gears that do not mesh, and shafts next to gears, are treated
+    as cylinders.
     """
     from pitchpoint.cli.reading import read_model
     from pitchpoint.io.target import check_target

@@ -77,7 +77,7 @@ def _root(pivot, diagonal):
     """Reciprocal root of a pivot, and SINGULAR if it is not positive within the rounding of the diagonal."""
     if pivot > _SINGULAR * diagonal and pivot < np.inf:
         return 1.0 / math.sqrt(pivot), OK
-    return 0.0, SINGULAR if pivot <= _SINGULAR * diagonal else NOT_FINITE
+    return 0.0, SINGULAR if pivot < np.inf and diagonal < np.inf else NOT_FINITE
 
 
 @kernel

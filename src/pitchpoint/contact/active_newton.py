@@ -13,7 +13,7 @@ active set method of Hintermueller, Ito and Kunisch, SIAM J. Optim. 13 (2002) 86
 
 from __future__ import annotations
 
-import numpy as np
+import math
 
 from pitchpoint.contact.active_block import solve_block
 from pitchpoint.contact.active_nodes import TOLERANCE, factorise, residual
@@ -147,6 +147,7 @@ def newton(C, node, n, load, state, on, v, U):
 
     Examples
     --------
+    >>> import numpy as np
     >>> from pitchpoint.contact.local_approach import N_NODE, D
     >>> from pitchpoint.contact.unilateral_work import ContactWorkspace
     >>> work, node = ContactWorkspace.of(2), np.zeros((2, N_NODE))
@@ -167,7 +168,7 @@ def newton(C, node, n, load, state, on, v, U):
             scale = max(scale, x[i])
         state["exact"] = 0
         largest, sound = residual(C, node, n, state["m"], on, v)
-        if sound != 0.0:
+        if not sound:
             return NOT_FINITE
         limit = TOLERANCE * scale
         joined = _join(C, node, n, limit, state, on, v) > 0
@@ -192,7 +193,7 @@ def newton(C, node, n, load, state, on, v, U):
         state["newton"] += 1
         if load > 0.0:
             change = _border(load, state, on, v, U)
-            if not change < np.inf:
+            if not change < math.inf:
                 return NOT_FINITE
             largest = max(largest, change)
         scaled = _apply(state, on, v)

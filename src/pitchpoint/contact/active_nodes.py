@@ -6,6 +6,8 @@ Residual of a node: its overlap x - C f less its local approach h(f). Tangent ma
 
 from __future__ import annotations
 
+import math
+
 from pitchpoint.contact.active_block import factorise_block, pack_block, subtract_columns
 from pitchpoint.contact.local_approach import local_approach
 from pitchpoint.contact.unilateral_work import (
@@ -41,7 +43,7 @@ def residual(C, node, n, m, on, v):
     Returns
     -------
     tuple
-        Largest absolute residual [m]; a number that is 0 if all residuals are finite and NaN otherwise.
+        Largest absolute residual [m]; whether all residuals are finite.
 
     Examples
     --------
@@ -51,8 +53,9 @@ def residual(C, node, n, m, on, v):
     >>> work, node = ContactWorkspace.of(2), np.zeros((2, N_NODE))
     >>> work.v[PENETRATION, :2], work.v[FORCE, :2], node[:, D] = (9.0, 2.0), (1.0, 0.0), 3.0
     >>> C = np.array([[2.0, 1.0], [1.0, 2.0]])
-    >>> tuple(float(value) for value in residual(C, node, 2, 1, work.on, work.v))
-    (4.0, 0.0)
+    >>> largest, sound = residual(C, node, 2, 1, work.on, work.v)
+    >>> float(largest), bool(sound)
+    (4.0, True)
     """
     f = v[FORCE]
     o = v[OVERLAP]
@@ -62,7 +65,7 @@ def residual(C, node, n, m, on, v):
     listed = on[LISTED]
     subtract_columns(C, listed, m, f, v[PENETRATION, :n], o)
     largest = 0.0
-    sound = 0.0
+    sound = True
     for k in range(m):
         i = listed[k]
         h, slope = local_approach(node, i, f[i])
@@ -70,7 +73,7 @@ def residual(C, node, n, m, on, v):
         slopes[k] = slope
         r = o[i] - h
         step[k] = r
-        sound += 0.0 * r
+        sound = sound and abs(r) < math.inf
         largest = max(largest, abs(r))
     return largest, sound
 

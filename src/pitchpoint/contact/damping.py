@@ -47,3 +47,13 @@ def linear_ramp(u, s_0):
     if u >= s_0:
         return 1.0, 0.0
     return u / s_0, 1.0 / s_0
+
+
+@kernel
+def start_share(t, end):
+    """Fraction of a damper for the start of a run: 1, and from 0.9 end to end a cubic decrease to 0.
+
+    >>> [round(float(start_share(t, 1.0)), 6) for t in (0.5, 0.95, 1.0)]
+    [1.0, 0.5, 0.0]
+    """
+    return 1.0 - ramp(t - 0.9 * end, 0.1 * end)[0]

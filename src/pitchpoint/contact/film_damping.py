@@ -4,7 +4,8 @@
 The squeeze film damps the approach and the separation before the flanks touch, increasingly with decreasing
 film height. Structural damping is a fraction of the elastic force against the motion.
 
-Source: Adams Machinery, "Gear Pair (Advanced 3D Contact)".
+Source: Adams Machinery, "Gear Pair (Advanced 3D Contact)". Derivation: docs/theory/flank_contact.md, "Damping
+of the planes".
 """
 
 from __future__ import annotations
@@ -36,7 +37,6 @@ def film_force(x, w, rate, film, power):
     -------
     tuple
         Force rate w b^power for 0 < b < 1, rate w for b >= 1, 0 for b <= 0 [N]; derivatives by x and w
-        (docs/theory/flank_contact.md, "Damping of the planes").
 
     Examples
     --------

@@ -118,6 +118,42 @@ def flank_force(law, x, k, limit, w, soft):
 
 
 @kernel
+def node_damping(law, f, k, w):
+    """Damping of a node whose elastic force follows from a system of nodes.
+
+    Parameters
+    ----------
+    law
+        Record of `FLANK_LAW`.
+    f
+        Elastic force, > 0 [N].
+    k
+        Typical stiffness of the node [N/m]; its overlap counts as f/k.
+    w
+        Rate of the penetration [m/s].
+
+    Returns
+    -------
+    tuple
+        Damping force [N]; its derivatives by the elastic force and by w.
+
+    Examples
+    --------
+    >>> law = np.zeros(1, FLANK_LAW)[0]
+    >>> law["k_ref"], law["d_in"], law["s_0"] = 4e8, 2e3, 1e-6
+    >>> [float(value) for value in node_damping(law, 2000.0, 4e8, 0.1)]
+    [200.0, 0.0, 2000.0]
+    """
+    if law["chi"] > 0.0:
+        return law["chi"] * f * w, law["chi"] * w, law["chi"] * f
+    full = (law["d_in"] if w > 0.0 else law["d_out"]) * k / law["k_ref"]
+    if full == 0.0:
+        return 0.0, 0.0, 0.0
+    share, slope = ramp(f / k, law["s_0"]) if law["smooth"] == 1 else linear_ramp(f / k, law["s_0"])
+    return full * share * w, full * slope * w / k, full * share
+
+
+@kernel
 def flank_energy(law, x, u, k, limit, soft):
     """Energy stored at a contact node, and its derivatives by the stiffness and by the series compliance.
 

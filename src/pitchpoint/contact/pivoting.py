@@ -53,7 +53,7 @@ def _balance(C, node, n, scale, state, on, v, U):
     step = v[BASE]
     for _ in range(_STEPS):
         largest, sound = residual(C, node, n, m, on, v)
-        if sound != 0.0:
+        if not sound:
             return NOT_FINITE
         size = 0.0
         for k in range(m):
@@ -78,7 +78,7 @@ def _balance(C, node, n, scale, state, on, v, U):
             done = part
             largest, sound = residual(C, node, n, m, on, v)
             end = _work(m, step, v)
-            if sound != 0.0:
+            if not sound:
                 return NOT_FINITE
             if end < -0.1 * start:
                 high = part

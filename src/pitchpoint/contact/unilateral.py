@@ -16,6 +16,8 @@ docs/decisions/0032-unilateral-contact.md.
 
 from __future__ import annotations
 
+import math
+
 from pitchpoint.contact.active_block import solve_block
 from pitchpoint.contact.active_newton import newton
 from pitchpoint.contact.active_nodes import factorise
@@ -61,14 +63,14 @@ def solve_contact(C, node, x, state, on, v, U):
     """
     n = x.size
     scale = 0.0
-    sound = 0.0
+    sound = True
     for i in range(n):
         v[PENETRATION, i] = x[i]
-        sound += 0.0 * x[i]
+        sound = sound and abs(x[i]) < math.inf
         scale = max(scale, x[i])
-    if sound != 0.0 or scale == 0.0:
+    if not sound or scale == 0.0:
         forget(n, state, v)
-        return OK if sound == 0.0 else NOT_FINITE
+        return OK if sound else NOT_FINITE
     status = newton(C, node, n, 0.0, state, on, v, U)
     if status == SLOW:
         status = pivot(C, node, n, scale, state, on, v, U)

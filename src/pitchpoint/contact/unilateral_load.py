@@ -57,10 +57,14 @@ def _alone(C, node, load, first, v):
 
 @kernel
 def _search(C, node, n, load, start, state, on, v, U):
-    """Newton's method for the total force over the approach, within a bracket that always narrows."""
+    """Newton's method for the total force over the approach, within a bracket that always narrows.
+
+    A step that does not halve the error of the force is followed by one to the middle of the bracket.
+    """
     low = 0.0
     high = np.inf
     y = start
+    last = np.inf
     x = v[SIDE, :n]
     state["searches"] += 1
     for _ in range(_SEARCHES):
@@ -73,15 +77,20 @@ def _search(C, node, n, load, start, state, on, v, U):
             return status
         state["approach"] = y
         total = _total(state, on, v)
-        if abs(total - load) <= _EXACT * load:
+        error = abs(total - load)
+        if error <= _EXACT * load:
             return OK
         if total < load:
             low = y
         else:
             high = y
-        y += (load - total) / _stiffness(state, on, v, U)
-        if not low < y < high:
-            y = 0.5 * (low + high) if high < np.inf else 2.0 * low
+        stiffness = _stiffness(state, on, v, U)
+        y = y + (load - total) / stiffness if stiffness > 0.0 else np.inf
+        if high < np.inf and (error > 0.5 * last or not low < y < high):
+            y = 0.5 * (low + high)
+        elif not low < y < high:
+            y = 2.0 * low
+        last = error
         if not low < y < high:  # neighbouring numbers
             return OK if high < np.inf else NOT_FINITE
     return SLOW
@@ -122,15 +131,15 @@ def solve_load(C, node, gap, weight, load, state, on, v, U):
     (22.0, [6.0, 4.0])
     """
     n = gap.size
-    sound = 0.0 * load
+    sound = abs(load) < np.inf
     positive = n > 0 and load >= 0.0
     for i in range(n):
-        sound += 0.0 * gap[i] + 0.0 * weight[i]
+        sound = sound and abs(gap[i]) < np.inf and abs(weight[i]) < np.inf
         positive = positive and weight[i] > 0.0
-    if sound != 0.0 or not positive:
+    if not sound or not positive:
         forget(n, state, v)
         state["approach"] = 0.0
-        return REFUSED if sound == 0.0 else NOT_FINITE
+        return REFUSED if sound else NOT_FINITE
     first = 0
     for i in range(n):
         if gap[i] * weight[first] < gap[first] * weight[i]:

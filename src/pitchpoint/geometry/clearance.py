@@ -57,6 +57,8 @@ class Clearance:
         Rotations of the gears there, as in `mesh_outlines` [rad].
     place1, place2
         The two points, x and y in the transverse plane [m]; axis of gear 1 at the origin, of gear 2 at a_w.
+    z
+        Axial position of the section from the mid-face of gear 1 [m]; None if all sections are equal.
     """
 
     distance: float
@@ -64,6 +66,7 @@ class Clearance:
     phi2: float
     place1: tuple[float, float]
     place2: tuple[float, float]
+    z: float | None = None
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Clearances between the assembled gears of a model, compared with limits.
 
-Meshing teeth are solids without modifications. Gears that do not mesh and adjacent shafts are represented by
-tip cylinders and shaft sections at the positions of the model file.
+Meshing teeth are solids without modifications, except between front and between back flanks: their distances
+include modifications, deviations and misaligned axes. Gears that do not mesh and adjacent shafts are
+represented by tip cylinders and shaft sections at the positions of the model file.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.flank_clearance import MicroGeometry
     from pitchpoint.geometry.gear_pair import GearPair
+    from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.model import Model
 
 FACE = "face"
@@ -115,7 +118,7 @@ def stage_of(model: Model, mesh: str) -> Stage:
         "tips": f"tip of {first} to tip of {second}",
     }
     m_n = pair.gear1.m_n
-    found = clearances(pair)
+    found = clearances(pair) | _modified_flanks(model, mesh, pair)
     limits = dict.fromkeys((TIP_1_ROOT_2, TIP_2_ROOT_1), TIP_ROOT * m_n)
     rooms = {
         kind: Room(words[kind], found[kind].distance, limits.get(kind, 0.0), ACCURACY * m_n, found[kind])
@@ -125,7 +128,57 @@ def stage_of(model: Model, mesh: str) -> Stage:
     narrower = min(model.gears[name].face_width for name in names)
     width = model.meshes[mesh].b_w
     rooms[FACE] = Room("common face width", pair.b_w if width is None else width, narrower, 1e-9 * narrower)
-    return Stage(pair, names, rooms, notes)
+    return Stage(pair, names, rooms, notes + _fillets(pair, names))
+
+
+def _modified_flanks(model: Model, mesh: str, pair: GearPair) -> dict[str, Clearance]:
+    """Clearances of flanks with micro-geometry or misaligned axes; empty for ideal ones."""
+    from dataclasses import replace
+
+    from pitchpoint.geometry.flank_clearance import flank_clearances
+    from pitchpoint.geometry.flank_distance import Mounting
+
+    part = model.meshes[mesh]
+    gears = [model.gears[name] for name in part.gears]
+    out_of_plane, in_plane = (0.0, 0.0) if part.misalignment is None else part.misalignment.skew
+    straight = in_plane == 0.0 and out_of_plane == 0.0
+    if straight and all(gear.modifications is None and gear.deviations is None for gear in gears):
+        return {}
+    wide = replace(
+        pair,
+        gear1=replace(pair.gear1, b=gears[0].face_width),
+        gear2=replace(pair.gear2, b=gears[1].face_width),
+    )
+    # axis 2 tilts about the pitch point, which has no axial motion then
+    offset = part.offset1 - part.offset2 - 0.5 * pair.d_w2 * in_plane
+    mounting = Mounting(pair=wide, offset=offset, in_plane=in_plane, out_of_plane=out_of_plane)
+    return flank_clearances(mounting, (_micro(gears[0]), _micro(gears[1])))
+
+
+def _micro(gear: Gear) -> MicroGeometry:
+    """Modifications and deviations of a gear."""
+    from pitchpoint.geometry.flank_clearance import MicroGeometry
+
+    sides = {}
+    if gear.modifications is not None:
+        for side in ("left", "right"):
+            own = gear.modifications.side(side)
+            sides[side] = None if own is None else own.of_geometry()
+    return MicroGeometry(
+        **sides, deviations=None if gear.deviations is None else gear.deviations.of_geometry()
+    )
+
+
+def _fillets(pair: GearPair, names: tuple[str, str]) -> tuple[str, ...]:
+    """Notes on tips that meet a fillet instead of an involute."""
+    from pitchpoint.geometry.flank_clearance import below_form
+
+    return tuple(
+        f"interference of the tip of {tip} with the fillet of {root}: contact would lie below the root form "
+        f"circle of {root}"
+        for root, tip, below in zip(names, names[::-1], below_form(pair), strict=True)
+        if below
+    )
 
 
 def _pair_as_built(model: Model, mesh: str) -> tuple[GearPair, tuple[str, ...]]:

@@ -147,3 +147,47 @@ meshes: {{m: {{gears: [a, b], center_distance: 65 mm}}}}
     picture = tmp_path / "real.svg"
     assert run_command(["gears", real, "--gear", "a", "--preview", str(picture)]) == 0
     assert picture.stat().st_size > 10_000
+
+
+MICRO = f"""
+gears:
+  a: {{number_of_teeth: 30, {TEETH}, tooth_thickness_allowance: -40 um}}
+  b: {{number_of_teeth: 30, {TEETH}}}
+meshes: {{m: {{gears: [a, b], center_distance: 60 mm}}}}
+"""
+
+
+def test_flanks_with_modifications_and_misalignment(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Excess material at the tip and a tilt: j_bt/2 less 5 µm and less cos(alpha) f b/2."""
+    plain = json_of(["clearance", written(tmp_path, MICRO)], capsys)["meshes"]["m"]["clearances"]
+    changed = MICRO.replace(
+        "allowance: -40 um", "allowance: -40 um, modifications: {left: {profile_slope: 10 um}}"
+    )
+    changed = changed.replace("60 mm}", "60 mm, misalignment: {out_of_plane: 0.3 mrad}}")
+    found = json_of(["clearance", written(tmp_path, changed)], capsys)["meshes"]["m"]
+    rows, lean = found["clearances"], math.cos(math.radians(20.0)) * 0.3e-3 * 10e-3
+    half = plain["front_flanks"]["distance"]
+    assert rows["front_flanks"]["distance"] == pytest.approx(half - 5e-6 - lean, abs=1e-8)
+    assert rows["back_flanks"]["distance"] == pytest.approx(half - lean, abs=1e-8)
+    assert rows["tip_1_root_2"] == plain["tip_1_root_2"]
+    assert found["notes"] == []
+    ends = rows["front_flanks"]["places"]
+    assert math.dist(*ends) == pytest.approx(rows["front_flanks"]["distance"], abs=1e-9)
+
+
+def test_flanks_with_too_much_material_overlap(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    changed = MICRO.replace("allowance: -40 um", "allowance: -40 um, deviations: {runout: {amount: 90 um}}")
+    found = json_of(["clearance", written(tmp_path, changed)], capsys)
+    row = found["meshes"]["m"]["clearances"]["front_flanks"]
+    assert row["distance"] == pytest.approx(18.79e-6 - 45e-6, abs=0.3e-6)
+    assert not row["fine"] and not found["fine"]
+
+
+def test_interference_with_a_fillet_is_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = MICRO.replace("a: {number_of_teeth: 30", "a: {number_of_teeth: 15").replace("60 mm}", "45 mm}")
+    (note,) = json_of(["clearance", written(tmp_path, text)], capsys)["meshes"]["m"]["notes"]
+    assert note == (
+        "interference of the tip of b with the fillet of a: contact would lie below the root form circle of a"
+    )

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Flank deviations from the involute: grids of both gears, interpolated at the contact point.
+"""Flank deviations from the involute: modifications, and grids interpolated at the contact point.
 
-Each gear has two stacks of grids over face width and length of roll. The first holds gaps along the base
+Modifications are closed form (`mesh.flank_modifications`). Beside them each gear has two stacks of grids over face width and length of roll. The first holds gaps along the base
 tangent and additional compliances; the second, with a finer grid where necessary, level functions: material
 broken out of or worn off the flank is the positive part of a level, and its zero line is the edge of the
 damage. A table per gear gives the grids (rows of the stacks) of every flank and tooth, and the stations
-between which they vary over the width; a tooth without grids is nominal.
+between which they vary over the width; a tooth without grids has the common modifications only.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.mesh.flank_modifications import modification
 from pitchpoint.elements.mesh.line_of_action import pooled
 from pitchpoint.elements.mesh.record import N_ROW
 from pitchpoint.multibody.channels import F8
@@ -43,10 +44,10 @@ def runs_damped(b):
 
 @kernel
 def find_rows(b, teeth):
-    """Write the grid rows of two teeth to the scratch; returns whether there are any."""
+    """Write the grid rows of two teeth to the scratch; returns whether they differ from the involute."""
     now = b["now"]
     flank = 0 if now["flank"] > 0 else 1
-    found = False
+    found = b["modified"][0] == 1 or b["modified"][1] == 1
     for gear in range(2):
         n = b["n_t"][gear]
         table = view(pooled(b, b["teeth"][gear]), (2, n, N_ROW), F8)
@@ -86,6 +87,11 @@ def pair_separation(b, z, xi, z_rate, xi_rate):
         way = 1.0 if gear == 0 else -1.0
         along = way * xi_rate + (b["r_b1"] if gear == 0 else b["r_b2"]) * now["tan_rate"]
         across = z_rate if gear == 0 else z_rate - now["dz_rate"]
+        if b["modified"][gear] == 1:
+            value, over_z, over_roll = modification(b, gear, at, roll)
+            gap += value
+            gap_rate += over_z * across + over_roll * along
+            slope += way * over_roll
         row = now["rows"][gear, 0]
         if row >= 0:
             value, over_z, over_roll = _read(b, gear, row, at, roll)
@@ -115,8 +121,13 @@ def flank_slopes(b, gear, z, roll):
     """
     rows = b["now"]["rows"]
     gap = by_z = by_roll = soft = soft_by_z = soft_by_roll = 0.0
+    if b["modified"][gear] == 1:
+        gap, by_z, by_roll = modification(b, gear, z, roll)
     if rows[gear, 0] >= 0:
-        gap, by_z, by_roll = _read(b, gear, rows[gear, 0], z, roll)
+        own, own_by_z, own_by_roll = _read(b, gear, rows[gear, 0], z, roll)
+        gap += own
+        by_z += own_by_z
+        by_roll += own_by_roll
     if rows[gear, 1] >= 0:
         soft, soft_by_z, soft_by_roll = _read(b, gear, rows[gear, 1], z, roll)
     if rows[gear, 2] >= 0:
@@ -148,6 +159,8 @@ def gap_at(b, z, xi):
     gap = 0.0
     for gear in range(2):
         at, roll = _place_on(b, gear, z, xi)
+        if b["modified"][gear] == 1:
+            gap += modification(b, gear, at, roll)[0]
         row = now["rows"][gear, 0]
         if row >= 0:
             gap += _read(b, gear, row, at, roll)[0]

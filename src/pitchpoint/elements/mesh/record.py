@@ -30,6 +30,9 @@ axis."""
 #: if none; first and last station between which gap and compliance, and the level, vary over z.
 N_ROW = 7
 
+N_RATIO = 34
+"""Maximum number of further quantities of a tabulated potential: two of friction, and one per tooth pair."""
+
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
@@ -59,7 +62,7 @@ _GEOMETRY = [
     ("xi_0", "f8"),  # mean path position of the front flank at zero angles, less its involute part
     ("xi_b", "f8"),  # the same for the back flank
     ("rho_a1", "f8"),
-    ("rho_a2", "f8"),  # lengths of roll up to the tips: sqrt(r_a^2 - r_b^2)
+    ("rho_a2", "f8"),  # lengths of roll up to the tip form circles: sqrt(r_Fa^2 - r_b^2)
 ]
 
 _STIFFNESS = [
@@ -85,11 +88,18 @@ _STIFFNESS = [
 #: SURFACE only; see `mesh.surface`.
 _SURFACE = [
     ("is_rigid", "i8"),
-    ("is_flexible", "i8"),  # level, and the address of its kernel
+    ("is_flexible", "i8"),  # level, and the address of its kernel; tabulated: flexible as well, for pictures
+    ("is_tabulated", "i8"),
     ("rigid", "i8"),
     ("flexible", "i8"),
+    ("tabulated", "i8"),
     ("reach", "f8"),  # path before A and beyond E on which tip edges may be in contact [m]
     ("rounding", "f8", 2),  # radii of the tip edges
+    (
+        "tip_share",
+        "f8",
+        2,
+    ),  # lower bound of a tip gap within reach over curvature eta^2; -1: not known yet
     ("nodes", "i8"),  # nodes of one flank, offset in the pool [max_nodes]
     ("max_nodes", "i8"),
     ("n_nodes", "i8"),  # result: nodes of the flank evaluated last
@@ -97,7 +107,11 @@ _SURFACE = [
     ("n_slots", "i8"),  # nodes of the last solution, -1: none
     ("n_slot_pairs", "i8"),  # number of tooth pairs whose forces start the next solution
     ("own", "i8", 2),
-    ("beside", "i8", 2),  # influence functions of both gears, offsets in the pool; see `surface.compliance`
+    (
+        "neighbour",
+        "i8",
+        2,
+    ),  # influence functions of both gears, offsets in the pool; see `surface.compliance`
     ("height", "f8", (2, 2)),  # length of roll at the height 0, and its half range
     ("windup", "f8"),  # compliance of both blanks in torsion, along the base tangent [m/N]
     ("depth", "f8", (2, 4)),  # depth of the reference points of the local contact over the height [m]
@@ -108,6 +122,10 @@ _SURFACE = [
     ("kappa_2", "f8"),  # nu/(1 - nu) of both gears
     ("least_roll", "f8"),  # least radius of curvature of a flank in the local contact
     ("overlap", "f8"),  # additional compliance of one node [m/N]
+    ("gcp", "i8", 2),
+    ("gcp_size", "i8", 2),  # tabulated potentials of front and back flank: offsets in the pool and sizes
+    ("gcp_ratios", "f8", N_RATIO),  # scratch
+    ("beyond", "i8"),  # result: axes outside whose range a flank in contact has been, bits of the table
     ("oil_rate", "f8"),  # film damping of one plane along the base tangent [N s/m], 0: none
     ("oil_film", "f8"),  # film thickness h along the base tangent
     ("oil_power", "f8"),
@@ -130,13 +148,15 @@ _EXCITATION = [
     ("e2", "i8"),
     ("t1_0", "i8"),
     ("t2_0", "i8"),  # numbers of the tooth of gear 1 and of the space of gear 2 in mesh at assembly
-    ("n_sep", "i8"),  # 1: some teeth have deviation grids, see `mesh.flank_deviations`
+    ("n_sep", "i8"),  # 1: some teeth have modifications or deviation grids, see `mesh.flank_deviations`
     ("n_t", "i8", 2),  # numbers of teeth in the tables of both gears
     ("teeth", "i8", 2),  # offsets of these tables [flank, tooth, N_ROW]
     ("n_sz", "i8", 4),
     ("n_sx", "i8", 4),  # stations over width and roll: gaps of gear 1, of gear 2, levels of gear 1, of gear 2
     ("sep", "i8", 4),  # offsets of the stacks of grids [row, width, roll], likewise
     ("roll", "f8", (2, 2)),  # range of the length of roll of the grids of both gears [m]
+    ("modified", "i8", 2),  # 1: both flanks of a gear have modifications, see `mesh.flank_modifications`
+    ("terms", "i8", 2),  # offsets of their rows [flank, N_TERM]
     ("stride", "i8"),  # stations of gaps and compliances per piece of a contact line
     ("sep_min", "f8"),  # minimum of the sum of both gaps
 ]

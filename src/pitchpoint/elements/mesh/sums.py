@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pitchpoint.contact.damping import ramp
+from pitchpoint.contact.damping import start_share
 from pitchpoint.contact.flank_law import flank_energy, flank_force, flank_friction
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.multibody.channels import F8, FRAME
@@ -75,9 +75,6 @@ def scratch_of_sums(rows: int) -> list[tuple]:
     ]
 
 
-_FADE = 0.1
-"""Last part of the time of the additional damper, over which it decreases to zero."""
-
 NOWHERE = -0.1
 """Distance from contact [m] of a flank without stiffness (no tooth pair in the path of contact)."""
 
@@ -104,7 +101,7 @@ def begin_request(b, c):
     request["np"] = c["np"]
     b["d_now"] = b["d_gap"]
     if b["d_start"] > 0.0 and c["jac"] != 2:  # not part of a linearisation
-        b["d_now"] += b["d_start"] * (1.0 - ramp(c["t"] - (1.0 - _FADE) * b["t_end"], _FADE * b["t_end"])[0])
+        b["d_now"] += b["d_start"] * start_share(c["t"], b["t_end"])
 
 
 @kernel

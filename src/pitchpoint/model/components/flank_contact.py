@@ -6,11 +6,12 @@ A new level is a class of this file, listed in `LEVELS`.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
 from pitchpoint.model.components.stiffness import StiffnessLaw
-from pitchpoint.model.keys import component, integer, positive, quantity
+from pitchpoint.model.keys import choice, component, integer, positive, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,5 +68,44 @@ class RigidContact(FlankContact):
     structural: StructuralDamping | None = component(StructuralDamping, "structural damping of the teeth")
 
 
-LEVELS: dict[str, type[FlankContact]] = {c.level: c for c in (RigidContact,)}
+OVERLAPS = {"small": 0.005, "normal": 0.01, "high": 0.02}
+"""Contact overlap: additional compliance of a contact plane over the compliance of a tooth pair."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlexibleContact(FlankContact):
+    """Flexible teeth and bodies: the contact problem of all planes and pairs is solved in each evaluation."""
+
+    level: ClassVar[str] = "flexible"
+    law: ClassVar[str] = "flexible contact"
+    body: str = choice(
+        ("weber_banaschek", "half_plane", "ring", "sainsot", "rigid"),
+        "compliance of the gear body under the teeth",
+        "weber_banaschek",
+    )
+    clamp: float | None = quantity(
+        "angle",
+        "inclination of the fillet tangent at which a tooth is clamped to its body",
+        None,
+        minimum=math.radians(5.0),
+        maximum=math.radians(80.0),
+        display="30 deg, internal gears 60 deg",
+    )
+    coupling: str = choice(
+        ("plate", "springs", "none"), "coupling of the planes over the face width", "plate"
+    )
+    correction: float = positive(
+        "dimensionless", "correction factor C_M of the stiffness; 0.8 in ISO 6336-1", 1.0, maximum=10.0
+    )
+    overlap: str = choice(
+        tuple(OVERLAPS),
+        "contact overlap: additional compliance of each contact plane, 0.5, 1 or 2 % of that of a tooth pair",
+        "small",
+    )
+    planes: int = integer("number of contact planes over the face width", 11, minimum=1, maximum=101)
+    oil: OilFilm | None = component(OilFilm, "squeeze film between the flanks")
+    structural: StructuralDamping | None = component(StructuralDamping, "structural damping of the teeth")
+
+
+LEVELS: dict[str, type[FlankContact]] = {c.level: c for c in (RigidContact, FlexibleContact)}
 """Levels of the contact of tooth surfaces."""

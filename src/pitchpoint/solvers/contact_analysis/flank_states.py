@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from typing import TYPE_CHECKING
 
@@ -52,8 +53,18 @@ class FlankStates:
                 INCONSISTENT,
             )
         assert bank.pool is not None
-        self.pool = bank.pool
-        link({"gear_mesh": self.records}, {"gear_mesh": self.pool}, {})
+        self.kind, self.pool = bank.kind, bank.pool
+        self._link()
+
+    def _link(self) -> None:
+        link({self.kind: self.records}, {self.kind: self.pool}, {})
+
+    def copy(self) -> FlankStates:
+        """Independent copy for another thread."""
+        own = copy.copy(self)
+        own.records, own.pool = self.records.copy(), self.pool.copy()
+        own._link()
+        return own
 
     @property
     def record(self) -> np.void:

@@ -177,7 +177,7 @@ def _dataset(
         "secant_stiffness": (force / (states["x_0"] - first), "N/m", "force over the approach from contact"),
         "elastic_energy": (states["energy"], "J", "energy stored in teeth and contacts"),
     }
-    variables = {
+    variables: dict[str, Any] = {
         name: (over, values, {"units": unit, "long_name": text})
         for name, (values, unit, text) in curves.items()
     }

@@ -4,22 +4,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
+from pitchpoint.contact.compliance.blank import Blank
+from pitchpoint.contact.compliance.gear import flank_compliance, gear_slice
+from pitchpoint.contact.compliance.heights import dual
+from pitchpoint.contact.compliance.pair import contact_depth, pair_slice
 from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.stiffness.description import PairShape
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
 from pitchpoint.elements.mesh.surface.scratch import scratch_size
+from pitchpoint.model.components.flank_contact import OVERLAPS, FlexibleContact, RigidContact
 
 if TYPE_CHECKING:
+    from pitchpoint.contact.compliance.description import FlankCompliance
+    from pitchpoint.contact.compliance.gear import GearSlice
     from pitchpoint.geometry.gear_pair import GearPair
-    from pitchpoint.model.components.flank_contact import OilFilm, RigidContact, StructuralDamping
+    from pitchpoint.model.components.flank_contact import FlankContact, OilFilm, StructuralDamping
+    from pitchpoint.model.components.gear import Gear
 
 Array = NDArray[np.float64]
 
@@ -31,28 +40,21 @@ LEAST_ROLL = 0.02
 """Least radius of curvature of a flank in the local contact, in base pitches: next to base circles."""
 
 
-class Influence(Protocol):
-    """Influence functions of the teeth of one gear (`contact.compliance`, `contact.tooth_fe`)."""
+@dataclass(frozen=True)
+class GearInfluence:
+    """Elastic properties of one gear.
 
-    @property
-    def roll(self) -> tuple[float, float]:
-        """Lengths of roll at the heights -1 and +1 [m]."""
+    Parameters
+    ----------
+    teeth
+        Compliance of teeth and body.
+    depth
+        Depth of the reference point of the local contact, coefficients of the Legendre polynomials of the
+        height, shape (4,) [m].
+    """
 
-    @property
-    def own(self) -> Array:
-        """Compliances of a tooth, shape (planes, planes, 4, 4) [m/N]."""
-
-    @property
-    def beside(self) -> Array:
-        """Compliances between neighbouring teeth, likewise."""
-
-    @property
-    def windup(self) -> float:
-        """Compliance of the blank in torsion along the base tangent [m/N]."""
-
-    @property
-    def depth(self) -> Array:
-        """Depth of the reference point of the local contact over the height, shape (4,) [m]."""
+    teeth: FlankCompliance
+    depth: Array
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -69,7 +71,7 @@ class ElasticFlanks:
         Additional compliance of one node [m/N].
     """
 
-    gears: tuple[Influence, Influence]
+    gears: tuple[GearInfluence, GearInfluence]
     moduli: tuple[float, float]
     poisson: tuple[float, float]
     overlap: float = 0.0
@@ -85,13 +87,13 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
     row["work"] = keep(np.zeros(scratch_size(int(row["max_nodes"]), pairs * planes)))
     c = [plane_strain_compliance(E, nu) for E, nu in zip(elastic.moduli, elastic.poisson, strict=True)]
     for k, gear in enumerate(elastic.gears):
-        low, high = gear.roll
+        low, high = gear.teeth.roll
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
-        row["own"][k], row["beside"][k] = keep(gear.own), keep(gear.beside)
+        row["own"][k], row["neighbour"][k] = keep(gear.teeth.own), keep(gear.teeth.beside)
         row["depth"][k] = gear.depth
         row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
-    row["windup"] = sum(gear.windup for gear in elastic.gears)
+    row["windup"] = sum(gear.teeth.windup for gear in elastic.gears)
     # the radius normal to the contact line is the transverse one over cos(beta_b)
     row["strip"] = 4.0 * sum(c) / (math.pi * width * cos_b)
     row["least_roll"] = LEAST_ROLL * row["p_bt"]
@@ -140,9 +142,117 @@ def rigid_shape(contact: RigidContact, pair: GearPair, c_prime: float) -> PairSh
     return PairShape(c_prime=linear * (contact.depth / cos_b) ** (1.0 - e), S_R=1.0, power=e)
 
 
-def rigid_surfaces(contact: RigidContact) -> SurfaceContact:
-    """Contact of rigid tooth surfaces."""
+LINE_LOAD = 3e5
+"""Line load at which the stiffness of a flexible tooth pair is stated [N/m]."""
+_ON_PATH = 65
+"""Points of the path of contact at which it is stated."""
+_HEIGHTS = 4
+"""Legendre polynomials over the height of a tooth."""
+
+
+def _slices(contact: FlexibleContact, gears: Sequence[Gear]) -> tuple[GearSlice, GearSlice]:
+    """Slices of both gears in plane strain."""
+    one, two = (
+        gear_slice(
+            gear.geometry,
+            material=gear.material_data,
+            blank=blank_of(gear),
+            body=contact.body,
+            clamp=contact.clamp,
+        )
+        for gear in gears
+    )
+    return one, two
+
+
+def blank_of(gear: Gear) -> Blank:
+    """Blank of a gear of a model."""
+    return Blank(
+        bore_diameter=gear.bore_diameter or None,
+        rim_thickness=gear.rim_thickness,
+        web_thickness=gear.web_thickness,
+    )
+
+
+def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gear]) -> PairShape:
+    """Stiffness of a flexible tooth pair alone in the mesh over its path, at the line load `LINE_LOAD`.
+
+    It is the reference for damping ratios, time steps and the mesh cycle; the forces follow from the contact
+    problem.
+    """
+    place = np.linspace(pair.T1A, pair.T1E, _ON_PATH)
+    found = pair_slice(pair, place, LINE_LOAD, _slices(contact, gears))
+    stiffness = 1.0 / (sum(found.teeth) / contact.correction + found.contact)
+    top = float(stiffness.max())
+    return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
+
+
+def flexible_surfaces(
+    contact: FlexibleContact, pair: GearPair, gears: Sequence[Gear], offsets: tuple[float, float]
+) -> SurfaceContact:
+    """Contact of flexible teeth.
+
+    Parameters
+    ----------
+    contact
+        The contact.
+    pair
+        The gear pair.
+    gears
+        Both gears of the model.
+    offsets
+        Middle of the common face width from the mid-faces of both gears [m].
+    """
+    found = []
+    parts = _slices(contact, gears)
+    for gear, part, offset in zip(gears, parts, offsets, strict=True):
+        compliance = flank_compliance(
+            gear.geometry,
+            planes=contact.planes,
+            width=(offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w),
+            material=gear.material_data,
+            blank=blank_of(gear),
+            body=contact.body,
+            clamp=contact.clamp,
+            coupling=contact.coupling,
+            C_M=contact.correction,
+        )
+        t, weights = leggauss(16)
+        low, high = compliance.roll
+        depth = contact_depth(part, 0.5 * (low + high + (high - low) * t), pair.gear1.beta_b)
+        found.append(GearInfluence(compliance, (weights * depth) @ dual(t, _HEIGHTS)))
+    shape = flexible_shape(contact, pair, gears)
+    assert shape.table is not None
+    materials = [gear.material_data for gear in gears]
+    elastic = ElasticFlanks(
+        gears=(found[0], found[1]),
+        moduli=(materials[0].youngs_modulus, materials[1].youngs_modulus),
+        poisson=(materials[0].poisson_ratio, materials[1].poisson_ratio),
+        overlap=OVERLAPS[contact.overlap]
+        * float(np.mean(1.0 / (shape.c_prime * shape.table)))
+        / (pair.b_w / contact.planes),
+    )
+    return SurfaceContact(
+        planes=contact.planes, oil=contact.oil, structural=contact.structural, elastic=elastic
+    )
+
+
+def surfaces(
+    contact: FlankContact, pair: GearPair, gears: Sequence[Gear], offsets: tuple[float, float]
+) -> SurfaceContact:
+    """Contact of tooth surfaces of a mesh; arguments as for `flexible_surfaces`."""
+    if isinstance(contact, FlexibleContact):
+        return flexible_surfaces(contact, pair, gears, offsets)
+    assert isinstance(contact, RigidContact)
     return SurfaceContact(planes=contact.planes, oil=contact.oil, structural=contact.structural)
+
+
+def surface_shape(contact: FlankContact, pair: GearPair, gears: Sequence[Gear], c_prime: float) -> PairShape:
+    """Stiffness of one tooth pair with contact of tooth surfaces; `c_prime` as for `rigid_shape`."""
+    if isinstance(contact, FlexibleContact):
+        return flexible_shape(contact, pair, gears)
+    assert isinstance(contact, RigidContact)
+    return rigid_shape(contact, pair, c_prime)
 
 
 def pairs_in_reach(pair: GearPair) -> int:
@@ -167,6 +277,7 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     row["source"], row["slices"] = layout.SURFACE, contact.planes
     row["is_rigid"] = contact.elastic is None
     row["reach"] = REACH * row["p_bt"]
+    row["tip_share"] = -1.0
     row["max_nodes"] = contact.planes * pairs_in_reach(pair)
     row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
     cos_b = math.cos(pair.gear1.beta_b)

@@ -15,7 +15,7 @@ from pitchpoint.contact.mesh_cycle import pair_cycle
 from pitchpoint.contact.stiffness.description import Description, PairShape, PhaseStiffness
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.model.components.stiffness import UserStiffness
-from pitchpoint.system.rules.flank_contact import SurfaceContact, rigid_surfaces
+from pitchpoint.system.rules.flank_contact import SurfaceContact, surfaces
 from pitchpoint.system.rules.stiffness import describe_stiffness
 from pitchpoint.system.rules.turning_inertia import turning_inertia
 
@@ -90,7 +90,8 @@ def mesh_laws(model: Model, name: str) -> MeshLaws:
     modified = any(model.gears[g].is_modified for g in mesh.gears)
     grids = modified and isinstance(stiffness, PairShape)
     if mesh.contact is not None:
-        found["surface"] = rigid_surfaces(mesh.contact)
+        gears = [model.gears[g] for g in mesh.gears]
+        found["surface"] = surfaces(mesh.contact, pair, gears, (mesh.offset1, mesh.offset2))
     found["slices"] = mesh.slices if mesh.width == "slices" or grids else 0
     if isinstance(mesh.stiffness, UserStiffness):
         found["user"] = np.array(mesh.stiffness.python.parameters or (0.0,))

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Deviations and faults of individual teeth as grids for the mesh element."""
+"""Modifications, deviations and faults of teeth for the mesh element.
+
+Modifications are closed form, deviations and faults of individual teeth grids.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -43,15 +47,39 @@ def separation_grids(
     row["n_sep"], row["stride"] = 1, STRIDE
     least = 0.0
     for k, gear in enumerate(gears):
-        own = own_teeth(gear, mate=k == 1, worn=worn[k])
+        own = own_teeth(replace(gear, modifications=None), mate=k == 1, worn=worn[k])
+        terms = flank_terms(gear, mate=k == 1)
+        row["modified"][k] = bool(terms.any())
+        row["terms"][k] = keep(terms)
         row["roll"][k] = own.span
         row["n_t"][k] = own.teeth
         row["teeth"][k] = keep(own.table(bool(row["tan_b"] != 0.0)))
         for stack, grids in enumerate((own.smooth, own.levels)):
             row["n_sz"][2 * stack + k], row["n_sx"][2 * stack + k] = own.stations[stack]
             row["sep"][2 * stack + k] = keep(np.array(grids)) if grids else 0
-        least += own.least()
+        least += own.least(terms)
     row["sep_min"] += least
+
+
+def flank_terms(gear: Gear, mate: bool) -> Array:
+    """Rows of the modifications of front and back flanks (`geometry.modification_terms`), shape (2, N_TERM)."""
+    from pitchpoint.geometry.modification_terms import N_TERM, modification_terms
+
+    rows = np.zeros((2, N_TERM))
+    for k, flank in enumerate(flank_sides(gear, mate)):
+        side = None if gear.modifications is None else gear.modifications.side(flank)
+        if side is not None:
+            rows[k] = modification_terms(side.of_geometry(), gear.geometry)
+    return rows
+
+
+def flank_sides(gear: Gear, mate: bool) -> tuple[str, str]:
+    """Sides of the front and the back flanks of gear 1, or gear 2 with `mate`.
+
+    Front flanks are in contact if gear 1 drives counter-clockwise. On an internal mating gear they are the
+    right ones, because its teeth are numbered towards the other side of the mesh.
+    """
+    return ("right", "left") if mate and gear.geometry.z < 0 else ("left", "right")
 
 
 class OwnTeeth:
@@ -105,10 +133,23 @@ class OwnTeeth:
                     out[flank, tooth, first + 1] = max(out[flank, tooth, first + 1], high)
         return out
 
-    def least(self) -> float:
-        """Minimum gap over all flanks [m]."""
-        gaps = [self.smooth[k].min() if k >= 0 else 0.0 for k in np.unique(self.rows[:, :, GAP])]
-        return float(min(gaps))
+    def least(self, terms: Array) -> float:
+        """Minimum gap over all flanks, with the modifications of front and back flanks [m]."""
+        from pitchpoint.geometry.modification_terms import cell_minima
+
+        n_z, n_roll = self.stations[0]
+        found = []
+        for flank in range(2):
+            across, along = np.linspace(-1.0, 1.0, n_z), np.linspace(0.0, 1.0, n_roll)
+            profile, lead = cell_minima(terms[flank], along, across)
+            modified = lead[:, None] + profile
+            for k in np.unique(self.rows[flank, :, GAP]):
+                grid = self.smooth[k] if k >= 0 else np.zeros((n_z, n_roll))
+                cells = np.minimum(
+                    np.minimum(grid[1:, 1:], grid[1:, :-1]), np.minimum(grid[:-1, 1:], grid[:-1, :-1])
+                )
+                found.append(float((cells + modified).min()))
+        return min(found)
 
 
 def changing(grid: Array, helical: bool, level: bool) -> tuple[int, int]:
@@ -130,22 +171,19 @@ def changing(grid: Array, helical: bool, level: bool) -> tuple[int, int]:
 
 
 def own_teeth(gear: Gear, mate: bool, worn: Worn = None) -> OwnTeeth:
-    """Grids of one gear.
+    """Grids of one gear, with its modifications.
 
-    The first index of its rows is 0 for front flanks (in contact if gear 1 drives counter-clockwise), 1 for
-    back flanks. On an internal mating gear the front flanks are the right ones, because its teeth are
-    numbered towards the other side of the mesh.
+    The first index of its rows is 0 for front flanks, 1 for back flanks.
     """
     from pitchpoint.geometry.modifications import flank_range
 
     single = gear.deviations is not None or bool(gear.tooth_faults)
     own = OwnTeeth(gear.number_of_teeth if single else 1, flank_range(gear.geometry))
-    order = ("right", "left") if mate and gear.geometry.z < 0 else ("left", "right")
     own.stations = [(N_WIDTH, N_ROLL), _level_stations(gear)]
     (z, roll), (z_fine, roll_fine) = (
         (np.linspace(-0.5, 0.5, n) * gear.face_width, np.linspace(*own.span, m)) for n, m in own.stations
     )
-    for k, flank in enumerate(order):
+    for k, flank in enumerate(flank_sides(gear, mate)):
         gaps = _gaps(gear, flank, z, roll, None if worn is None else worn(k, flank, z, roll))
         for tooth, grid in gaps.items():
             own.rows[k, tooth, GAP] = own.add(GAP, grid)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.contact.stiffness import law_function
 from pitchpoint.contact.stiffness.description import Description
 from pitchpoint.model.components.stiffness import UserStiffness, standard_options
-from pitchpoint.system.rules.flank_contact import rigid_shape
+from pitchpoint.system.rules.flank_contact import surface_shape
 
 if TYPE_CHECKING:
     from pitchpoint.contact.stiffness.din3990 import SingleStiffness
@@ -35,7 +35,9 @@ def describe_stiffness(model: Model, mesh: str) -> Description:
     """Stiffness description of a mesh by the law in the model."""
     part = model.meshes[mesh]
     if part.contact is not None:
-        return rigid_shape(part.contact, model.pairs[mesh], single_stiffness_of(model, mesh).c_prime)
+        gears = [model.gears[g] for g in part.gears]
+        c_prime = single_stiffness_of(model, mesh).c_prime
+        return surface_shape(part.contact, model.pairs[mesh], gears, c_prime)
     options = part.stiffness.options([model.gears[g] for g in part.gears])
     if isinstance(part.stiffness, UserStiffness):  # the only law that runs code
         own = user_law(part.stiffness.python, f"meshes.{mesh}.stiffness.python")

@@ -6,8 +6,8 @@ A force f_j on the plane s_j of a tooth at the height t_j displaces the plane s_
     f_j times the sum over m, n of P_m(t_i) own[s_i, s_j, m, n] P_n(t_j)
 
 with Legendre polynomials P of the height t, -1 at the root and +1 at the tip; that of the next tooth likewise
-by `beside` (`contact.compliance`). All nodes of a gear also move by the torsion of its blank. Matrices refer
-to a nominal width of the planes; their change with an axial offset of the gears is neglected.
+by `neighbour` (`contact.compliance`). All nodes of a gear also move by the torsion of its blank. Matrices
+refer to a nominal width of the planes; their change with an axial offset of the gears is neglected.
 """
 
 from __future__ import annotations
@@ -114,10 +114,10 @@ def _product(own, s_i, s_j, legs, i, j, first):
 
 
 @kernel
-def blocks(b, gear, beside):
+def blocks(b, gear, neighbour):
     """Influence functions of a gear, of a tooth on itself or on the next, shape (planes, planes, 4, 4)."""
     n = b["slices"]
-    offset = b["beside"][gear] if beside else b["own"][gear]
+    offset = b["neighbour"][gear] if neighbour else b["own"][gear]
     return view(pooled(b, offset), (n, n, HEIGHTS, HEIGHTS), F8)
 
 
@@ -125,7 +125,7 @@ def blocks(b, gear, beside):
 def between(b, nodes, i, j, legs, arrays):
     """Compliance between two nodes i and j, apart from the local one [m/N].
 
-    `arrays`: own and beside of gear 1, own and beside of gear 2.
+    `arrays`: own and neighbour of gear 1, own and neighbour of gear 2.
     """
     lead = nodes[i]["pair"] - nodes[j]["pair"]
     s_i = nodes[i]["plane"]
@@ -135,7 +135,7 @@ def between(b, nodes, i, j, legs, arrays):
         c += _product(arrays[0], s_i, s_j, legs, i, j, 0)
         c += _product(arrays[2], s_i, s_j, legs, i, j, HEIGHTS)
     elif lead == 1:
-        # of two teeth of gear 1 that with the higher number of its pair comes first in `beside`
+        # of two teeth of gear 1 that with the higher number of its pair comes first in `neighbour`
         c += _product(arrays[1], s_i, s_j, legs, i, j, 0)
         c += _product(arrays[3], s_j, s_i, legs, j, i, HEIGHTS)
     elif lead == -1:

@@ -7,14 +7,13 @@ unilateral`), starting from the last solution. The stored energy is
 
     U = max over f >= 0 of f x - f C f/2 - sum Psi(f)
 
-and all forces on the gears are its slopes: beside those of the penetrations also those of the compliances,
-which change as the contact moves over the teeth.
+and all forces on the gears are its slopes: those of the penetrations, and those of the compliances, which
+change as the contact moves over the teeth.
 """
 
 from __future__ import annotations
 
-from pitchpoint.contact.damping import linear_ramp, ramp
-from pitchpoint.contact.flank_law import flank_friction
+from pitchpoint.contact.flank_law import flank_friction, node_damping
 from pitchpoint.contact.local_approach import energy_slopes
 from pitchpoint.contact.unilateral import contact_energy, solve_contact, solve_tangent, tangent_block
 from pitchpoint.contact.unilateral_work import FORCE, LISTED
@@ -139,32 +138,12 @@ def _damped(b, node, elastic, k):
 
     `k`: typical stiffness of the node, to which its damping coefficient is proportional.
     """
-    law = b["contact"]
-    w = node["rate"]
-    f = elastic
-    factor = 1.0
-    by_w = 0.0
+    damping = factor = by_w = 0.0
     if elastic > 0.0:
-        if law["chi"] > 0.0:
-            by_w = law["chi"] * elastic
-            f += by_w * w
-            factor += law["chi"] * w
-        else:
-            full = (law["d_in"] if w > 0.0 else law["d_out"]) * k / law["k_ref"]
-            if full > 0.0:
-                share, slope = (
-                    ramp(elastic / k, law["s_0"])
-                    if law["smooth"] == 1
-                    else linear_ramp(elastic / k, law["s_0"])
-                )
-                by_w = full * share
-                f += by_w * w
-                factor += full * slope * w / k
-    before = f
-    f, structural, film_w = with_losses(b, node["x"], w, (elastic, 1.0), (f, 0.0, by_w))
-    if f == 0.0 and before > 0.0:
-        return 0.0, 0.0, 0.0
-    return f, factor + structural, film_w
+        damping, factor, by_w = node_damping(b["contact"], elastic, k, node["rate"])
+        factor += 1.0
+    found = (elastic + damping, factor, by_w)
+    return with_losses(b, node["x"], node["rate"], (elastic, 1.0), found)
 
 
 @kernel

@@ -18,7 +18,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.contact.tip_contact import tip_gap, tip_gap_curvature
+from pitchpoint.contact.tip_contact import tip_gap, tip_gap_curvature, tip_gap_floor
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh.flank_deviations import begin_separation, find_rows, flank_slopes
 from pitchpoint.elements.mesh.line_of_action import pooled
@@ -122,12 +122,23 @@ def node_place(b, xi):
 
 @kernel
 def tip_bounds(b):
-    """Half the curvature of the gap of both tip edges: eta^2 times this is less than the gap [1/m]."""
-    now = b["now"]
-    tan_a = now["tan_a"]
-    c_1 = tip_gap_curvature(b["r_b1"], b["r_b2"], b["rho_a1"] - b["rounding"][0], tan_a)
-    c_2 = tip_gap_curvature(b["r_b2"], b["r_b1"], b["rho_a2"] - b["rounding"][1], tan_a)
-    return 0.25 * c_1, 0.25 * c_2
+    """Lower bounds of the gaps of both tip edges over eta^2 [1/m]."""
+    return _tip_bound(b, 0, b["r_b1"], b["r_b2"], b["rho_a1"]), _tip_bound(
+        b, 1, b["r_b2"], b["r_b1"], b["rho_a2"]
+    )
+
+
+@kernel
+def _tip_bound(b, edge, r_1, r_2, L):
+    """Lower bound for the tip edge of gear 1 or 2 (0 or 1), its share of the curvature from the first use."""
+    L -= b["rounding"][edge]
+    tan_a = b["now"]["tan_a"]
+    c = tip_gap_curvature(r_1, r_2, L, tan_a)
+    if not (c > 0.0 and c < math.inf):
+        return 0.0
+    if b["tip_share"][edge] < 0.0:
+        b["tip_share"][edge] = 0.5 * tip_gap_floor(b["reach"], r_1, r_2, L, tan_a) / c
+    return b["tip_share"][edge] * c
 
 
 @kernel
@@ -194,16 +205,16 @@ def _set_tip(b, node, edge, mate, eta, way, r_edge):
     """
     r = b["r_b2"] if edge == 0 else b["r_b1"]
     L = b["rho_a1"] if edge == 0 else b["rho_a2"]
-    gap, by_eta, by_tan, roll, roll_by_eta, roll_by_tan = tip_gap(
-        eta, r_edge, r, L - b["rounding"][edge], b["now"]["tan_a"]
-    )
+    radius = b["rounding"][edge]
+    found = tip_gap(eta, r_edge, r, L - radius, b["now"]["tan_a"])
+    gap, by_eta, by_tan, roll, roll_by_eta, roll_by_tan, _, _ = found
     node["x"] -= gap
     node["by_xi"] -= way * by_eta
     node["by_tan"] -= by_tan + by_eta * r_edge
     node["roll"][edge] = L
     node["roll_by_xi"][edge] = 0.0
     node["roll_by_tan"][edge] = 0.0
-    node["roll"][mate] = roll
+    node["roll"][mate] = roll - radius
     node["roll_by_xi"][mate] = way * roll_by_eta
     node["roll_by_tan"][mate] = roll_by_tan + roll_by_eta * r_edge
 

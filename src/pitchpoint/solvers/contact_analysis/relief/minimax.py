@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Local search for the least maximum of peak-to-peak values: linear programmes within a trust region.
+
+The values are max − min of curves over the mesh phase: kinked in the design, but the curves themselves are
+smooth in it. A linear programme with all points of the linearised curves has their kinks exactly. At an
+optimum with as many active points as variables the steps converge quadratically.
+
+Source: K. Madsen, An algorithm for minimax solution of overdetermined systems of non-linear equations, IMA J.
+Appl. Math. 16 (1975) 321-328.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.solvers.contact_analysis.relief.analyses import Curves
+from pitchpoint.solvers.contact_analysis.relief.target import MICRO, PENALTY, Target
+
+Array = NDArray[np.float64]
+
+_DIFFERENCE = 1e-5
+"""Step of differences, relative to the bounds."""
+_FIRST, _LEAST = 0.1, 1e-8
+"""First and smallest size of the trust region, relative to the bounds."""
+_GAIN = 1e-9
+"""Gain of a step [µm] below which the search ends."""
+_NEAR = 0.5
+"""Limits this close to a violation enter the linear programme."""
+
+
+@dataclass(frozen=True)
+class Point:
+    """A design with its analyses: values relative to the bounds, samples of the tolerances, score [µm]."""
+
+    at: Array
+    samples: Sequence[Curves]
+    score: float
+
+
+Evaluate = Callable[[Sequence[Array]], Sequence[Point]]
+"""Analysis of several designs, given by values relative to the bounds, 0 to 1."""
+
+
+def polish(evaluate: Evaluate, start: Point, target: Target, rounds: int) -> Point:
+    """Improve a design.
+
+    Parameters
+    ----------
+    evaluate
+        Analyses designs.
+    start
+        The design.
+    target
+        What is minimised.
+    rounds
+        Maximum number of linear programmes.
+    """
+    best, radius = start, _FIRST
+    slopes: list[Point] | None = None
+    for _ in range(rounds):
+        if radius < _LEAST:
+            break
+        steps = np.where(best.at + _DIFFERENCE > 1.0, -_DIFFERENCE, _DIFFERENCE)
+        if slopes is None:
+            slopes = list(evaluate([best.at + step for step in np.diag(steps)]))
+        step, expected = _programme(best, slopes, steps, target, radius)
+        gain = best.score - expected
+        if gain < _GAIN:
+            break
+        (new,) = evaluate([np.clip(best.at + step, 0.0, 1.0)])
+        actual = best.score - new.score
+        if actual < 0.25 * gain:
+            radius = 0.25 * min(radius, float(np.abs(step).max()))
+        elif actual > 0.75 * gain:
+            radius = min(2.0 * radius, 1.0)
+        if actual > 0.0:
+            best, slopes = new, None
+    return best
+
+
+def _programme(
+    best: Point, slopes: Sequence[Point], steps: Array, target: Target, radius: float
+) -> tuple[Array, float]:
+    """Step of the linear programme, and the score that it predicts.
+
+    Unknowns: step d; upper and lower end u, l of each curve; objective and violation. Rows: curve + slope d
+    <= u, >= l; weighted sums of u - l <= objective; limits + slope d <= violation.
+    """
+    from scipy.optimize import linprog
+    from scipy.sparse import block_array, coo_array
+
+    n = best.at.size
+    curves = np.array([c.approach for c in best.samples]) / MICRO
+    shape = curves.shape[:3]  # samples, misalignments, torques
+    flat = curves.reshape(-1, curves.shape[3])
+    by = np.array([[c.approach for c in point.samples] for point in slopes]).reshape(n, *flat.shape) / MICRO
+    by = (by - flat) / steps[:, None, None]
+    room = radius * np.abs(by).sum(axis=0)
+    base = flat.mean(axis=1)[:, None]
+    high = np.argwhere(flat + room >= (flat - room).max(axis=1)[:, None])
+    low = np.argwhere(flat - room <= (flat + room).min(axis=1)[:, None])
+    ends = len(flat)
+    blocks, right = [], []
+    for sign, chosen, at in ((1.0, high, 0), (-1.0, low, 1)):
+        k, p = chosen.T
+        rows = np.arange(k.size)
+        slope = coo_array(sign * by[:, k, p].T)
+        end = coo_array((np.full(k.size, -sign), (rows, k)), shape=(k.size, ends))
+        none = coo_array((k.size, ends))
+        blocks.append([slope, *((end, none) if at == 0 else (none, end)), coo_array((k.size, 2))])
+        right.append(-sign * (flat - base)[k, p])
+    groups, factors = _groups(shape, target)
+    part = coo_array((factors, (groups, np.arange(ends))), shape=(int(groups.max()) + 1, ends))
+    value = coo_array(np.tile([-1.0, 0.0], (part.shape[0], 1)))
+    blocks.append([coo_array((part.shape[0], n)), part, -part, value])
+    right.append(np.zeros(part.shape[0]))
+    limits, limit_slopes = _limits(best, slopes, steps, target)
+    if limits.size:
+        outside = coo_array(np.tile([0.0, -1.0], (limits.size, 1)))
+        none = coo_array((limits.size, ends))
+        blocks.append([coo_array(limit_slopes), none, none, outside])
+        right.append(-limits)
+    bounds = [(max(-radius, -x), min(radius, 1.0 - x)) for x in best.at]
+    bounds += [(None, None)] * (2 * ends) + [(None, None), (0.0, None)]
+    cost = np.zeros(n + 2 * ends + 2)
+    cost[-2:] = 1.0, PENALTY
+    found = linprog(
+        cost, A_ub=block_array(blocks).tocsr(), b_ub=np.concatenate(right), bounds=bounds, method="highs"
+    )
+    if found.status != 0:
+        return np.zeros(n), best.score
+    return np.asarray(found.x[:n]), float(found.fun)
+
+
+def _groups(shape: tuple[int, int, int], target: Target) -> tuple[NDArray[np.int64], Array]:
+    """Number of the row of the objective of each curve, and its factor."""
+    samples, cases, torques = shape
+    factors = np.tile(target.factors(), samples * cases)
+    if target.mean:
+        return np.repeat(np.arange(samples * cases), torques), factors
+    return np.arange(factors.size), factors
+
+
+def _limits(best: Point, slopes: Sequence[Point], steps: Array, target: Target) -> tuple[Array, Array]:
+    """Limits near violation, shape (limits,), and their slopes, shape (limits, variables)."""
+    here = np.concatenate([target.excess(c) for c in best.samples])
+    near = here > -_NEAR
+    found = [(np.concatenate([target.excess(c) for c in p.samples]) - here)[near] for p in slopes]
+    return here[near], np.array(found).T / steps

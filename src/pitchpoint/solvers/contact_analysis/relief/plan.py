@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plan of a relief design: variables, torques, tolerances, limits, effort."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.solvers.contact_analysis.relief.analyses import Conditions
+from pitchpoint.solvers.contact_analysis.relief.target import Target
+from pitchpoint.solvers.contact_analysis.relief.variables import Variable
+
+LEAST_ANALYSES = 20
+"""Smallest number of analyses of a design."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ReliefPlan:
+    """What is varied, and for what.
+
+    Parameters
+    ----------
+    vary
+        Variables with their bounds.
+    torques
+        Torques on gear 1 [N m]; only the magnitudes count.
+    weights
+        Weight of each torque; None: equal.
+    mean
+        Minimise the weighted mean of the peak-to-peak errors over the torques instead of their maximum.
+    tolerances
+        Tolerance ± by path [m], of varied or other modifications; the worst deviations count.
+    misalignments
+        Angles between the flanks in the plane of action [rad]; the worst counts.
+    max_pressure
+        Limit of the Hertzian pressure on the path of contact at the highest torque [Pa].
+    no_edge_contact
+        Tip edges must not carry load at the highest torque.
+    positions
+        Mesh phases over one base pitch.
+    flank
+        1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
+    analyses
+        Maximum number of analyses of the search, each at all torques for one deviation.
+    samples
+        Random deviations with more than four tolerances.
+    seed
+        Seed of search and samples.
+    """
+
+    vary: Sequence[Variable]
+    torques: Sequence[float]
+    weights: Sequence[float] | None = None
+    mean: bool = False
+    tolerances: Mapping[str, float] = field(default_factory=dict)
+    misalignments: Sequence[float] = (0.0,)
+    max_pressure: float | None = None
+    no_edge_contact: bool = False
+    positions: int = 64
+    flank: int = 1
+    analyses: int = 3000
+    samples: int = 12
+    seed: int = 1
+
+    def __post_init__(self) -> None:
+        for wrong, what in self._faults():
+            if wrong:
+                raise SolverError(f"relief design: {what}", INCONSISTENT)
+
+    def _faults(self) -> list[tuple[bool, str]]:
+        """Conditions that a plan must not meet, and what to do."""
+        paths = [v.path for v in self.vary]
+        bounds = [v.high > v.low and math.isfinite(v.high - v.low) for v in self.vary]
+        weights = np.ones(1) if self.weights is None else np.asarray(self.weights, dtype=np.float64)
+        fitting = self.weights is None or len(self.weights) == len(self.torques)
+        return [
+            (not paths, "give at least one variable"),
+            (len(set(paths)) < len(paths), "a path is varied twice; give each once"),
+            (not all(bounds), "the lower bound of a variable is not below its upper bound; exchange them"),
+            (
+                not self.torques or not all(math.isfinite(t) and t != 0.0 for t in self.torques),
+                "give torques other than 0",
+            ),
+            (not fitting, "give one weight for each torque"),
+            (not (np.isfinite(weights).all() and (weights >= 0.0).all() and weights.any()), "give weights >= 0"),
+            (
+                not all(math.isfinite(t) and t >= 0.0 for t in self.tolerances.values()),
+                "give tolerances >= 0",
+            ),
+            (
+                not self.misalignments or not all(math.isfinite(k) for k in self.misalignments),
+                "give finite misalignments",
+            ),
+            (self.positions < 8, "give at least 8 positions"),
+            (self.analyses < LEAST_ANALYSES, f"give at least {LEAST_ANALYSES} analyses"),
+        ]
+
+    def order(self) -> list[int]:
+        """Order of the torques from the smallest to the largest."""
+        return sorted(range(len(self.torques)), key=lambda k: abs(self.torques[k]))
+
+    def target(self) -> Target:
+        """Target for torques in increasing order."""
+        weights = np.ones(len(self.torques)) if self.weights is None else np.asarray(self.weights, dtype=float)
+        weights = weights[self.order()]
+        return Target(weights / weights.max(), self.mean, self.max_pressure, self.no_edge_contact)
+
+    def conditions(self, torques: Sequence[float]) -> Conditions:
+        """Conditions of the analyses at given torques."""
+        return Conditions(tuple(torques), self.positions, tuple(self.misalignments), self.flank)
+
+    @property
+    def paths(self) -> list[str]:
+        """Paths of the variables, then of other modifications with tolerances."""
+        varied = [v.path for v in self.vary]
+        return varied + [path for path in self.tolerances if path not in varied]
