@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 CURVES = ("transmission_error", "unloaded_transmission_error", "mesh_stiffness", "secant_stiffness")
 """Curves over the mesh phase in the output of `--json`."""
+NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
 MOST = 500
 """Maximum number of torques."""
 
@@ -90,13 +91,11 @@ def _chosen(model: Model, name: str | None) -> str:
     touching = [key for key, mesh in model.meshes.items() if mesh.contact is not None]
     if name is None and len(touching) == 1:
         return touching[0]
-    chosen = one_of(name, touching if name is None and touching else list(model.meshes), "mesh")
+    if name is None and not touching:
+        raise click.UsageError(f"no mesh has a contact of tooth surfaces; {NEEDED}")
+    chosen = one_of(name, touching if name is None else list(model.meshes), "mesh")
     if chosen not in touching:
-        raise click.BadParameter(
-            f"{chosen} has a stiffness law; give it a contact of tooth surfaces, such as "
-            "`contact: {level: rigid}`",
-            param_hint="--mesh",
-        )
+        raise click.BadParameter(f"{chosen} has a stiffness law; {NEEDED}", param_hint="--mesh")
     return chosen
 
 

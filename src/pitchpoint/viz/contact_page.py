@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pitchpoint.viz.contact_table import options_of
-from pitchpoint.viz.report.contact import ContactData, contact_section
+from pitchpoint.viz.report.contact import contact_result, contact_section
 from pitchpoint.viz.report.page import page
 
 if TYPE_CHECKING:
@@ -30,5 +30,5 @@ def contact_page(data: xr.Dataset, note: str = "") -> str:
         ("mesh", mesh),
     )
     title = str(data.attrs.get("title") or "Gears")
-    section = contact_section({mesh: ContactData(data=data, note=note)})
+    section = contact_section({mesh: contact_result(data, note)})
     return page(f"{title}: tooth contact", facts, [section], "pitchpoint contact.", [note] if note else [])

@@ -34,10 +34,26 @@ MAX_CURVES = 5
 
 @dataclass(frozen=True, kw_only=True)
 class ContactData:
-    """Contact analysis of one mesh: dataset of `solve_contact`, and a sentence on an incomplete one."""
+    """Contact analysis of one mesh.
+
+    Attributes
+    ----------
+    data
+        Dataset of `solve_contact`.
+    numbers
+        Its main results, of `contact_numbers`.
+    note
+        Sentence on an incomplete analysis.
+    """
 
     data: xr.Dataset
+    numbers: Mapping[str, Array]
     note: str = ""
+
+
+def contact_result(data: xr.Dataset, note: str = "") -> ContactData:
+    """Contact analysis with its main results."""
+    return ContactData(data=data, numbers=contact_numbers(data), note=note)
 
 
 def contact_section(analyses: Mapping[str, ContactData]) -> Section:
@@ -47,13 +63,12 @@ def contact_section(analyses: Mapping[str, ContactData]) -> Section:
         section.add(f"<h3>{escape(name)}</h3>" if len(analyses) > 1 else "")
         section.add(f"<p>{escape(analysis.note)}</p>" if analysis.note else "")
         if analysis.data.sizes.get("torque", 0):
-            _add_analysis(section, analysis.data)
+            _add_analysis(section, analysis.data, analysis.numbers)
     return section
 
 
-def _add_analysis(section: Section, data: xr.Dataset) -> None:
+def _add_analysis(section: Section, data: xr.Dataset, found: Mapping[str, Array]) -> None:
     torques = np.asarray(data["torque"].values, dtype=np.float64)
-    found = contact_numbers(data)
     section.add(f"<p>{escape(_about(data))}</p>")
     section.add(_table(torques, found))
     most = int(np.argmax(torques))
@@ -116,12 +131,10 @@ def _add_path(
 def _add_cycle(section: Section, data: xr.Dataset, names: Mapping[int, str], most: int, at: str) -> None:
     """Transmission error and stiffness over the mesh cycle."""
     phase = np.asarray(data["mesh_phase_position"].values, dtype=np.float64)
-    ways = plots.repeated(phase, phase, 1)[0]
-    errors = {"without load": plots.repeated(phase, data["unloaded_transmission_error"].values[0], 1)[1]}
-    for k, name in names.items():
-        errors[name] = plots.repeated(phase, data["transmission_error"].values[k], 1)[1]
+    errors = {"without load": data["unloaded_transmission_error"].values[0]}
+    errors |= {name: data["transmission_error"].values[k] for k, name in names.items()}
     section.add_figure(
-        plot_transmission_error(ways, errors),
+        plot_transmission_error(phase, errors),
         "Transmission error over two mesh cycles: approach of the flanks along the base tangent.",
     )
     section.add_figure(
