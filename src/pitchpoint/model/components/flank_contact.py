@@ -79,9 +79,9 @@ class FlexibleContact(FlankContact):
     level: ClassVar[str] = "flexible"
     law: ClassVar[str] = "flexible contact"
     body: str = choice(
-        ("weber_banaschek", "half_plane", "ring", "sainsot", "rigid"),
+        ("ring", "weber_banaschek", "half_plane", "sainsot", "rigid"),
         "compliance of the gear body under the teeth",
-        "weber_banaschek",
+        "ring",
     )
     clamp: float | None = quantity(
         "angle",

@@ -76,12 +76,15 @@ class ElasticFlanks:
         Young's moduli [Pa] and Poisson's ratios.
     overlap
         Additional compliance of one node [m/N].
+    correction
+        Factor C_M of the stiffness of the local contact; that of the teeth is in their influence functions.
     """
 
     gears: tuple[GearInfluence, GearInfluence]
     moduli: tuple[float, float]
     poisson: tuple[float, float]
     overlap: float = 0.0
+    correction: float = 1.0
 
 
 def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callable[[Array], int]) -> None:
@@ -98,7 +101,7 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
         row["own"][k], row["neighbour"][k] = keep(gear.teeth.own), keep(gear.teeth.beside)
         row["depth"][k] = gear.depth
-        row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width)
+        row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width * elastic.correction)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
     row["windup"] = sum(gear.teeth.windup for gear in elastic.gears)
     # the radius normal to the contact line is the transverse one over cos(beta_b)
@@ -192,7 +195,7 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     """
     place = np.linspace(pair.T1A, pair.T1E, _ON_PATH)
     found = pair_slice(pair, place, LINE_LOAD, _slices(contact, gears))
-    stiffness = 1.0 / (sum(found.teeth) / contact.correction + found.contact)
+    stiffness = contact.correction * found.stiffness
     top = float(stiffness.max())
     return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
 
@@ -241,6 +244,7 @@ def flexible_surfaces(
         overlap=OVERLAPS[contact.overlap]
         * float(np.mean(1.0 / (shape.c_prime * shape.table)))
         / (pair.b_w / contact.planes),
+        correction=contact.correction,
     )
     return SurfaceContact(
         planes=contact.planes, oil=contact.oil, structural=contact.structural, elastic=elastic
