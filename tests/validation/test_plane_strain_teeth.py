@@ -2,10 +2,9 @@
 """FC-1: finite elements of teeth in plane strain, spur 17/43, m 1, rack 1.25/0.38/1.0, E 206 GPa.
 
 Source: finite elements of an open gear contact program, three meshes within 0.06 %. The displacement is that
-of the intersection of the line of force with the centre line of the tooth, along the line of force. The bodies
-are clamped at the bore r_f/1.4. c' at the pitch point adds the approach of Weber and Banaschek (1953) at 300
-N/mm. Tolerance: twice the sum of the spread of the source and half a unit of the last printed digit (0.06 %
-and 0.03 %).
+of the intersection of the line of force with the centre line of the tooth, along the line of force. The bore
+r_f/1.4 is clamped. c' at the pitch point adds the approach of Weber and Banaschek (1953) at 300 N/mm. Tolerance:
+twice the sum of the spread of the source and half a unit of the last printed digit (0.06 % and 0.03 %).
 
 Hertzian pressure on a refined mesh is the reference for the way in which the local indentation is replaced.
 """
