@@ -37,9 +37,19 @@ COLUMNS = (
 )
 """Main results of a contact analysis, one row per torque."""
 
-_DIMENSION_OF = {"stiffness": "stiffness", "depth": "length", "overlap": "compliance"}
-ORDER = ("level", "planes", "foundation", "body", "clamp", "coupling", "C_M", "stiffness", "exponent")
-"""Options of a contact that its description gives, in this order."""
+ORDER = {
+    "level": "dimensionless",
+    "planes": "dimensionless",
+    "body": "dimensionless",
+    "clamp": "angle",
+    "coupling": "dimensionless",
+    "correction": "dimensionless",
+    "overlap": "dimensionless",
+    "stiffness": "stiffness",
+    "exponent": "dimensionless",
+}
+"""Options of a contact that its description gives, in this order, and their dimensions."""
+WORDS = {"correction": "C_M", "overlap": "contact overlap"}
 
 
 def options_of(data: xr.Dataset) -> dict[str, Any]:
@@ -56,16 +66,19 @@ def contact_words(options: Mapping[str, Any]) -> str:
     --------
     >>> contact_words({"level": "rigid", "planes": 11, "stiffness": 2e8, "exponent": 1.0})
     'level rigid, 11 contact planes, stiffness 200 N/µm, exponent 1'
+    >>> contact_words({"level": "flexible", "planes": 21, "body": "ring", "clamp": 0.5, "correction": 0.8})
+    'level flexible, 21 contact planes, body ring, C_M 0.8'
     """
     parts = []
-    for name in ORDER:
-        if name not in options:
+    for name, dimension in ORDER.items():
+        # only Weber and Banaschek's body has a clamp
+        if name not in options or (name == "clamp" and options.get("body") != "weber_banaschek"):
             continue
         value = options[name]
         if name == "planes":
             parts.append(f"{value} contact planes")
             continue
         if isinstance(value, int | float) and not isinstance(value, bool):
-            value = format_quantity(float(value), _DIMENSION_OF.get(name, "dimensionless"))
-        parts.append(f"{name.replace('_', ' ') if name != 'C_M' else name} {str(value).replace('_', ' ')}")
+            value = format_quantity(float(value), dimension)
+        parts.append(f"{WORDS.get(name, name)} {str(value).replace('_', ' ')}")
     return ", ".join(parts)

@@ -144,6 +144,12 @@ def test_page(spur: xr.Dataset) -> None:
 
 
 def test_description_of_the_contact() -> None:
-    options = {"level": "flexible", "planes": 21, "foundation": "half_plane", "clamp": "30 deg", "C_M": 0.8}
-    words = "level flexible, 21 contact planes, foundation half plane, clamp 30 deg, C_M 0.8"
+    options = {
+        "level": "flexible",
+        "planes": 21,
+        "body": "weber_banaschek",
+        "clamp": 0.5235987756,
+        "overlap": "small",
+    }
+    words = "level flexible, 21 contact planes, body weber banaschek, clamp 30 deg, contact overlap small"
     assert contact_words(options) == words

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 import numpy as np
@@ -67,11 +66,18 @@ def mesh_geometry(flanks: FlankStates) -> tuple[dict[str, Any], dict[str, Any]]:
 
 
 def contact_options(flanks: FlankStates) -> dict[str, str | int | float]:
-    """Level of the contact and its options that are numbers or texts, by their keys in the model file."""
+    """Level of the contact and its options, by their keys in the model file; defaults that depend on others
+    as texts.
+    """
+    from pitchpoint.model.keys import keys_of
+
     contact = flanks.model.meshes[flanks.mesh].contact
     assert contact is not None
-    values = {
-        "level": contact.level,
-        **{f.name: getattr(contact, f.name) for f in dataclasses.fields(contact)},
-    }
-    return {name: value for name, value in values.items() if isinstance(value, str | int | float)}
+    found: dict[str, str | int | float] = {"level": contact.level}
+    for name, key in keys_of(type(contact)).items():
+        value = getattr(contact, name)
+        if value is None and key.kind == "quantity":
+            value = key.display
+        if isinstance(value, str | int | float) and value != "":
+            found[name] = value
+    return found
