@@ -36,24 +36,22 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-CLOSE = 1e-6
-"""Largest difference of the forces of roll and contact analysis, relative."""
-
 
 @dataclass(frozen=True)
 class Position:
     """One position of a mesh in equilibrium: phase [base pitches], approach [m], misalignment [rad], signed
-    centre distance [m], force along the base tangent [N]."""
+    centre distance and axial offset [m], force along the base tangent [N]."""
 
     phase: float
     x_0: float
     kappa: float
     distance: float
+    dz: float
     force: float
 
 
 def position_of(record: np.void, force: float, flank: int) -> Position:
-    """Position of an evaluated mesh for one of its flanks.
+    """Position of an evaluated mesh for one of its flanks; `record` is a copy, whose scratch changes.
 
     Parameters
     ----------
@@ -65,12 +63,12 @@ def position_of(record: np.void, force: float, flank: int) -> Position:
         1: front, -1: back.
     """
     now = record["now"]
-    kappa = float(now["kappa"])
     plain(flank_tilt)(record, flank)
-    tilt, now["kappa"] = float(now["kappa"]), kappa
+    tilt = float(now["kappa"])
     phase = float(plain(flank_phase)(record, flank)) + flank * int(now["turn"])
     x_0 = flank * float(now["u"] - now["e_t"]) - 0.5 * float(now["gap"])
-    return Position(phase, x_0, 0.0 if record["fixed"] else tilt, float(now["a"]), force)
+    kappa = 0.0 if record["fixed"] else tilt
+    return Position(phase, x_0, kappa, float(now["a"]), float(now["dz"]), force)
 
 
 def solve_contact_on_shafts(
@@ -146,14 +144,13 @@ def _analysed(model: Model, mesh: str, flank: int, places: list[Position]) -> xr
     phase = np.array([p.phase for p in places])
     order = np.argsort((phase - phase.min()) % 1.0, kind="stable")
     states = flanks.states(phase[order] - math.floor(phase.min()))
-    for field in ("x_0", "kappa", "distance"):
+    for field in ("x_0", "kappa", "distance", "dz"):
         states[field] = np.array([getattr(p, field) for p in places])[order]
     nodes = flanks.solve(states, keep_nodes=True)
     assert nodes is not None
-    if states["status"].max() != OK:
-        raise SolverError(
-            f"mesh {mesh}: {sentence(int(states['status'].max()))}", int(states["status"].max())
-        )
+    status = int(states["status"].max())
+    if status != OK:
+        raise SolverError(f"mesh {mesh}: {sentence(status)}", status)
     force = np.array([p.force for p in places])[order]
     torque = float(np.mean(force)) * float(flanks.record["r_b1"])
     data = contact_dataset(flanks, np.array([torque]), states["pairs"] + states["psi"], [(states, nodes)])
