@@ -20,6 +20,7 @@ GROUPS = {
         "solve_modal",
         "solve_campbell",
         "solve_frequency_response",
+        "solve_contact",
         "solve_time",
         "reduce_system",
     ),

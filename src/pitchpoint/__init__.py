@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell import solve_campbell
+    from pitchpoint.solvers.contact_analysis.solve import solve_contact
     from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
     from pitchpoint.solvers.frequency_response import solve_frequency_response
     from pitchpoint.solvers.modal import solve_modal
@@ -61,6 +62,7 @@ __all__ = [
     "reduce_system",
     "run_cases",
     "solve_campbell",
+    "solve_contact",
     "solve_equilibrium",
     "solve_frequency_response",
     "solve_modal",
@@ -90,6 +92,7 @@ _HOMES = {
     "model.model": ("Model",),
     "report.write": ("write_report",),
     "solvers.campbell": ("solve_campbell",),
+    "solvers.contact_analysis.solve": ("solve_contact",),
     "solvers.equilibrium.solve": ("solve_equilibrium",),
     "solvers.frequency_response": ("solve_frequency_response",),
     "solvers.modal": ("solve_modal",),

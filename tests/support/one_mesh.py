@@ -17,6 +17,7 @@ from pitchpoint.elements.gear_mesh import entry
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.flexible import flexible_flank
 from pitchpoint.elements.mesh.surface.rigid import rigid_flank
+from pitchpoint.elements.mesh.surface.tabulated import tabulated_flank
 from pitchpoint.elements.mesh.tooth_pairs import deviating_line
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.multibody.channels import CTL, FRAME
@@ -70,6 +71,8 @@ class OneMesh(MeshAlone):
             self.rec["rigid"] = address(rigid_flank)
         if self.row["is_flexible"]:
             self.rec["flexible"] = address(flexible_flank)
+        if self.row["is_tabulated"]:
+            self.rec["tabulated"] = address(tabulated_flank)
         self.frames = np.zeros(2, FRAME)
         self.frames["r"] = o1, o2
         self.frames["R"] = np.eye(3)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Naive elastic potentials of a gear pair: slices of tooth pairs over the face width, with and without coupling.
+"""Naive elastic potentials of a gear pair: slices of tooth pairs over the face width, coupled or not.
 
-U = sum of k w <x - g>^2/2 over pairs and slices; the gap g has tip and root relief, crowning, misalignment and
-the rapid growth beyond the ends of the path of contact. The number of pairs in contact changes over the phase.
-The coupled potential is the maximum of -f C f/2 - f g over f >= 0 for a full compliance matrix C.
+U = sum of k w <x - g>^2/2 over pairs and slices; the gap g has tip and root relief, crowning, misalignment
+and rapid growth beyond the ends of the path of contact. The number of pairs in contact changes over the
+phase. The coupled potential is the maximum of f (x - g) - f C f/2 over f >= 0 for a compliance matrix C.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class SlicePair:
         return self.p_bt * (p - 0.45 * self.eps_alpha).reshape(len(states), -1)
 
     def __call__(self, states: Array) -> Array:
-        """Potential, its four derivatives, sliding loss and friction moment per unit coefficient, shape (n, 7)."""
+        """Potential, its four derivatives, loss and friction moment per unit coefficient, shape (n, 7)."""
         gap, by_s, by_a, z = self._points(states)
         _, w = np.polynomial.legendre.leggauss(self.slices)
         k = self.c_prime * 0.5 * self.b * np.tile(w, 6)
@@ -93,7 +93,7 @@ class SlicePair:
 
 
 def coupled_forces(C: Array, depth: Array) -> Array:
-    """Forces f >= 0 with C f >= depth and equality in contact, by projected coordinate steps, shape (n, points)."""
+    """Forces f >= 0 with C f >= depth and equality in contact, by principal pivoting, shape (n, points)."""
     f = np.zeros_like(depth)
     active = depth > 0.0
     near = np.flatnonzero(active.any(axis=0))

@@ -188,17 +188,19 @@ def _export_shaft(model: Model, name: str, target: Path, inputs: Sequence[str | 
 
 
 def _print_gears(model: Model, only: str | None, *, quiet: bool) -> None:
-    from pitchpoint.report.numbers import GEAR_ROWS, gear_numbers, measure_numbers
+    from pitchpoint.report.numbers import EDGE_ROWS, GEAR_ROWS, gear_numbers, measure_numbers
 
     names = [only] if only is not None else list(model.gears)
     if not names and model.bevel_gears:
         return
     numbers = {name: gear_numbers(model, name) for name in names}
     measures = {name: measure_numbers(model.gears[name].geometry) for name in names}
+    edges = [row for row in EDGE_ROWS if any(numbers[n][row[0]] is not None for n in names)]
     rows = [
         ["type", *(numbers[n]["type"] for n in names)],
         ["hand", *(shown(numbers[n]["hand"]) for n in names)],
         *number_rows(GEAR_ROWS, numbers),
+        *number_rows(edges, numbers),
         [],
         *number_rows(MASS_ROWS, numbers, 5, symbols=False),
         [],

@@ -26,6 +26,8 @@ COMMANDS = {
     "clearance": "Clearances between assembled gears, with pictures.",
     "mass": "Mass and inertia from geometry, solids, given values.",
     "mesh": "Mesh stiffness over the mesh cycle.",
+    "contact": "Loaded tooth contact: load distribution, pressure, TE.",
+    "contact-table": "Pre-computed contact of a mesh, with its error.",
     "frequencies": "Frequencies of shafts, meshes, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",
     "frf": "Frequency response about an operating point.",

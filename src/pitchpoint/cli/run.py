@@ -213,6 +213,7 @@ def compute(
         "notes": notes,
         "events": len(done.events),
         "channels": statistics,
+        **({"contact_solver": done.contact_solver} if done.contact_solver else {}),
         **inner,
     }
     return summary, None if done.status == OK else SolverError(sentence, done.status, str(target))

@@ -32,6 +32,8 @@ N_NODE = 8
 
 _SMALLEST = 1e-280
 """Lower limit of b^2 [m^2]: keeps t^2/b^2 and the slope finite down to f = 0."""
+_STEPS = 40
+"""Maximum number of steps of `local_force`; three to five are needed."""
 
 
 @kernel
@@ -88,6 +90,15 @@ def _arc(t, s, bb):
 
 
 @kernel
+def _body(a, t, kappa, bb):
+    """Compliance h/f of one body and its slope dh/df, with a = 2 c/(pi l) and bb = b^2."""
+    s = math.sqrt(t * t + bb)
+    arc = _arc(t, s, bb)
+    share = t / (s * (s + t))
+    return a * (arc - kappa * s * share), a * (arc - 0.5 * (1.0 + kappa) * (s + t) * share)
+
+
+@kernel
 def local_approach(node, i, f):
     """Local approach h of node i under a force f, odd in f [m], and its slope dh/df [m/N].
 
@@ -103,17 +114,9 @@ def local_approach(node, i, f):
     if node[i, B] == 0.0:
         return node[i, D] * f, node[i, D]
     bb = max(node[i, B] * abs(f), _SMALLEST)
-    t = node[i, T1]
-    s = math.sqrt(t * t + bb)
-    arc = _arc(t, s, bb)
-    h = node[i, A1] * (arc - node[i, K1] * t / (s + t))
-    slope = node[i, A1] * (arc - 0.5 * (1.0 + node[i, K1]) * t / s)
-    t = node[i, T2]
-    s = math.sqrt(t * t + bb)
-    arc = _arc(t, s, bb)
-    h += node[i, A2] * (arc - node[i, K2] * t / (s + t))
-    slope += node[i, A2] * (arc - 0.5 * (1.0 + node[i, K2]) * t / s)
-    return f * (node[i, D] + h), node[i, D] + slope
+    h_1, slope_1 = _body(node[i, A1], node[i, T1], node[i, K1], bb)
+    h_2, slope_2 = _body(node[i, A2], node[i, T2], node[i, K2], bb)
+    return f * (node[i, D] + h_1 + h_2), node[i, D] + slope_1 + slope_2
 
 
 @kernel
@@ -141,8 +144,7 @@ def local_force(node, i, overlap, compliance):
     """
     if not overlap > 0.0:
         return 0.0
-    h, slope = local_approach(node, i, 1.0)
-    f = overlap / (h + compliance)
+    f = overlap / (local_approach(node, i, 1.0)[0] + compliance)
     for _ in range(_STEPS):
         h, slope = local_approach(node, i, f)
         h += compliance * f
@@ -155,13 +157,9 @@ def local_force(node, i, overlap, compliance):
     return f
 
 
-_STEPS = 40
-"""Maximum number of steps of `local_force`; three to five are needed."""
-
-
 @kernel
 def _store(t, kappa, s, bb):
-    """Energy bracket of one body, and minus its derivative by ln b (see the note on the energy)."""
+    """Energy bracket of one body, and its derivative by ln t, which is minus that by ln b."""
     share = t / ((s + t) * (s + t))
     store = 0.5 * _arc(t, s, bb) + share * (s + 2.0 * t - 2.0 * kappa * (2.0 * s + t)) / 6.0
     return store, 2.0 / 3.0 * share * (s + 2.0 * t - kappa * (s - t))

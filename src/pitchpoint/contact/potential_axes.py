@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Axes of the table of the elastic potential: points, cubic splines through data at them, blocks for the kernel.
+"""Axes of the table of the elastic potential: points, cubic splines through them, blocks for the kernel.
 
 Given slopes double the resolution of an axis: the value at the middle of two points is that of the cubic with
-the given values and slopes at both, and the spline interpolates at points and middles. For a kink of the force
-between two points the error of this local cubic does not reach the neighbouring cells.
+the given values and slopes at both, and the spline interpolates at points and middles. For a kink of the
+force between two points the error of this local cubic does not reach the neighbouring cells.
 
 Source: C. de Boor, A Practical Guide to Splines, Springer (2001), chapters IV and IX.
 """
@@ -32,7 +32,7 @@ from pitchpoint.contact.stiffness.description import frozen_array, refuse
 
 FloatArray = NDArray[np.float64]
 
-MOST_POINTS = 4096
+MOST_POINTS = 512
 """Largest number of points of an axis."""
 _FEWEST = 4
 """Smallest number of interpolated points of a cubic spline."""
@@ -184,7 +184,7 @@ class TableAxis:
         return np.concatenate([head, self.edges, first, self._pieces().ravel(), self.closed])
 
     def _pieces(self) -> FloatArray:
-        """The four B-splines of each cell in powers of the distance from its left edge, shape (cells, 4, 4)."""
+        """The four B-splines of each cell in powers of the distance from its left edge, (cells, 4, 4)."""
         from scipy.interpolate import BSpline
 
         every = BSpline(self._cardinal.t, np.eye(self.n_coefficients), 3)

@@ -46,7 +46,8 @@ class PotentialTable:
     axes
         Mesh phase, approach [m], misalignment [rad], centre distance [m].
     coefficients
-        B-spline coefficients of V [J^0.5], shape (n_s, n_x, n_kappa, n_a); of the phase without repeated ones.
+        B-spline coefficients of V [J^0.5], shape (n_s, n_x, n_kappa, n_a), without the repeated ones of the
+        phase.
     ratios
         Ratios of further quantities to the force at the tabulated points, shape (n, *points).
     quantities
@@ -231,13 +232,9 @@ def _check(axes: tuple[TableAxis, ...], values: FloatArray) -> None:
             raise SolverError(f"the elastic potential {words} ({place})", status)
     begun = np.argwhere(energy[:, 0] > NO_CONTACT * largest)
     if len(begun):
-        raise refuse(
-            "axis.approach",
-            f"is the lowest approach, but teeth are in contact there (phase {axes[PHASE].points[begun[0, 0]]:.6g})",
-            f"{axes[APPROACH].points[0]:.6g} m",
-            "below first contact",
-            "start lower",
-        )
+        lowest, phase = axes[APPROACH].points[0], axes[PHASE].points[begun[0, 0]]
+        words = f"is the lowest approach, but teeth are in contact there (phase {phase:.6g})"
+        raise refuse("axis.approach", words, f"{lowest:.6g} m", "below first contact", "start lower")
     apart = ~np.any(energy > NO_CONTACT * largest, axis=APPROACH)
     if np.any(apart):
         k = np.argwhere(apart)[0]

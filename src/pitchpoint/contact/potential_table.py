@@ -8,12 +8,12 @@ square of the approach beyond it and the force V grad V is continuous. Forces ar
 function: they do no work on a closed path.
 
 Outside the range V continues linearly from its edge, so the force continues linearly in the approach, and the
-potential remains C1 and conservative; the result states the axes concerned. Below the lowest tabulated approach
-there is no contact. An axis with one point is not interpolated.
+potential remains C1 and conservative; the result states the axes concerned. Below the lowest tabulated
+approach there is no contact. An axis with one point is not interpolated.
 
-The table is one array: sizes and offsets, one block per axis, the coefficients of V in the order s, kappa, a, x,
-and the ratios of further quantities to the force V V_x at the tabulated points in the order s, kappa, a, x,
-quantity. `contact.potential_fit` writes it.
+The table is one array: sizes and offsets, one block per axis, the coefficients of V in the order s, kappa, a,
+x, and the ratios of further quantities to the force V V_x at the tabulated points in the order s, kappa, a,
+x, quantity. `contact.potential_fit` writes it.
 
 Source: C. de Boor, A Practical Guide to Splines, Springer (2001), chapters IX and XVII.
 """
@@ -25,13 +25,13 @@ import math
 from pitchpoint.core.kernel import kernel
 
 QUANTITIES, AXES, VALUES, RATIOS, HEAD = 0, 1, 5, 6, 7
-"""Head: number of further quantities; offsets of the four axes, of the coefficients and of the ratios; length."""
+"""Head: number of further quantities; offsets of the axes, of the coefficients, of the ratios; length."""
 PHASE, APPROACH, MISALIGNMENT, CENTRE = 0, 1, 2, 3
 """Numbers of the axes."""
 COEFFICIENTS, CELLS, LOW, HIGH, SCALE, BUCKETS, POINTS, EDGES = 0, 1, 2, 3, 4, 5, 6, 7
-"""Block of an axis: number of coefficients and of cells, range, buckets per unit, number of buckets and of points;
-then the edges of the cells, the first cell of each bucket, 16 numbers per cell, the points. The 16 numbers are the
-coefficients of the four B-splines in powers of the distance from the left edge, power by power."""
+"""Block of an axis: number of coefficients and of cells, range, buckets per unit, number of buckets and of
+points; then the edges of the cells, the first cell of each bucket, 16 numbers per cell, the points. The 16
+numbers are the coefficients of the four B-splines in powers of the distance from the left edge."""
 
 BEYOND_APPROACH, BEYOND_MISALIGNMENT, BEYOND_CENTRE = 1, 2, 4
 """Bits of the axes outside whose range a state is; NaN counts as outside."""
@@ -39,7 +39,7 @@ BEYOND_APPROACH, BEYOND_MISALIGNMENT, BEYOND_CENTRE = 1, 2, 4
 
 @kernel
 def potential(table, s, x, kappa, a):
-    """Potential [J], its first derivatives by s, x, kappa, a, second ones by xx, x kappa, kappa kappa, and a flag.
+    """Potential [J], its derivatives by s, x, kappa, a, then xx, x kappa, kappa kappa, and a flag.
 
     The force along the base tangent is the derivative by x, the tilting moment that by kappa. The flag is a
     sum of `BEYOND_APPROACH`, `BEYOND_MISALIGNMENT` and `BEYOND_CENTRE`, 0 inside the range.
@@ -215,7 +215,7 @@ def _curvatures(table, o, x):
 
 @kernel(inline=True)
 def _cubic(table, p, t, out):
-    """Value and slope of a cubic with every fourth number from p as coefficients; `out` continues its tangent."""
+    """Value and slope of a cubic, every fourth number from p; `out` continues its tangent."""
     c1 = table[p + 4]
     c2 = table[p + 8]
     c3 = table[p + 12]

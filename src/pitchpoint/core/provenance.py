@@ -50,7 +50,7 @@ def content_hash(data: Any) -> str:
     >>> content_hash({"a": 1, "b": [2.0]}) == content_hash({"b": [2.0], "a": 1})
     True
     """
-    text = json.dumps(_plain(data), sort_keys=True, separators=(",", ":"))
+    text = json.dumps(plain_data(data), sort_keys=True, separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
@@ -76,7 +76,7 @@ def provenance(
         "pitchpoint_version": package_version(),
         "model_hash": model_hash,
         "solver": solver,
-        "options": json.dumps(_plain(options), sort_keys=True),
+        "options": json.dumps(plain_data(options), sort_keys=True),
         "status": int(status),
         "status_text": sentence(status),
         "wall_s": float(wall_s),
@@ -86,24 +86,35 @@ def provenance(
     }
 
 
-def _plain(data: Any) -> Any:
-    """Convert nested data to JSON types; floats as exact text, so that NaN and -0.0 are distinguished."""
+def plain_data(data: Any) -> Any:
+    """Convert nested data to JSON types, as `content_hash` compares them.
+
+    Parameters
+    ----------
+    data
+        As for `content_hash`.
+
+    Examples
+    --------
+    >>> plain_data({1: (2.0, float("inf"))})
+    {'1': [2.0, 'inf']}
+    """
     if dataclasses.is_dataclass(data) and not isinstance(data, type):
         read = bool(getattr(data, "digest", ""))  # the content is hashed, not the path
         compared = [f for f in dataclasses.fields(data) if f.compare and not (read and f.name == "file")]
         compared = [f for f in compared if getattr(data, f.name) or not _came_later(f)]
-        fields = {f.name: _plain(_content(f, getattr(data, f.name))) for f in compared}
+        fields = {f.name: plain_data(_content(f, getattr(data, f.name))) for f in compared}
         return {"": type(data).__name__, **fields}
     if isinstance(data, Mapping):
-        return {str(k): _plain(v) for k, v in data.items()}
+        return {str(k): plain_data(v) for k, v in data.items()}
     if isinstance(data, Enum):
         return data.name
     if isinstance(data, np.ndarray):
-        return [str(data.dtype), list(data.shape), _plain(data.tolist())]
+        return [str(data.dtype), list(data.shape), plain_data(data.tolist())]
     if isinstance(data, list | tuple):
-        return [_plain(v) for v in data]
+        return [plain_data(v) for v in data]
     if isinstance(data, set | frozenset):
-        return sorted((_plain(v) for v in data), key=repr)
+        return sorted((plain_data(v) for v in data), key=repr)
     if isinstance(data, bool | int | str) or data is None:
         return data
     if isinstance(data, float | np.floating):

@@ -80,6 +80,7 @@ from pitchpoint.elements.mesh.sums import (
 )
 from pitchpoint.elements.mesh.surface.flexible import flexible_flank
 from pitchpoint.elements.mesh.surface.rigid import rigid_flank
+from pitchpoint.elements.mesh.surface.tabulated import tabulated_flank
 from pitchpoint.elements.mesh.tooth_pairs import deviating_line, profile_flank
 from pitchpoint.multibody.channels import F8, frame_args
 
@@ -174,12 +175,10 @@ def _sum(b, watch, x_0):
     now["growth"] = 0.0
     if b["source"] == SURFACE:
         now["x_0"] = x_0
-        return call(
-            b["flexible"] if b["is_flexible"] == 1 else b["rigid"],
-            b["here"],
-            1 if watch is not None else 0,
-            0,
-        )
+        level = b["flexible"] if b["is_flexible"] == 1 else b["rigid"]
+        if b["is_tabulated"] == 1:
+            level = b["tabulated"]
+        return call(level, b["here"], 1 if watch is not None else 0, 0)
     if b["source"] == PHASE:
         ratio, rate = _stiffness_ratio(b, b["request"]["t"], watch is not None)
         if not math.isfinite(ratio):
@@ -381,6 +380,7 @@ KIND = Kind(
         "deviating": (deviating_line, "n_sep"),
         "rigid": (rigid_flank, "is_rigid"),
         "flexible": (flexible_flank, "is_flexible"),
+        "tabulated": (tabulated_flank, "is_tabulated"),
     },
     role=MESH,
     massless=True,

@@ -97,6 +97,8 @@ def section_integrals(form: ToothForm) -> tuple[float, float]:
         # the negative sign of the flank terms.
         root = form.r_f**power * (form.half_pitch_angle - form.root_half_angle)
         tip = form.r_a**power * form.tip_half_angle
+        if form.edge is not None:
+            tip -= form.edge.integral(power)
         totals.append(root - along_fillet(r**power) - along_involute(square) + tip)
     return form.z * totals[0], 0.5 * form.z * totals[1]
 

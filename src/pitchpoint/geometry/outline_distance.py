@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.geometry.tip_edge import tip_edge
 from pitchpoint.geometry.tooth_form import tooth_profile
 
 if TYPE_CHECKING:
@@ -164,7 +165,8 @@ def gear_line(gear: CylindricalGear, n_flank: int = N_FLANK) -> Outline:
     plane = profile.points[:, 0] + 1j * profile.points[:, 1]
     part = profile.region.copy()
     height = gear.sign * np.abs(plane)
-    part[height > height.max() - 1e-9 * gear.m_n] = TIP
+    corner = float(height.max()) if tip_edge(gear) is None else min(0.5 * gear.d_Fa, float(height.max()))
+    part[height > corner - 1e-9 * gear.m_n] = TIP
     turn = complex(np.exp(2j * math.pi / abs(gear.z)))
     plane, part = _divided(plane, part, turn, _STEP * gear.m_n / n_flank)
     return Outline(abs(gear.z), gear.sign, plane, part)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.geometry.bisection import bisect
 from pitchpoint.geometry.involute import inv
+from pitchpoint.geometry.tip_edge import large_edge, sharp
 from pitchpoint.geometry.tooth_problems import (
     INTERFERENCE_TOLERANCE,
     TIP_THICKNESS_LIMIT,
@@ -92,8 +93,12 @@ def gear_problems(gear: CylindricalGear, where: str = "") -> list[Message]:
         message, value = "modules end beyond the point of the tool", f"{gear.rack.h_fP_star:g}"
         place = at_key(where, "rack.dedendum")
         found.append(Message(place, message, value, f"{deepest:.4g}", "use a smaller dedendum"))
+    plain = sharp(gear)
     return found + problems_of_gear(
-        where, lambda: _no_tooth(gear), lambda: _thin_tip(gear) if tip_thickness(gear) <= 0.0 else None
+        where,
+        lambda: _no_tooth(plain),
+        lambda: _thin_tip(plain) if tip_thickness(plain) <= 0.0 else None,
+        lambda: large_edge(gear),
     )
 
 
@@ -124,7 +129,7 @@ def gear_warnings(gear: CylindricalGear, where: str = "") -> list[Message]:
         return []
     most = -1.0 if gear.is_internal else gear.rack.rho_fP_star_max(gear.alpha_n)
     return [
-        *problems_of_gear(where, lambda: _thin_tip(gear)),
+        *problems_of_gear(where, lambda: _thin_tip(sharp(gear))),
         *full_rounding(where, gear.rack.rho_fP_star, most),
     ]
 
@@ -360,11 +365,13 @@ def tip_overlap_gap(pair: GearPair) -> float:
     0.8484
     """
     g1, g2, a = pair.gear1, pair.gear2, abs(pair.a_w)
-    r_a1, r_a2 = 0.5 * g1.d_a, 0.5 * abs(g2.d_Fa)
+    # the tips before their edges are broken; there is no involute inside the base circle
+    d_a2 = min(g2.d_a, g2.d_b)
+    r_a1, r_a2 = 0.5 * g1.d_a, 0.5 * abs(d_a2)
     cos_1 = (r_a2 * r_a2 - r_a1 * r_a1 - a * a) / (2.0 * a * r_a1)
     cos_2 = (a * a + r_a2 * r_a2 - r_a1 * r_a1) / (2.0 * a * r_a2)
     if abs(cos_1) > 1.0 or abs(cos_2) > 1.0:
         return math.inf
     inv_w = inv(pair.alpha_wt)
     theta_1 = math.acos(cos_1) + inv(math.acos(g1.d_b / g1.d_a)) - inv_w
-    return theta_1 * g1.z / abs(g2.z) + inv_w - inv(math.acos(g2.d_b / g2.d_Fa)) - math.acos(cos_2)
+    return theta_1 * g1.z / abs(g2.z) + inv_w - inv(math.acos(g2.d_b / d_a2)) - math.acos(cos_2)

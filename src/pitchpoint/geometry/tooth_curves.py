@@ -117,7 +117,10 @@ def _pieces(form: ToothForm) -> list[Curve]:
         return np.asarray((form.r_Fa + t * (form.r_a - form.r_Fa)) * np.exp(1j * tip))
 
     left: list[Curve] = [fillet, involute]
-    if form.is_internal and form.r_Fa > form.r_a:
+    edge = form.edge
+    if edge is not None:
+        left.append(lambda t: edge.points(t)[0])
+    elif form.is_internal and form.r_Fa > form.r_a:
         left.append(radial)  # inside the base circle the flank continues radially
     right: list[Curve] = [lambda t, c=c: c(t).conj() for c in left]  # type: ignore[misc]
     back: list[Curve] = [lambda t, c=c: c(1.0 - t) for c in reversed(left)]  # type: ignore[misc]

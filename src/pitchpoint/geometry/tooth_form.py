@@ -12,11 +12,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.geometry.tip_edge import tip_edge
 from pitchpoint.geometry.tooth_generation import ToothForm as ToothForm
 from pitchpoint.geometry.tooth_generation import external_tooth_form, internal_tooth_form
 
@@ -75,11 +76,20 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
     z, m_n = abs(gear.z), gear.m_n
     r_f, r_a = 0.5 * gear.sign * gear.d_fE, 0.5 * gear.sign * gear.d_a
     alpha_n, beta, s_n, rho = gear.alpha_n, gear.beta, gear.s_n, gear.rack.rho_fP_star * m_n
-    if gear.is_internal:
-        return internal_tooth_form(
-            z=z, m_n=m_n, alpha_n=alpha_n, beta=beta, s_n=s_n, r_f=r_f, r_a=r_a, rho=rho, cutter=gear.cutter
-        )
-    return external_tooth_form(z=z, m_n=m_n, alpha_n=alpha_n, beta=beta, s_n=s_n, r_f=r_f, r_a=r_a, rho=rho)
+    given: dict[str, Any] = {
+        "z": z,
+        "m_n": m_n,
+        "alpha_n": alpha_n,
+        "beta": beta,
+        "s_n": s_n,
+        "r_f": r_f,
+        "r_a": r_a,
+        "rho": rho,
+        "edge": tip_edge(gear),
+    }
+    return (
+        internal_tooth_form(**given, cutter=gear.cutter) if gear.is_internal else external_tooth_form(**given)
+    )
 
 
 def root_radius(gear: CylindricalGear) -> float:
@@ -96,7 +106,7 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
         External or internal gear. The points of its `outline`, if it has one, are used unchanged.
     n_flank
         Points per flank (fillet and involute) of a generated tooth, at least 5; the arcs have a fifth of it,
-        at least two.
+        at least two. Chamfers and roundings of tip edges have points of their own, part of the tip.
 
     Returns
     -------
@@ -122,7 +132,10 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
     r, half, n_fillet = form.flank(n_flank)
     n_arc = max(2, n_flank // 5)
     flank_region = np.where(np.arange(n_flank) < n_fillet, 1, 2)
-    tip = np.linspace(-half[-1], half[-1], n_arc + 2)[1:-1]
+    r_edge, half_edge = (np.empty(0), np.empty(0)) if form.edge is None else form.edge.drawn(n_flank)
+    land = half[-1] if form.edge is None else form.tip_half_angle
+    tip = np.concatenate([-half_edge, np.linspace(-land, land, n_arc + 2)[1:-1], half_edge[::-1]])
+    n_tip = tip.size
     # A fully rounded root has no arc; its deepest point is part of the fillet.
     has_arc = form.half_pitch_angle - half[0] > 1e-9 * form.half_pitch_angle
     arc = np.linspace(form.half_pitch_angle, half[0], n_arc + 1)[:-1] if has_arc else np.empty(0)
@@ -131,18 +144,21 @@ def tooth_profile(gear: CylindricalGear, n_flank: int = 40) -> ToothProfile:
         [
             np.full(arc.size, form.r_f),
             r,
+            r_edge,
             np.full(n_arc, form.r_a),
+            r_edge[::-1],
             r[::-1],
             np.full(arc[:0:-1].size, form.r_f),
         ]
     )
     region = np.concatenate(
-        [np.zeros(arc.size), flank_region, np.full(n_arc, 3), flank_region[::-1], np.zeros(arc[:0:-1].size)]
+        [np.zeros(arc.size), flank_region, np.full(n_tip, 3), flank_region[::-1], np.zeros(arc[:0:-1].size)]
     ).astype(np.int8)
     if not has_arc:
         angle, radius, region = angle[:-1], radius[:-1], region[:-1]
     d_f, d_Ff, d_Fa, d_a = 2.0 * form.r_f, 2.0 * form.r_Ff, 2.0 * form.r_Fa, 2.0 * form.r_a
-    diameters = {"root": (d_f, d_f), "fillet": (d_f, d_Ff), "involute": (d_Ff, d_Fa), "tip": (d_a, d_a)}
+    edge = d_a if form.edge is None else d_Fa
+    diameters = {"root": (d_f, d_f), "fillet": (d_f, d_Ff), "involute": (d_Ff, d_Fa), "tip": (edge, d_a)}
     points = radius[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
     return ToothProfile(points, region, diameters, form.is_undercut)
 

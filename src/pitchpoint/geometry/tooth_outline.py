@@ -202,6 +202,9 @@ def outline_from_flanks(
     for part, points in (("right", right), ("left", left)):
         r, half, _ = form.flank(_NOMINAL_POINTS)
         path = r * np.exp(1j * half)
+        if form.edge is not None:
+            r, half = form.edge.drawn(_NOMINAL_POINTS)
+            path = np.append(path, r * np.exp(1j * half))
         if points is not None:
             read, index = plane_points(points, part, MIN_FLANK)
             read = read.conj() if part == "right" else read

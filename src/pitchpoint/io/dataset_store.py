@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import contextlib
 import csv
-import hashlib
 import io
 import os
 import threading
@@ -23,6 +22,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.io.container import FAILED, FINISHED, Header, MemoryContainer
 from pitchpoint.io.csv_cells import plain_cell
 from pitchpoint.io.reading import header_in
+from pitchpoint.io.sealed_file import sealed, unsealed
 from pitchpoint.io.target import (
     INDEX_HEAD,
     OutputError,
@@ -37,8 +37,6 @@ from pitchpoint.io.write_lock import is_held
 CASES = "cases"
 DRAFT = ".draft-"
 _ROWS = 8192
-_SEAL = b"\npitchpoint sha256 %b\n"
-"""Checksum after the contents of a case; HDF5 and netCDF readers ignore it."""
 ATTEMPTS = 3
 """Maximum number of attempts to write a temporary file that another process removed."""
 
@@ -131,7 +129,7 @@ class DatasetFolder:
         status = FINISHED if record.status == OK else FAILED
         container.finish(status, record.sentence, code=record.status, steps=record.steps, notes=record.notes)
         try:
-            _put(self.file_of(record.key), container.image + _seal(container.image))
+            _put(self.file_of(record.key), sealed(container.image))
         except OSError as error:
             raise OutputError(cannot_be_written(self.file_of(record.key), error)) from error
 
@@ -151,18 +149,12 @@ class DatasetFolder:
         return target
 
 
-def _seal(image: bytes | memoryview) -> bytes:
-    return _SEAL % hashlib.sha256(image).hexdigest().encode()
-
-
 def _is_whole(path: Path) -> bool:
     """Whether the checksum of a case file is valid."""
     try:
-        data = memoryview(path.read_bytes())
+        return unsealed(path.read_bytes()) is not None
     except OSError:
         return False
-    end = len(data) - len(_seal(b""))
-    return end > 0 and data[end:] == _seal(data[:end])
 
 
 def _put(target: Path, data: bytes) -> None:

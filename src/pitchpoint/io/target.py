@@ -44,6 +44,15 @@ def _is_result(path: Path, head: bytes) -> bool:
         return False
     if len(head) <= _SUPERBLOCK:
         return True  # a run that was killed at its start
+    return _format_of(path).startswith("pitchpoint")
+
+
+def _is_contact_table(path: Path, head: bytes) -> bool:
+    return head.startswith(HDF5) and len(head) > _SUPERBLOCK and _format_of(path).startswith(CONTACT_TABLE)
+
+
+def _format_of(path: Path) -> str:
+    """Attribute `format` of an HDF5 file; empty if the file cannot be opened."""
     import h5py
 
     try:
@@ -51,11 +60,12 @@ def _is_result(path: Path, head: bytes) -> bool:
             if not share(unmarked.fileno()):
                 raise BlockingIOError(errno.EAGAIN, os.strerror(errno.EAGAIN))
             with h5py.File(unmarked, "r") as file:
-                return str(file.attrs.get("format", "")).startswith("pitchpoint")
+                found = file.attrs.get("format", "")
+                return found.decode("utf-8", "replace") if isinstance(found, bytes) else str(found)
     except (BlockingIOError, FileNotFoundError):
         raise  # another process has just started to write it, or has removed it
     except DAMAGE:
-        return False
+        return ""
 
 
 def _begins(word: bytes) -> Callable[[Path, bytes], bool]:
@@ -78,6 +88,9 @@ STEP_MARK = "pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
 """Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
 
+CONTACT_TABLE = "gear-contact-potential-"
+"""Beginning of the attribute `format` of a contact table; the version of the format follows."""
+
 
 INDEX_HEAD = "case,file,status,status_code,sentence"
 """First columns of the table of the cases of a data set."""
@@ -85,6 +98,7 @@ INDEX_HEAD = "case,file,status,status_code,sentence"
 
 KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "result": ("a readable result file of pitchpoint", _is_result),
+    "contact": ("a readable contact table of pitchpoint (HDF5)", _is_contact_table),
     "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),

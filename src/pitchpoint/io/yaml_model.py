@@ -10,6 +10,7 @@ from pathlib import Path
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.progress import Progress, silent
+from pitchpoint.io.model_tables import read_tables
 from pitchpoint.io.yaml_tree import Tree, TreeError
 from pitchpoint.model.build import build_model
 from pitchpoint.model.model import Model
@@ -94,7 +95,7 @@ def loads_model(
         raise ModelError([error.problem], file) from None
     directory = str(Path(file).parent) if file is not None else "."
     reader = Reader(lines=tree.lines, allow_code=allow_code, directory=directory, problems=tree.problems)
-    return build_model(tree.data, reader, file)
+    return read_tables(build_model(tree.data, reader, file))
 
 
 def dump_model(model: Model) -> str:

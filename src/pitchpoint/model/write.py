@@ -54,6 +54,11 @@ def plain(model: Model) -> dict[str, Any]:
     return out
 
 
+def plain_component(part: Any) -> dict[str, Any]:
+    """Keys and values of one component that differ from their defaults; file names remain absolute."""
+    return _Writer(Path()).component(part)
+
+
 def model_text(model: Model) -> str:
     """The model as JSON, which is valid YAML and reads back to an equal model; faster than a YAML writer."""
     return json.dumps(plain(model), ensure_ascii=False)

@@ -24,6 +24,7 @@ from pitchpoint.viz.report.build import (
     SourceData,
     TimeRun,
 )
+from pitchpoint.viz.report.contact import ContactData, contact_result
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -84,6 +85,7 @@ class _Found:
     sweeps: dict[str, dict[str, Any]] = field(default_factory=dict)
     cases: dict[str, CaseTable] = field(default_factory=dict)
     rolls: dict[str, RollData] = field(default_factory=dict)
+    contacts: dict[str, ContactData] = field(default_factory=dict)
     sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
@@ -123,6 +125,7 @@ def collect(
         runs=found.runs,
         sweeps=found.sweeps,
         cases=found.cases,
+        contacts=found.contacts,
         powers=power_part(model, found.runs),
         scene=scene_part(model, found.runs),
         sources=found.sources,
@@ -165,7 +168,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
                 ]
                 key = _free(f"{name}: {words}", own, found.sweeps)
                 found.sweeps[key] = {"points": case["points"], "jumps": jumps}
-    elif header["kind"] in ("time", "quasi_static"):
+    elif header["kind"] in ("time", "quasi_static", "contact"):
         whole = header["status"] == "finished"
         note = "" if whole else f"This run is not complete: {header['status']}. {header['sentence']}"
         with open_result(file) as data:
@@ -173,6 +176,10 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         if header["kind"] == "time":
             data, lost = without_damaged(data)
             found.remarks += [f"{own}: omitted because they are damaged: {', '.join(lost)}"] if lost else []
+        if header["kind"] == "contact":
+            name = str(header["options"].get("mesh", name))
+            found.contacts[take(found.contacts)] = contact_result(data, note)
+            return
         if header["kind"] == "quasi_static":
             found.rolls[take(found.rolls)] = given_roll(data, note)
             return
@@ -196,7 +203,7 @@ def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:
 
 
 def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
-    """Add a time response, a speed sweep or a slow roll to the data of the report."""
+    """Add a time response, a speed sweep, a slow roll or a contact analysis to the data of the report."""
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.report.provenance import source_of
 
@@ -210,6 +217,10 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
+    elif "tooth_pair" in dimensions:
+        mesh = str(data.attrs.get("mesh", "contact"))
+        kind, name = "contact", _free(mesh, str(len(found.contacts) + 1), found.contacts)
+        found.contacts[name] = contact_result(data)
     elif POSITION in dimensions:
         kind, name = "quasi_static", _free("slow roll", str(len(found.rolls) + 1), found.rolls)
         found.rolls[name] = given_roll(data)
@@ -217,7 +228,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         what = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
-            "give a dataset of solve_time, solve_quasistatic or sweep_speed, or the name of a result file"
+            "give a dataset of solve_time, solve_quasistatic, solve_contact or sweep_speed, or the name of a "
+            "result file"
         )
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
 

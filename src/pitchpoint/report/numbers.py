@@ -46,6 +46,12 @@ GEAR_ROWS: tuple[Row, ...] = (
     ("p_et", "transverse pitch on the path of contact", "length"),
 )
 
+EDGE_ROWS: tuple[Row, ...] = (
+    ("tip_chamfer", "radial height of the tip chamfer", "length"),
+    ("tip_rounding", "radius of the tip rounding", "length"),
+)
+"""Rows of gears with broken tip edges; None where an edge has another shape."""
+
 _GEAR_POSITIVE = {"z", "z_n", "beta", "beta_b", "d", "d_b", "d_a", "d_f", "d_Fa", "d_Ff"}
 
 PAIR_ROWS: tuple[Row, ...] = (
@@ -103,6 +109,7 @@ def gear_numbers(model: Model, name: str) -> dict[str, Any]:
 
     gear = model.gears[name]
     numbers = pick(gear.geometry, GEAR_ROWS, _GEAR_POSITIVE)
+    numbers |= pick(gear, EDGE_ROWS, set())
     numbers["type"] = gear.type
     numbers["hand"] = gear.hand
     numbers["undercut"] = bool(gear.geometry.undercut)

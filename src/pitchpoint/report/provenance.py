@@ -12,7 +12,13 @@ from pitchpoint.core.status import sentence as sentence_of
 from pitchpoint.viz.quantities import amount
 from pitchpoint.viz.report.build import SourceData
 
-KINDS = {"time": "time response", "quasi_static": "slow roll", "sweep": "speed sweep", "cases": "cases"}
+KINDS = {
+    "time": "time response",
+    "quasi_static": "slow roll",
+    "sweep": "speed sweep",
+    "cases": "cases",
+    "contact": "contact analysis",
+}
 UNITS = {"duration": "s", "settle_time": "s", "step": "s", "sample_rate": "Hz", "speed": "rad/s"}
 EMPTY: tuple[Any, ...] = ("", None, [], {}, ())
 

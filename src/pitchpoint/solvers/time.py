@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import time
 from collections.abc import Sequence
 from dataclasses import replace
@@ -27,6 +28,7 @@ from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_st
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
+from pitchpoint.system.flank_remarks import contact_counters, counter_notes, table_remarks
 from pitchpoint.system.remarks import deep_contacts, weak_damping
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import REJECTED
@@ -311,6 +313,7 @@ class _Loop:
             for k, c in enumerate(self.system.layout.channels)
         }
         remarks = (*deep_contacts(self.system.model, [channels]), *weak_damping(self.system, channels))
+        remarks = (*remarks, *table_remarks(self.system), *counter_notes(self.system))
         if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
             remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
@@ -333,6 +336,7 @@ class _Loop:
             event_names=tuple(e.name for e in self.system.layout.events),
             notes=(*self.start.notes, *row_notes(self.system), *remarks),
             state=self.run_.state(),
+            contact_solver=contact_counters(self.system),
         )
 
 
@@ -387,6 +391,8 @@ def solve_time(
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
     attrs |= {"steps": done.steps, "notes": "; ".join(done.notes)}
+    if done.contact_solver:
+        attrs["contact_solver"] = json.dumps(done.contact_solver)
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     data = channel_dataset(system, "time", times, rows, attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}

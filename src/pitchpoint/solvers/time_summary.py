@@ -58,6 +58,8 @@ class TimeSummary:
     state
         State reached. A run can continue from it, but drives by formula or function are defined up to the
         duration of their scenario only.
+    contact_solver
+        Counters of the contact solver by mesh with flexible contact (`system.flank_remarks`).
     """
 
     status: int
@@ -72,3 +74,4 @@ class TimeSummary:
     event_names: tuple[str, ...]
     notes: tuple[str, ...]
     state: State
+    contact_solver: dict[str, dict[str, int]]

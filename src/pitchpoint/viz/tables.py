@@ -27,6 +27,8 @@ GEAR_ROWS = (
     "d_a",
     "d_f",
     "d_Fa",
+    "tip_chamfer",
+    "tip_rounding",
     "d_Ff",
     "s_n",
     "p_t",

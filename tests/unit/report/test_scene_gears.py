@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from pitchpoint.geometry.mass_properties import gear_mass_properties
+from pitchpoint.geometry.tip_edge import sharp
+from pitchpoint.geometry.tooth_form import tooth_form
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.report.scene.build import scene_of
 from pitchpoint.viz.scene.file import scene_texts
@@ -59,6 +61,19 @@ def test_a_gear_is_one_tooth_and_weighs_what_it_should():
     assert coarse < middle < fine
     # its middle plane lies where the body has it
     assert found.placed("a", 0)[:, 2].mean() == pytest.approx(0.012, abs=1e-6)
+
+
+@pytest.mark.parametrize("edge", ["tip_chamfer: 0.4 mm", "tip_rounding: 0.4 mm"])
+def test_broken_tip_edges_are_drawn(edge):
+    """The tooth weighs what it should, and its tip land is as narrow as the edges leave it."""
+    found, model = scene(edge)
+    gear = model.gears["a"].geometry
+    exact = gear_mass_properties(gear, 1.0, bore_diameter=0.02).mass
+    assert volume(*found.mesh("a")) == pytest.approx(exact, rel=3e-4)
+    points = corners(found, found.solid("a")["pieces"][0])
+    r = np.hypot(points[:, 0], points[:, 1])
+    land = np.abs(np.arctan2(points[:, 1], points[:, 0]))[r > 0.5 * gear.d_a - 1e-6].max()
+    assert land < tooth_form(gear).tip_half_angle + 1e-4 < 0.85 * tooth_form(sharp(gear)).tip_half_angle
 
 
 def test_resolution_of_the_model_is_points_a_flank():

@@ -212,10 +212,11 @@ def _layer(n: Array, material: RingMaterial, near: float, far: float) -> dict[st
     s, order = _exponents(n), n[:, None]
     a = s * (stiff * s + lame) - (stiff + lame * s) - order * order * mu
     b = order * (stiff - lame * s - mu * (s - 1.0))
-    B = np.where(np.abs(b) > 0.0, -a / np.where(b == 0.0, 1.0, b), 0.0)
-    radial = stiff * s + lame * (1.0 - order * B)
-    shear = 1j * mu * (order + (s - 1.0) * B)
-    rows = np.stack([np.ones_like(s) + 0j, 1j * B, radial + 0j, shear], axis=1)
+    size = np.hypot(a, b)
+    A, B = b / size, -a / size
+    radial = stiff * s * A + lame * (A - order * B)
+    shear = 1j * mu * (order * A + (s - 1.0) * B)
+    rows = np.stack([A + 0j, 1j * B, radial + 0j, shear], axis=1)
     top = np.maximum(s * near, s * far)
     return {
         "near": rows * np.exp(s * near - top)[:, None, :],

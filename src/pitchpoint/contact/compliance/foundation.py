@@ -29,6 +29,8 @@ BODIES = ("weber_banaschek", "half_plane", "ring", "sainsot", "rigid")
 
 _LIMIT = 0.4995
 """Numerical radius of the coupling up to which any number of teeth is positive definite; exactly 1/2."""
+_STEP = 0.025
+"""Step of the reduction of the coupling by normal forces."""
 _SHARE = 0.9
 """Largest share of the compliance of a root that may be common to all teeth."""
 _HEIGHTS = 9
@@ -181,11 +183,25 @@ def _bounded(own: Array, following: Array) -> tuple[Array, tuple[float, float]]:
     """Coupling reduced until a chain of teeth is positive, first that by normal forces, and the factors."""
     values, vectors = np.linalg.eigh(own)
     root = vectors / np.sqrt(values)[:, None, :]
-    for normal in np.linspace(1.0, 0.0, 41):
-        reduced = following * np.array([1.0, 1.0, normal])[:, None] * np.array([1.0, 1.0, normal])
-        N = root.transpose(0, 2, 1) @ reduced @ root
+
+    def radius(normal: float, waves: NDArray[np.intp]) -> Array:
+        """Numerical radius of the coupling of some waves with a factor on normal forces, shape of waves."""
+        N = root[waves].transpose(0, 2, 1) @ _reduced(following[waves], normal) @ root[waves]
         turned = _ANGLES[:, None, None, None] * N
-        radius = 0.5 * float(np.linalg.eigvalsh(turned + turned.conj().transpose(0, 1, 3, 2)).max())
-        if radius <= _LIMIT:
-            return reduced, (float(normal), 1.0)
-    return reduced * (_LIMIT / radius), (0.0, _LIMIT / radius)
+        hermitian = turned + turned.conj().transpose(0, 1, 3, 2)
+        return np.asarray(0.5 * np.linalg.eigvalsh(hermitian)[..., -1].max(axis=0))
+
+    all_waves = np.arange(own.shape[0], dtype=np.intp)
+    critical = all_waves[radius(1.0, all_waves) > _LIMIT]
+    normal = 1.0
+    while critical.size and normal > 0.0:
+        normal = max(0.0, normal - _STEP)
+        critical = critical[radius(normal, critical) > _LIMIT]
+    whole = _LIMIT / float(radius(normal, critical).max()) if critical.size else 1.0
+    return whole * _reduced(following, normal), (normal, whole)
+
+
+def _reduced(following: Array, normal: float) -> Array:
+    """Coupling with a factor on normal forces at both ends, shape (k, 3, 3)."""
+    factor = np.array([1.0, 1.0, normal])
+    return np.asarray(following * factor[:, None] * factor)

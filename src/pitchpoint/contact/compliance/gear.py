@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Analytic compliance of the teeth and body of one gear for the contact of flanks.
 
-Derivation: docs/theory/flank_compliance.md.
+Derivation: docs/theory/flank_compliance.md, "What the contact needs".
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ COUPLINGS = ("plate", "springs", "none")
 STEEL = LIBRARY["steel"]
 
 _HEIGHTS = leggauss(24)
-_LEAST_WAVES, _MOST_WAVES = 8, 32
-_PER_MODULE = 1.5
-"""Legendre polynomials along the trace per normal module of face width."""
+_LEAST_WAVES, _MOST_WAVES = 8, 40
+_PER_PLANE = 1.5
+"""Legendre polynomials along the trace per plane."""
 
 
 @dataclass(frozen=True)
@@ -171,7 +171,7 @@ def flank_compliance(
     material, blank, body, clamp
         As for `gear_slice`.
     coupling
-        Coupling along the face width: "plate", "springs" (rule of commercial programs) or "none".
+        Coupling along the face width: "plate", "springs" (for comparison) or "none".
     order
         Number of Legendre polynomials over the height M.
     C_M
@@ -217,7 +217,8 @@ def flank_compliance(
     before, following = plate.uniform(part.ground)
     turn = congruence(before, target)
     if coupling == "plate":
-        waves = min(_MOST_WAVES, max(_LEAST_WAVES, planes, round(_PER_MODULE * gear.b / gear.m_n)))
+        waves = math.ceil(_PER_PLANE * planes * gear.b / (high - low))
+        waves = min(_MOST_WAVES, max(_LEAST_WAVES, waves))
         length = gear.b / tooth.cos_beta
         ground = foundation(tooth, part.radii, material, body, wave_numbers(waves, length))
         edges = np.linspace(low, high, planes + 1) / half

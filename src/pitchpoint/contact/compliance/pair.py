@@ -22,14 +22,14 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class PairSlice:
-    """Compliances of one tooth pair per unit face width along the base tangent [m²/N], shape of the positions.
+    """Compliances of one tooth pair per unit face width along the base tangent [m²/N].
 
     Parameters
     ----------
     teeth
-        Teeth on their bodies, gear 1 and gear 2.
+        Teeth on their bodies, gear 1 and gear 2, shape of the positions each.
     contact
-        Secant compliance of the local approach.
+        Secant compliance of the local approach, shape of the positions.
     common
         Common part of both gears, torsion of the blanks included; 0 if it does not count.
     """
@@ -91,7 +91,8 @@ def pair_slice(
     pair
         The gear pair.
     T1Y
-        Positions on the path of contact, from the tangent point T1 on the base circle of gear 1 [m].
+        Positions on the path of contact, from the tangent point T1 on the base circle of gear 1 [m], any
+        shape.
     line_load
         Force along the base tangent per unit face width, > 0 [N/m].
     parts

@@ -21,8 +21,10 @@ Array = NDArray[np.float64]
 
 _REACH = 12.0
 """Largest order times half the angle of the strip with the full response of the ring."""
-_TAIL = 600.0
+_TAIL = 200.0
 """The same for the tail, at uniform tractions along the face width."""
+_PIECE = 100_000
+"""Harmonics treated together, for the memory."""
 
 
 @dataclass(frozen=True)
@@ -111,9 +113,17 @@ class ToothedRing:
         For a wave that runs at the angle γ to the circumference, tan γ = κ r_o/n, the tangential traction
         has the share cos γ along the wave and the share sin γ across it, with the antiplane response.
         """
-        half, r = self.half_angle, self.ring.loaded
+        half = self.half_angle
         n = np.arange(int(_REACH / half) + 1, dtype=np.float64)
-        order = np.hypot(n, wave_numbers[:, None] * r)
+        tail = np.arange(n.size, int(_TAIL / half), dtype=np.float64)
+        rest = self._sum(tail, self.ring.plane(tail)[None])
+        pieces = math.ceil(wave_numbers.size * n.size / _PIECE)
+        parts = [self._sum(n, self._waves(n, k)) for k in np.array_split(wave_numbers, pieces)]
+        return np.concatenate(parts, axis=1) + rest
+
+    def _waves(self, n: Array, wave_numbers: Array) -> NDArray[np.complex128]:
+        """Response of the loaded circle to orders n and wave numbers, shape (k, n, 2, 2)."""
+        order = np.hypot(n, wave_numbers[:, None] * self.ring.loaded)
         plane = self.ring.plane(order)
         along = np.where(order > 0.0, n / np.where(order > 0.0, order, 1.0), 0.0)
         plane[..., 0, 0] *= along * along
@@ -123,8 +133,7 @@ class ToothedRing:
         plane[uniform, 0, 0, 0] = 0.0
         across = (1.0 - along * along) * self.ring.antiplane(order)
         plane[..., 0, 0] += np.where(uniform[:, None], 0.0, across)
-        tail = np.arange(n.size, int(_TAIL / half), dtype=np.float64)
-        return self._sum(n, plane) + self._sum(tail, self.ring.plane(tail)[None])
+        return plane
 
     def _sum(self, n: Array, plane: NDArray[np.complex128]) -> Array:
         """Sum of the Fourier series for the orders n, shape (3, k, 3, 3)."""

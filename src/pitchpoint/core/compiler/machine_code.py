@@ -26,6 +26,7 @@ from typing import Any
 
 from pitchpoint.core.compiler.import_closure import import_closure
 from pitchpoint.core.notices import notice
+from pitchpoint.core.user_cache import user_cache
 
 _HEAD = b"pitchpoint machine code 1"
 
@@ -51,15 +52,7 @@ _engines: list[Any] = []
 def cache_folder() -> Path:
     """Folder of the compiled kernels: NUMBA_CACHE_DIR if set, else in the user's cache folder."""
     chosen = os.environ.get("NUMBA_CACHE_DIR")
-    if chosen:
-        return Path(chosen)
-    if sys.platform == "win32":
-        base = Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local"))
-    elif sys.platform == "darwin":
-        base = Path.home() / "Library" / "Caches"
-    else:
-        base = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"))
-    return base / "pitchpoint" / "kernels"
+    return Path(chosen) if chosen else user_cache() / "kernels"
 
 
 @cache

@@ -30,6 +30,9 @@ axis."""
 #: if none; first and last station between which gap and compliance, and the level, vary over z.
 N_ROW = 7
 
+N_RATIO = 34
+"""Maximum number of further quantities of a tabulated potential: two of friction, and one per tooth pair."""
+
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
 _GEOMETRY = [
@@ -59,7 +62,7 @@ _GEOMETRY = [
     ("xi_0", "f8"),  # mean path position of the front flank at zero angles, less its involute part
     ("xi_b", "f8"),  # the same for the back flank
     ("rho_a1", "f8"),
-    ("rho_a2", "f8"),  # lengths of roll up to the tips: sqrt(r_a^2 - r_b^2)
+    ("rho_a2", "f8"),  # lengths of roll up to the tip form circles: sqrt(r_Fa^2 - r_b^2)
 ]
 
 _STIFFNESS = [
@@ -85,9 +88,11 @@ _STIFFNESS = [
 #: SURFACE only; see `mesh.surface`.
 _SURFACE = [
     ("is_rigid", "i8"),
-    ("is_flexible", "i8"),  # level, and the address of its kernel
+    ("is_flexible", "i8"),  # level, and the address of its kernel; tabulated: flexible as well, for pictures
+    ("is_tabulated", "i8"),
     ("rigid", "i8"),
     ("flexible", "i8"),
+    ("tabulated", "i8"),
     ("reach", "f8"),  # path before A and beyond E on which tip edges may be in contact [m]
     ("rounding", "f8", 2),  # radii of the tip edges
     (
@@ -117,6 +122,10 @@ _SURFACE = [
     ("kappa_2", "f8"),  # nu/(1 - nu) of both gears
     ("least_roll", "f8"),  # least radius of curvature of a flank in the local contact
     ("overlap", "f8"),  # additional compliance of one node [m/N]
+    ("gcp", "i8", 2),
+    ("gcp_size", "i8", 2),  # tabulated potentials of front and back flank: offsets in the pool and sizes
+    ("gcp_ratios", "f8", N_RATIO),  # scratch
+    ("beyond", "i8"),  # result: axes outside whose range a flank in contact has been, bits of the table
     ("oil_rate", "f8"),  # film damping of one plane along the base tangent [N s/m], 0: none
     ("oil_film", "f8"),  # film thickness h along the base tangent
     ("oil_power", "f8"),

@@ -80,9 +80,10 @@ def at_tip_diameter(gear: Gear, problem: Message, where: str = "") -> Message:
     if gear.tip_diameter is None or problem.where != at_key(where, "profile_shift_coefficient"):
         return problem
     from pitchpoint.geometry.bisection import bisect
+    from pitchpoint.geometry.tip_edge import sharp
     from pitchpoint.geometry.tooth_thickness import tip_thickness
 
-    shape = gear.geometry
+    shape = sharp(gear.geometry)
 
     def spare(d_a: float) -> float:
         """Tip tooth thickness less the limit, at a tip diameter [m]."""

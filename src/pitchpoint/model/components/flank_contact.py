@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from pitchpoint.model.components.stiffness import StiffnessLaw
-from pitchpoint.model.keys import choice, component, integer, positive, quantity
+from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,21 +78,27 @@ class FlexibleContact(FlankContact):
 
     level: ClassVar[str] = "flexible"
     law: ClassVar[str] = "flexible contact"
+    teeth: str = choice(
+        ("analytic", "finite_elements"),
+        "source of the compliance: plates on an elastic body, or 3-D finite elements of tooth and body "
+        "(seconds per gear, stored for the next time)",
+        "analytic",
+    )
     body: str = choice(
-        ("weber_banaschek", "half_plane", "ring", "sainsot", "rigid"),
-        "compliance of the gear body under the teeth",
-        "weber_banaschek",
+        ("ring", "weber_banaschek", "half_plane", "sainsot", "rigid"),
+        "compliance of the gear body under analytic teeth",
+        "ring",
     )
     clamp: float | None = quantity(
         "angle",
-        "inclination of the fillet tangent at which a tooth is clamped to its body",
+        "inclination of the fillet tangent at which an analytic tooth is clamped to its body",
         None,
         minimum=math.radians(5.0),
         maximum=math.radians(80.0),
         display="30 deg, internal gears 60 deg",
     )
     coupling: str = choice(
-        ("plate", "springs", "none"), "coupling of the planes over the face width", "plate"
+        ("plate", "springs", "none"), "coupling of the planes of analytic teeth over the face width", "plate"
     )
     correction: float = positive(
         "dimensionless", "correction factor C_M of the stiffness; 0.8 in ISO 6336-1", 1.0, maximum=10.0
@@ -107,5 +113,21 @@ class FlexibleContact(FlankContact):
     structural: StructuralDamping | None = component(StructuralDamping, "structural damping of the teeth")
 
 
-LEVELS: dict[str, type[FlankContact]] = {c.level: c for c in (RigidContact, FlexibleContact)}
+@dataclass(frozen=True, kw_only=True)
+class PrecomputedContact(FlankContact):
+    """Forces from a table of the elastic potential, computed from flexible contact by `contact-table`.
+
+    The file contains the options of that contact. It is refused if a gear or the centre distance differs.
+    """
+
+    level: ClassVar[str] = "precomputed"
+    law: ClassVar[str] = "pre-computed contact"
+    file: str = key("file", "table of the contact, .gcp.h5", sample="stage.gcp.h5")
+    tables: Any = derived()
+    """Tables of front and back flanks and the options of the flexible contact, read with the model."""
+
+
+LEVELS: dict[str, type[FlankContact]] = {
+    c.level: c for c in (RigidContact, FlexibleContact, PrecomputedContact)
+}
 """Levels of the contact of tooth surfaces."""

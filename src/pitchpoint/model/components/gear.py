@@ -83,6 +83,24 @@ class Gear:
     tip_diameter: float | None = positive("length", "tip diameter d_a", None, display="from the rack")
     root_diameter: float | None = positive("length", "root diameter d_f", None, display="from the rack")
     tip_alteration: float = quantity("length", "tip alteration k m_n, < 0 shortens the teeth", 0.0)
+    tip_chamfer: float | None = quantity(
+        "length",
+        "radial height h_K of a 45 deg chamfer of the tip edges; the involute ends at d_Fa = d_a - 2 h_K, on "
+        "internal gears at d_a + 2 h_K",
+        None,
+        minimum=0.0,
+        display="sharp tip edges",
+        later=True,
+    )
+    tip_rounding: float | None = quantity(
+        "length",
+        "radius of rounded tip edges in the transverse section, tangent to flank and tip circle; instead of "
+        "tip_chamfer",
+        None,
+        minimum=0.0,
+        display="sharp tip edges",
+        later=True,
+    )
     tooth_thickness_allowance: float = quantity(
         "length", "normal tooth thickness allowance A_sn at the reference circle, < 0 is thinner", 0.0
     )
@@ -205,6 +223,8 @@ class Gear:
             tip_alteration=self.tip_alteration,
             thickness_allowance=self.tooth_thickness_allowance,
             root_diameter=None if self.root_diameter is None else signed * self.root_diameter,
+            tip_chamfer=self.tip_chamfer,
+            tip_rounding=self.tip_rounding,
             cutter=self._pinion_cutter(),
         )
         profile = self.tooth_profile

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from typing import TYPE_CHECKING
 
@@ -52,8 +53,19 @@ class FlankStates:
                 INCONSISTENT,
             )
         assert bank.pool is not None
-        self.pool = bank.pool
-        link({bank.kind: self.records}, {bank.kind: self.pool}, {})
+        self.kind, self.pool = bank.kind, bank.pool
+        self.offset = float(self.record["now"]["dz"])
+        self._link()
+
+    def _link(self) -> None:
+        link({self.kind: self.records}, {self.kind: self.pool}, {})
+
+    def copy(self) -> FlankStates:
+        """Independent copy for another thread."""
+        own = copy.copy(self)
+        own.records, own.pool = self.records.copy(), self.pool.copy()
+        own._link()
+        return own
 
     @property
     def record(self) -> np.void:
@@ -75,7 +87,7 @@ class FlankStates:
         whole = np.floor(phase)
         found["record"], found["flank"] = self.records.ctypes.data, self.flank
         found["pairs"], found["psi"] = whole, phase - whole
-        found["distance"] = self.distance
+        found["distance"], found["dz"] = self.distance, self.offset
         return found
 
     def solve(self, states: NDArray[np.void], keep_nodes: bool = False) -> NDArray[np.void] | None:

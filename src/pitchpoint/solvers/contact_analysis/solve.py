@@ -17,6 +17,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -72,6 +73,8 @@ def solve_contact(
         tangent under load), unloaded_transmission_error, mesh_stiffness (tangent) and secant_stiffness [N/m],
         elastic_energy [J]; over these, `tooth_pair` and `plane`: plane_force [N], line_load [N/m],
         pressure, edge_pressure [Pa], lengths of roll roll_1, roll_2 [m]. NaN where a pair has no contact.
+        Pair n is at n + phase base pitches from A in the middle of the face. Geometry of the mesh over
+        `gear`, `mark` (A to E) and `plane`, so that `analysis.flank_contact` needs no model.
 
     Raises
     ------
@@ -102,8 +105,11 @@ def solve_contact(
                 break
     except KeyboardInterrupt:
         status, text = INTERRUPTED, sentence(INTERRUPTED)
-    data = _dataset(flanks, torques[: len(found)], phase, found)
-    data.attrs |= _attributes(flanks, status, time.perf_counter() - began, positions=positions, flank=flank)
+    if not found:
+        raise SolverError(text, status)
+    data = contact_dataset(flanks, torques[: len(found)], phase, found)
+    options = {"positions": positions, "misalignment": misalignment, "flank": flank}
+    data.attrs |= contact_attributes(flanks, status, time.perf_counter() - began, **options)
     if status != OK:
         raise SolverError(text, status, data)
     return data
@@ -134,7 +140,8 @@ def _failure(mesh: str, torque: float, states: NDArray[np.void]) -> str:
     )
 
 
-def _attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any) -> dict[str, Any]:
+def contact_attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any) -> dict[str, Any]:
+    """Attributes of a contact analysis: provenance, model, level and options of the contact."""
     from pitchpoint.core.provenance import content_hash, provenance
     from pitchpoint.model.write import model_text
 
@@ -145,12 +152,26 @@ def _attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any)
         status=status,
         wall_s=wall_s,
     )
-    return {"title": flanks.model.title, "model_text": model_text(flanks.model), "mesh": flanks.mesh, **found}
+    about = {"title": flanks.model.title, "model_text": model_text(flanks.model), "mesh": flanks.mesh}
+    return {**about, **contact_options(flanks), **found}
 
 
-def _dataset(
+def contact_dataset(
     flanks: FlankStates, torques: Array, phase: Array, found: list[tuple[NDArray[np.void], NDArray[np.void]]]
 ) -> xr.Dataset:
+    """Dataset of solved states.
+
+    Parameters
+    ----------
+    flanks
+        The mesh.
+    torques
+        Torques [N m], shape (n,).
+    phase
+        Mesh phases [base pitches], shape (m,).
+    found
+        States, shape (m,), and nodes for each torque.
+    """
     import xarray as xr
 
     over = ("torque", "mesh_phase_position")
@@ -174,9 +195,11 @@ def _dataset(
         name: (over, values, {"units": unit, "long_name": text})
         for name, (values, unit, text) in curves.items()
     }
-    for name, values in _node_fields(flanks, found, size).items():
+    pairs = _pairs(found)
+    for name, values in _node_fields(flanks, found, size, pairs).items():
         unit, text = NODE_FIELDS[name]
         variables[name] = ((*over, "tooth_pair", "plane"), values, {"units": unit, "long_name": text})
+    geometry, axes = mesh_geometry(flanks)
     coords = {
         "torque": (("torque",), torques, {"units": "N m", "long_name": "torque on gear 1"}),
         "mesh_phase_position": (
@@ -184,27 +207,47 @@ def _dataset(
             phase,
             {"units": "1", "long_name": "mesh phase, 0 when a pair reaches A at mid-face"},
         ),
+        "tooth_pair": (
+            ("tooth_pair",),
+            list(pairs),
+            {"units": "1", "long_name": "tooth pair; base pitches from A at phase 0"},
+        ),
         "plane": (("plane",), flanks.widths, {"units": "m", "long_name": "position over the face width"}),
     }
-    return xr.Dataset(variables, coords=coords)
+    return xr.Dataset(variables | geometry, coords=coords | axes)
+
+
+def _pairs(found: list[tuple[NDArray[np.void], NDArray[np.void]]]) -> range:
+    """Tooth pairs that are in contact at any phase and torque; pair n is n base pitches from A at phase 0."""
+    numbers = [-node["pair"] for states, nodes in found for node in _loaded(states, nodes)[1:]]
+    ends = [(int(n.min()), int(n.max())) for n in numbers if n.size]
+    return range(min((e[0] for e in ends), default=0), max((e[1] for e in ends), default=-1) + 1)
+
+
+def _loaded(states: NDArray[np.void], nodes: NDArray[np.void]) -> tuple[NDArray[np.intp], NDArray[np.void]]:
+    """Indices of the phases of all nodes under load, and the nodes."""
+    held = np.arange(nodes.shape[1]) < states["n_nodes"][:, None]
+    at, k = np.nonzero(held & (nodes["force"] > 0.0))
+    return at, nodes[at, k]
 
 
 def _node_fields(
-    flanks: FlankStates, found: list[tuple[NDArray[np.void], NDArray[np.void]]], size: tuple[int, int]
+    flanks: FlankStates,
+    found: list[tuple[NDArray[np.void], NDArray[np.void]]],
+    size: tuple[int, int],
+    numbers: range,
 ) -> dict[str, Array]:
     """Fields of the contact nodes by tooth pair and plane, NaN without contact."""
     record = flanks.record
-    pairs, planes = int(record["n_pair"]), int(record["slices"])
+    planes = int(record["slices"])
     width = (record["now"]["z_hi"] - record["now"]["z_lo"]) / planes
     cos_b = 1.0 / math.sqrt(1.0 + float(record["tan_b"]) ** 2)
     materials = [flanks.model.gears[g].material_data for g in flanks.model.meshes[flanks.mesh].gears]
     soft = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
-    fields = {name: np.full((*size, pairs, planes), np.nan) for name in NODE_FIELDS}
+    fields = {name: np.full((*size, len(numbers), planes), np.nan) for name in NODE_FIELDS}
     for t, (states, nodes) in enumerate(found):
-        held = np.arange(nodes.shape[1]) < states["n_nodes"][:, None]
-        at, k = np.nonzero(held & (nodes["force"] > 0.0))
-        node = nodes[at, k]
-        where = (t, at, node["pair"] % pairs, node["plane"])
+        at, node = _loaded(states, nodes)
+        where = (t, at, -node["pair"] - numbers.start, node["plane"])
         one, two = node["roll"].T
         load = node["force"] / width
         on_path = node["place"] == ON_PATH

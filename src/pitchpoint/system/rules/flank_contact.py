@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,18 +13,28 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from pitchpoint.contact.compliance.blank import Blank
+from pitchpoint.contact.compliance.description import FlankCompliance
 from pitchpoint.contact.compliance.gear import flank_compliance, gear_slice
 from pitchpoint.contact.compliance.heights import dual
 from pitchpoint.contact.compliance.pair import contact_depth, pair_slice
 from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.stiffness.description import PairShape
+from pitchpoint.contact.tooth_fe.flank_fields import flank_fields
+from pitchpoint.contact.tooth_fe.store import stored_tooth_fe
+from pitchpoint.contact.tooth_fe.tooth_model import ToothModel
+from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
 from pitchpoint.elements.mesh.surface.scratch import scratch_size
-from pitchpoint.model.components.flank_contact import OVERLAPS, FlexibleContact, RigidContact
+from pitchpoint.model.components.flank_contact import (
+    OVERLAPS,
+    FlexibleContact,
+    PrecomputedContact,
+    RigidContact,
+)
+from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.contact.compliance.description import FlankCompliance
     from pitchpoint.contact.compliance.gear import GearSlice
     from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.components.flank_contact import FlankContact, OilFilm, StructuralDamping
@@ -69,12 +79,15 @@ class ElasticFlanks:
         Young's moduli [Pa] and Poisson's ratios.
     overlap
         Additional compliance of one node [m/N].
+    correction
+        Factor C_M of the stiffness of the local contact; that of the teeth is in their influence functions.
     """
 
     gears: tuple[GearInfluence, GearInfluence]
     moduli: tuple[float, float]
     poisson: tuple[float, float]
     overlap: float = 0.0
+    correction: float = 1.0
 
 
 def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callable[[Array], int]) -> None:
@@ -91,7 +104,7 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
         row["own"][k], row["neighbour"][k] = keep(gear.teeth.own), keep(gear.teeth.beside)
         row["depth"][k] = gear.depth
-        row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width)
+        row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width * elastic.correction)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
     row["windup"] = sum(gear.teeth.windup for gear in elastic.gears)
     # the radius normal to the contact line is the transverse one over cos(beta_b)
@@ -112,10 +125,13 @@ class SurfaceContact:
         Damping of each plane.
     elastic
         Compliance of flexible teeth; None: rigid.
+    tables
+        Tabulated potentials of front and back flanks, shape (n,) each; empty: not pre-computed.
     """
 
     planes: int = 11
     elastic: ElasticFlanks | None = None
+    tables: tuple[Array, ...] = ()
     oil: OilFilm | None = None
     structural: StructuralDamping | None = None
 
@@ -182,9 +198,38 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     """
     place = np.linspace(pair.T1A, pair.T1E, _ON_PATH)
     found = pair_slice(pair, place, LINE_LOAD, _slices(contact, gears))
-    stiffness = 1.0 / (sum(found.teeth) / contact.correction + found.contact)
+    stiffness = contact.correction * found.stiffness
     top = float(stiffness.max())
     return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
+
+
+def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, float]) -> FlankCompliance:
+    """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face."""
+    if contact.teeth == "analytic":
+        return flank_compliance(
+            gear.geometry,
+            planes=contact.planes,
+            width=width,
+            material=gear.material_data,
+            blank=blank_of(gear),
+            body=contact.body,
+            clamp=contact.clamp,
+            coupling=contact.coupling,
+            C_M=contact.correction,
+        )
+    tooth = stored_tooth_fe(
+        ToothModel(
+            gear=gear.geometry,
+            E=gear.material_data.youngs_modulus,
+            nu=gear.material_data.poisson_ratio,
+            bore_diameter=gear.bore_diameter or None,
+            rim_thickness=gear.rim_thickness,
+            web_thickness=gear.web_thickness,
+        )
+    )
+    fields = flank_fields(tooth, contact.planes, width, heights=_HEIGHTS)
+    whole = FlankCompliance(fields.roll, fields.own, fields.beside, fields.windup, dict(fields.provenance))
+    return whole if contact.correction == 1.0 else whole.scaled(contact.correction)
 
 
 def flexible_surfaces(
@@ -206,17 +251,8 @@ def flexible_surfaces(
     found = []
     parts = _slices(contact, gears)
     for gear, part, offset in zip(gears, parts, offsets, strict=True):
-        compliance = flank_compliance(
-            gear.geometry,
-            planes=contact.planes,
-            width=(offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w),
-            material=gear.material_data,
-            blank=blank_of(gear),
-            body=contact.body,
-            clamp=contact.clamp,
-            coupling=contact.coupling,
-            C_M=contact.correction,
-        )
+        width = (offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w)
+        compliance = _compliance_of(contact, gear, width)
         t, weights = leggauss(16)
         low, high = compliance.roll
         depth = contact_depth(part, 0.5 * (low + high + (high - low) * t), pair.gear1.beta_b)
@@ -231,16 +267,41 @@ def flexible_surfaces(
         overlap=OVERLAPS[contact.overlap]
         * float(np.mean(1.0 / (shape.c_prime * shape.table)))
         / (pair.b_w / contact.planes),
+        correction=contact.correction,
     )
     return SurfaceContact(
         planes=contact.planes, oil=contact.oil, structural=contact.structural, elastic=elastic
     )
 
 
+def flexible_options(contact: PrecomputedContact) -> FlexibleContact:
+    """Flexible contact from which a table was computed.
+
+    Raises
+    ------
+    CompileError
+        If the table has not been read, because the model does not come from a file.
+    """
+    if contact.tables is None:
+        raise CompileError(
+            f"the contact table {contact.file} has not been read; load the model from its file"
+        )
+    reader = Reader()
+    found = reader.component(FlexibleContact, contact.tables.inputs["contact"], ("contact",))
+    if reader.problems:
+        raise ModelError(reader.problems, contact.file)
+    assert isinstance(found, FlexibleContact)
+    return found
+
+
 def surfaces(
     contact: FlankContact, pair: GearPair, gears: Sequence[Gear], offsets: tuple[float, float]
 ) -> SurfaceContact:
     """Contact of tooth surfaces of a mesh; arguments as for `flexible_surfaces`."""
+    if isinstance(contact, PrecomputedContact):
+        found = flexible_surfaces(flexible_options(contact), pair, gears, offsets)
+        tables = (contact.tables.tables[flank].packed for flank in ("front", "back"))
+        return replace(found, tables=tuple(tables))
     if isinstance(contact, FlexibleContact):
         return flexible_surfaces(contact, pair, gears, offsets)
     assert isinstance(contact, RigidContact)
@@ -249,6 +310,8 @@ def surfaces(
 
 def surface_shape(contact: FlankContact, pair: GearPair, gears: Sequence[Gear], c_prime: float) -> PairShape:
     """Stiffness of one tooth pair with contact of tooth surfaces; `c_prime` as for `rigid_shape`."""
+    if isinstance(contact, PrecomputedContact):
+        contact = flexible_options(contact)
     if isinstance(contact, FlexibleContact):
         return flexible_shape(contact, pair, gears)
     assert isinstance(contact, RigidContact)
@@ -283,6 +346,9 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     cos_b = math.cos(pair.gear1.beta_b)
     if contact.elastic is not None:
         _set_elastic(row, pair, contact.elastic, keep)
+    row["is_tabulated"] = bool(contact.tables)
+    for side, table in enumerate(contact.tables):
+        row["gcp"][side], row["gcp_size"][side] = keep(table), table.size
     if contact.oil is not None:
         row["oil_rate"] = contact.oil.rate * cos_b**2
         row["oil_film"] = contact.oil.thickness / cos_b

@@ -126,7 +126,7 @@ def _geometry(row: Any, pair: GearPair, place: Placement) -> None:
     for k, gear in ((1, g1), (2, g2)):
         sign = math.copysign(1.0, gear.z)
         r_b = 0.5 * gear.d_b
-        row[f"rho_a{k}"] = sign * math.sqrt(max(0.25 * gear.d_a**2 - r_b**2, 0.0))
+        row[f"rho_a{k}"] = sign * math.sqrt(max(0.25 * gear.d_Fa**2 - r_b**2, 0.0))
 
 
 def _stiffness(row: Any, stiffness: Description, keep: Keep) -> None:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.viz.power_flow import PowerFlow
 from pitchpoint.viz.report import sections as parts
+from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report.extremes import extreme_section
 from pitchpoint.viz.report.overview import provenance_section, scene_section, summary_section
@@ -263,6 +264,8 @@ class ReportResults:
         Modes about the loaded state.
     cases
         Independent cases by the name of the scenario.
+    contacts
+        Contact analyses by the name of the mesh.
     powers
         Power flow by name of the time response, or a sentence with the reason why there is none.
     scene
@@ -278,6 +281,7 @@ class ReportResults:
     campbell: CampbellData | None = None
     modes: ModeData | None = None
     cases: Mapping[str, CaseTable] = field(default_factory=dict)
+    contacts: Mapping[str, ContactData] = field(default_factory=dict)
     powers: Mapping[str, PowerFlow | str] = field(default_factory=dict)
     scene: SceneData = field(default_factory=SceneData)
     sources: Sequence[SourceData] = ()
@@ -299,6 +303,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         signal_section(model.signals),
         mesh_cycle_section(results.mesh_cycles),
         roll_section(results.rolls),
+        contact_section(results.contacts),
         mode_section(results.modes),
         parts.campbell_section(results.campbell),
         parts.sweep_section(results.sweeps),

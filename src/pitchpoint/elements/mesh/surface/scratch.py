@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from pitchpoint.contact.active_block import LANES
 from pitchpoint.contact.local_approach import N_NODE
 from pitchpoint.contact.unilateral_work import CONTACT_STATE, N_VECTOR
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import kernel, plain, view
 from pitchpoint.elements.mesh.line_of_action import pooled
 from pitchpoint.elements.mesh.surface.compliance import LEGS
 from pitchpoint.multibody.channels import F8, I8
@@ -28,6 +30,18 @@ def scratch_size(n: int, slots: int) -> int:
     w = widened(n)
     vectors = n * (1 + LEGS + N_NODE + n + 1) + slots + LEGS
     return vectors + STATE_BYTES // 8 + (2 + N_VECTOR + w) * w
+
+
+@kernel
+def _solver_start(b):
+    """Offset of the workspace of the solver in the pool."""
+    n = b["max_nodes"]
+    return b["work"] + n * (1 + LEGS + N_NODE + n + 1) + b["n_slot_pairs"] * b["slices"] + LEGS
+
+
+def state_offset(record: Any) -> int:
+    """Offset of the state of the solver in the pool."""
+    return int(plain(_solver_start)(record))
 
 
 @kernel
@@ -59,7 +73,7 @@ def solver_arrays(b):
     """Workspace of the solver: state, indices, vectors and factor (`contact.unilateral_work`)."""
     n = b["max_nodes"]
     w = (n + LANES - 1) // LANES * LANES
-    at = b["work"] + n * (1 + LEGS + N_NODE + n + 1) + b["n_slot_pairs"] * b["slices"] + LEGS
+    at = _solver_start(b)
     state = view(pooled(b, at), 1, CONTACT_STATE)
     at += STATE_BYTES // 8
     on = view(pooled(b, at), (2, w), I8)

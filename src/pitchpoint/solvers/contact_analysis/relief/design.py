@@ -139,7 +139,9 @@ def _deepest(plan: ReliefPlan, flanks: Flanks) -> float:
     for k, variable in enumerate(plan.vary):
         most[k] = max(abs(variable.low), abs(variable.high)) + wide[k]
     base = np.abs(flanks.rows(flanks.start))[:, amounts].sum()
-    return float(base + np.abs(flanks.rows(most))[:, amounts].sum() + np.abs(flanks.rows(-most))[:, amounts].sum())
+    return float(
+        base + np.abs(flanks.rows(most))[:, amounts].sum() + np.abs(flanks.rows(-most))[:, amounts].sum()
+    )
 
 
 def _dataset(
@@ -181,8 +183,18 @@ def _dataset(
             "m",
             "peak-to-peak transmission error",
         ),
-        "peak_to_peak_min": (by_torque, peaks.min(axis=(1, 2)), "m", "least over tolerances and misalignments"),
-        "peak_to_peak_max": (by_torque, peaks.max(axis=(1, 2)), "m", "largest over tolerances and misalignments"),
+        "peak_to_peak_min": (
+            by_torque,
+            peaks.min(axis=(1, 2)),
+            "m",
+            "least over tolerances and misalignments",
+        ),
+        "peak_to_peak_max": (
+            by_torque,
+            peaks.max(axis=(1, 2)),
+            "m",
+            "largest over tolerances and misalignments",
+        ),
         "pressure": (
             by_torque,
             np.array([c.pressure.max(axis=(0, 2)) for c in nominal]),
@@ -204,7 +216,12 @@ def _dataset(
         "map_peak_to_peak": (by_map, harris[:, 0], "m", "peak-to-peak transmission error"),
         "map_min": (by_map, harris[:, 1], "m", "least over tolerances and misalignments"),
         "map_max": (by_map, harris[:, 2], "m", "largest over tolerances and misalignments"),
-        "evaluated_value": (("evaluation", "variable"), np.array(search.values), "m", "values of the variables"),
+        "evaluated_value": (
+            ("evaluation", "variable"),
+            np.array(search.values),
+            "m",
+            "values of the variables",
+        ),
         "evaluated_score": (
             ("evaluation",),
             MICRO * np.array(search.scores),
@@ -231,7 +248,10 @@ def _dataset(
         ),
     }
     return xr.Dataset(
-        {name: (dims, values, {"units": u, "long_name": t}) for name, (dims, values, u, t) in variables.items()},
+        {
+            name: (dims, values, {"units": u, "long_name": t})
+            for name, (dims, values, u, t) in variables.items()
+        },
         coords=coords,
     )
 

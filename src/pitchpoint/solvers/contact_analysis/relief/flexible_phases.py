@@ -54,9 +54,7 @@ class FlexiblePhases:
             for p, place in enumerate(places):
                 self._place(self.phases[m, p], flanks, rows, (float(place), float(kappa), approach))
 
-    def _place(
-        self, phase: Any, flanks: FlankStates, rows: Array, at: tuple[float, float, float]
-    ) -> None:
+    def _place(self, phase: Any, flanks: FlankStates, rows: Array, at: tuple[float, float, float]) -> None:
         """Store the nodes of one phase; `at`: mesh phase, misalignment, approach."""
         states = flanks.states(at[0])
         states["kappa"], states["x_0"] = at[1], at[2]
@@ -72,10 +70,14 @@ class FlexiblePhases:
             z = node["z"] + (float(record["w1"]) - gear) * float(record["now"]["dz"])
             placed["t"][:, gear] = (np.abs(node["roll"][:, gear]) - low) / (high - low)
             placed["zeta"][:, gear] = z / (0.5 * float(record["b1"] if gear == 0 else record["b2"]))
-            modified = profile_gap(rows[gear], placed["t"][:, gear]) + lead_gap(rows[gear], placed["zeta"][:, gear])
+            modified = profile_gap(rows[gear], placed["t"][:, gear]) + lead_gap(
+                rows[gear], placed["zeta"][:, gear]
+            )
             placed["gap"] -= modified
         placed["edge"] = node["place"] != ON_PATH
-        placed["press"] = np.where(node["place"] == ON_PATH, pressure_of_unit_force(flanks, node["roll"]), 0.0)
+        placed["press"] = np.where(
+            node["place"] == ON_PATH, pressure_of_unit_force(flanks, node["roll"]), 0.0
+        )
         _, _, local, C, *_ = flexible_arrays(record, n)
         kept = [placed, C.copy(), local.copy()]
         self._kept += kept

@@ -87,7 +87,10 @@ class ReliefPlan:
                 "give torques other than 0",
             ),
             (not fitting, "give one weight for each torque"),
-            (not (np.isfinite(weights).all() and (weights >= 0.0).all() and weights.any()), "give weights >= 0"),
+            (
+                not (np.isfinite(weights).all() and (weights >= 0.0).all() and weights.any()),
+                "give weights >= 0",
+            ),
             (
                 not all(math.isfinite(t) and t >= 0.0 for t in self.tolerances.values()),
                 "give tolerances >= 0",
@@ -106,7 +109,9 @@ class ReliefPlan:
 
     def target(self) -> Target:
         """Target for torques in increasing order."""
-        weights = np.ones(len(self.torques)) if self.weights is None else np.asarray(self.weights, dtype=float)
+        weights = (
+            np.ones(len(self.torques)) if self.weights is None else np.asarray(self.weights, dtype=float)
+        )
         weights = weights[self.order()]
         return Target(weights / weights.max(), self.mean, self.max_pressure, self.no_edge_contact)
 

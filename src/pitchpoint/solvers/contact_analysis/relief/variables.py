@@ -187,8 +187,9 @@ def _place_of(
     number = number_at(model, path)
     if side != effective:
         remedy = f"vary {effective} instead, or analyse the other flank"
-        problems.append(Message(path, f"has no effect on the loaded flank, which has {effective}", remedy=remedy))
+        problems.append(
+            Message(path, f"has no effect on the loaded flank, which has {effective}", remedy=remedy)
+        )
     elif number is None or number[1] != "m" or not math.isfinite(number[0]):
         problems.append(Message(path, "is not a length", remedy="vary an amount, a length or a diameter"))
     return gear, tuple(names[4:])
-

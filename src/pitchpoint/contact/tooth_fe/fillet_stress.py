@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Stress of fillets by forces on planes of the flanks.
+
+Derivation: docs/theory/tooth_fe.md, "Root stress".
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.tooth_fe.tooth import ToothFE
+from pitchpoint.contact.tooth_fe.width_basis import WidthBasis
+
+FloatArray = NDArray[np.float64]
+
+
+def stress_by_planes(
+    tooth: ToothFE, n: int, at: FloatArray, span: tuple[float, float] | None = None
+) -> FloatArray:
+    """Stress of the fillet at the loaded side of a tooth per force on a plane and polynomial of its height.
+
+    Parameters
+    ----------
+    tooth
+        Finite elements of the gear.
+    n
+        Number of planes.
+    at
+        Positions over the width [m] from the middle of the gear, shape (k,).
+    span
+        Lower and upper end of the planes [m]; None: face width.
+
+    Returns
+    -------
+    ndarray, shape (F, 3, k, 3, n, M)
+        Stress [1/m²] at F points of the fillet: along the profile, along the width, shear; at k positions; by
+        forces on the previous, the same and the next tooth (counter-clockwise), on planes, times P_m(t).
+    """
+    basis = WidthBasis(tooth.width, tooth.same.shape[1])
+    low, high = span or (-0.5 * tooth.width, 0.5 * tooth.width)
+    means = basis.means(np.linspace(low, high, n + 1))
+    return np.einsum("kp,fcpsmq,jq->fcksjm", basis.values(at), tooth.stress, means, optimize=True)
+
+
+def principal_stress(stress: FloatArray) -> FloatArray:
+    """Larger principal stress in a surface by magnitude, with its sign [Pa].
+
+    Parameters
+    ----------
+    stress
+        Two normal stresses and the shear stress [Pa], shape (3, ...).
+
+    Examples
+    --------
+    >>> principal_stress(np.array([[100.0, -3.0], [0.0, 0.0], [0.0, 2.0]])).tolist()
+    [100.0, -4.0]
+    """
+    mean, half = 0.5 * (stress[0] + stress[1]), 0.5 * (stress[0] - stress[1])
+    return np.asarray(mean + np.copysign(np.hypot(half, stress[2]), mean))

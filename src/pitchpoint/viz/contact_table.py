@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Contact analysis in tables: columns of the main results, description of the contact."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from pitchpoint.core.units import format_quantity
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+class Column(NamedTuple):
+    """Column of a table over the torques: key of `contact_numbers`, heading, dimension, digits."""
+
+    key: str
+    heading: str
+    dimension: str
+    digits: int = 5
+
+
+COLUMNS = (
+    Column("mean_transmission_error", "TE mean", "length"),
+    Column("transmission_error_pp", "TE p–p", "length", 4),
+    Column("mean_secant_stiffness", "k secant", "stiffness"),
+    Column("mean_mesh_stiffness", "k tangent", "stiffness"),
+    Column("flank_pressure", "p flank", "pressure", 4),
+    Column("edge_pressure", "p tip edge", "pressure", 4),
+    Column("face_load_factor", "K_Hβ", "dimensionless"),
+    Column("transverse_load_factor", "K_Hα", "dimensionless"),
+    Column("line_load_ratio", "w max/mean", "dimensionless", 4),
+    Column("loaded_pairs", "pairs", "dimensionless", 4),
+    Column("loss_factor", "H_V", "dimensionless", 4),
+)
+"""Main results of a contact analysis, one row per torque."""
+
+ORDER = {
+    "level": "dimensionless",
+    "planes": "dimensionless",
+    "body": "dimensionless",
+    "clamp": "angle",
+    "coupling": "dimensionless",
+    "correction": "dimensionless",
+    "overlap": "dimensionless",
+    "stiffness": "stiffness",
+    "exponent": "dimensionless",
+}
+"""Options of a contact that its description gives, in this order, and their dimensions."""
+WORDS = {"correction": "C_M", "overlap": "contact overlap"}
+
+
+def options_of(data: xr.Dataset) -> dict[str, Any]:
+    """Options of a contact analysis: those of the solver and of the contact, from attributes or a file."""
+    stored = data.attrs.get("options", {})
+    options = json.loads(stored) if isinstance(stored, str) else dict(stored)
+    return {**options, **{name: data.attrs[name] for name in ORDER if name in data.attrs}}
+
+
+def contact_words(options: Mapping[str, Any]) -> str:
+    """Level and options of the contact in one line.
+
+    Examples
+    --------
+    >>> contact_words({"level": "rigid", "planes": 11, "stiffness": 2e8, "exponent": 1.0})
+    'level rigid, 11 contact planes, stiffness 200 N/µm, exponent 1'
+    >>> contact_words({"level": "flexible", "planes": 21, "body": "ring", "clamp": 0.5, "correction": 0.8})
+    'level flexible, 21 contact planes, body ring, C_M 0.8'
+    """
+    parts = []
+    for name, dimension in ORDER.items():
+        # only Weber and Banaschek's body has a clamp
+        if name not in options or (name == "clamp" and options.get("body") != "weber_banaschek"):
+            continue
+        value = options[name]
+        if name == "planes":
+            parts.append(f"{value} contact planes")
+            continue
+        if isinstance(value, int | float) and not isinstance(value, bool):
+            value = format_quantity(float(value), dimension)
+        parts.append(f"{WORDS.get(name, name)} {str(value).replace('_', ' ')}")
+    return ", ".join(parts)

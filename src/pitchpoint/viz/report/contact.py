@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Section of a report with contact analyses: results by torque, contact pattern, curves of the mesh cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from html import escape
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.analysis.flank_contact.contact_pattern import (
+    ContactPattern,
+    contact_pattern,
+    load_sharing,
+    on_path,
+)
+from pitchpoint.analysis.flank_contact.load_factors import load_over_width
+from pitchpoint.analysis.flank_contact.numbers import contact_numbers
+from pitchpoint.viz import contact_plots as plots
+from pitchpoint.viz.contact_table import COLUMNS, contact_words, options_of
+from pitchpoint.viz.mesh_cycle_plot import plot_transmission_error
+from pitchpoint.viz.quantities import Array, amount, number
+from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.tables import plain_table
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+MAX_CURVES = 5
+"""Maximum number of torques in a plot with one curve each."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactData:
+    """Contact analysis of one mesh.
+
+    Attributes
+    ----------
+    data
+        Dataset of `solve_contact`.
+    numbers
+        Its main results, of `contact_numbers`.
+    note
+        Sentence on an incomplete analysis.
+    """
+
+    data: xr.Dataset
+    numbers: Mapping[str, Array]
+    note: str = ""
+
+
+def contact_result(data: xr.Dataset, note: str = "") -> ContactData:
+    """Contact analysis with its main results."""
+    return ContactData(data=data, numbers=contact_numbers(data), note=note)
+
+
+def contact_section(analyses: Mapping[str, ContactData]) -> Section:
+    """Section with contact analyses by name."""
+    section = Section("contact", "Tooth contact")
+    for name, analysis in analyses.items():
+        section.add(f"<h3>{escape(name)}</h3>" if len(analyses) > 1 else "")
+        section.add(f"<p>{escape(analysis.note)}</p>" if analysis.note else "")
+        if analysis.data.sizes.get("torque", 0):
+            _add_analysis(section, analysis.data, analysis.numbers)
+    return section
+
+
+def _add_analysis(section: Section, data: xr.Dataset, found: Mapping[str, Array]) -> None:
+    torques = np.asarray(data["torque"].values, dtype=np.float64)
+    section.add(f"<p>{escape(_about(data))}</p>")
+    section.add(_table(torques, found))
+    most = int(np.argmax(torques))
+    pattern = contact_pattern(data, most)
+    at = amount(float(torques[most]), "N m")
+    section.add_figure(
+        plots.plot_path_pattern(pattern, "line_load"),
+        f"Line load of one tooth pair at {at}: normal force per length of the contact line, over the path of "
+        "contact with contacts of tip edges before A and beyond E.",
+    )
+    for gear in (1, 2):
+        section.add_figure(
+            plots.plot_flank_pattern(pattern, "any_pressure", gear),
+            f"Contact pattern on the flank of gear {gear} at {at}: maximum Hertzian pressure at each place, "
+            "rounded tip edges included.",
+        )
+    chosen = chosen_torques(torques)
+    names = {k: amount(float(torques[k]), "N m") for k in chosen}
+    _add_path(section, data, pattern, names, at)
+    _add_cycle(section, data, names, most, at)
+    loads = load_over_width(data)
+    section.add_figure(
+        plots.plot_load_over_width(
+            data["plane"].values, {names[k]: loads[k] for k in chosen}, data["plane_width"].values
+        ),
+        "Line load over the face width, integrated over the profile: sum of all tooth pairs, mean over the "
+        f"mesh cycle. Maximum over mean, K_Hβ, at {at}: {number(float(found['face_load_factor'][most]), 4)}.",
+    )
+    if torques.size > 2:
+        section.add_figure(
+            plots.plot_harris_map(
+                torques, found["transmission_error_pp"], found["transmission_error_orders"]
+            ),
+            "Transmission error over torque: peak to peak, and amplitudes of the mesh orders.",
+        )
+
+
+def _add_path(
+    section: Section, data: xr.Dataset, pattern: ContactPattern, names: Mapping[int, str], at: str
+) -> None:
+    """Load share and maximum pressure along the path of contact."""
+    shares = {name: load_sharing(data, k) for k, name in names.items()}
+    section.add_figure(
+        plots.plot_along_path(
+            {name: (one.way, one.share) for name, one in shares.items()}, pattern.teeth, "load share", "%"
+        ),
+        "Load share of one tooth pair from its first to its last contact; A to E for contact at mid-face.",
+    )
+    curves = {}
+    for words, name in (("flanks", "pressure"), ("tip edges", "edge_pressure")):
+        field = on_path(pattern, name)
+        if np.isfinite(field.values).any():
+            curves[words] = field.place, _largest(field.values)
+    section.add_figure(
+        plots.plot_along_path(curves, pattern.teeth, "maximum pressure", "Pa", of_pair=False),
+        f"Maximum contact pressure over the face width along the path of contact, at {at}.",
+    )
+
+
+def _add_cycle(section: Section, data: xr.Dataset, names: Mapping[int, str], most: int, at: str) -> None:
+    """Transmission error and stiffness over the mesh cycle."""
+    phase = np.asarray(data["mesh_phase_position"].values, dtype=np.float64)
+    errors = {"without load": data["unloaded_transmission_error"].values[0]}
+    errors |= {name: data["transmission_error"].values[k] for k, name in names.items()}
+    section.add_figure(
+        plot_transmission_error(phase, errors),
+        "Transmission error over two mesh cycles: approach of the flanks along the base tangent.",
+    )
+    section.add_figure(
+        plots.plot_stiffness(
+            phase, data["mesh_stiffness"].values[most], data["secant_stiffness"].values[most]
+        ),
+        f"Stiffness along the base tangent at {at}. Tangent: derivative of the mesh force, for vibration "
+        "about the loaded state; secant: mesh force over the approach from first contact.",
+    )
+
+
+def _largest(values: Array) -> Array:
+    """Maximum over the planes, shape (n_position,); NaN without any."""
+    known = np.where(np.isfinite(values), values, -np.inf).max(axis=1)
+    return np.where(np.isfinite(known), known, np.nan)
+
+
+def chosen_torques(torques: Array) -> list[int]:
+    """Indices of the torques with a curve of their own: all, or a selection in ascending order.
+
+    Examples
+    --------
+    >>> chosen_torques(np.array([3.0, 1.0])), chosen_torques(np.arange(9.0))
+    ([1, 0], [0, 2, 4, 6, 8])
+    """
+    order = np.argsort(torques, kind="stable")
+    if order.size <= MAX_CURVES:
+        return [int(k) for k in order]
+    return [int(order[k]) for k in np.linspace(0, order.size - 1, MAX_CURVES).round().astype(np.int64)]
+
+
+def _about(data: xr.Dataset) -> str:
+    options = options_of(data)
+    side = "back flanks" if options.get("flank") == -1 else "front flanks"
+    angle = float(options.get("misalignment", 0.0))
+    tilted = f", misalignment {amount(angle, 'rad')}" if angle else ""
+    return (
+        f"Mesh {options['mesh']}, {side}: {contact_words(options)}; "
+        f"{data.sizes['mesh_phase_position']} mesh phases{tilted}."
+    )
+
+
+def _table(torques: Array, found: Mapping[str, Array]) -> str:
+    """Table with one row per torque."""
+    body = []
+    for k, torque in enumerate(torques):
+        cells = "".join(
+            f'<td class="num">{_cell(float(found[c.key][k]), c.dimension, c.digits)}</td>' for c in COLUMNS
+        )
+        body.append(f'<tr><th scope="row">{amount(float(torque), "N m")}</th>{cells}</tr>')
+    return plain_table(("torque", *(c.heading for c in COLUMNS)), body)
+
+
+def _cell(value: float, dimension: str, digits: int) -> str:
+    from pitchpoint.core.units import format_quantity
+
+    return format_quantity(value, dimension, digits) if np.isfinite(value) else "–"
