@@ -78,21 +78,27 @@ class FlexibleContact(FlankContact):
 
     level: ClassVar[str] = "flexible"
     law: ClassVar[str] = "flexible contact"
+    teeth: str = choice(
+        ("analytic", "finite_elements"),
+        "source of the compliance: plates on an elastic body, or 3-D finite elements of tooth and body "
+        "(seconds per gear, stored for the next time)",
+        "analytic",
+    )
     body: str = choice(
         ("ring", "weber_banaschek", "half_plane", "sainsot", "rigid"),
-        "compliance of the gear body under the teeth",
+        "compliance of the gear body under analytic teeth",
         "ring",
     )
     clamp: float | None = quantity(
         "angle",
-        "inclination of the fillet tangent at which a tooth is clamped to its body",
+        "inclination of the fillet tangent at which an analytic tooth is clamped to its body",
         None,
         minimum=math.radians(5.0),
         maximum=math.radians(80.0),
         display="30 deg, internal gears 60 deg",
     )
     coupling: str = choice(
-        ("plate", "springs", "none"), "coupling of the planes over the face width", "plate"
+        ("plate", "springs", "none"), "coupling of the planes of analytic teeth over the face width", "plate"
     )
     correction: float = positive(
         "dimensionless", "correction factor C_M of the stiffness; 0.8 in ISO 6336-1", 1.0, maximum=10.0

@@ -54,6 +54,7 @@ class FlankStates:
             )
         assert bank.pool is not None
         self.kind, self.pool = bank.kind, bank.pool
+        self.offset = float(self.record["now"]["dz"])
         self._link()
 
     def _link(self) -> None:
@@ -86,7 +87,7 @@ class FlankStates:
         whole = np.floor(phase)
         found["record"], found["flank"] = self.records.ctypes.data, self.flank
         found["pairs"], found["psi"] = whole, phase - whole
-        found["distance"] = self.distance
+        found["distance"], found["dz"] = self.distance, self.offset
         return found
 
     def solve(self, states: NDArray[np.void], keep_nodes: bool = False) -> NDArray[np.void] | None:

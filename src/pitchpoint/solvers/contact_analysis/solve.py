@@ -108,9 +108,9 @@ def solve_contact(
         status, text = INTERRUPTED, sentence(INTERRUPTED)
     if not found:
         raise SolverError(text, status)
-    data = _dataset(flanks, torques[: len(found)], phase, found)
+    data = contact_dataset(flanks, torques[: len(found)], phase, found)
     options = {"positions": positions, "misalignment": misalignment, "flank": flank}
-    data.attrs |= _attributes(flanks, status, time.perf_counter() - began, **options)
+    data.attrs |= contact_attributes(flanks, status, time.perf_counter() - began, **options)
     if status != OK:
         raise SolverError(text, status, data)
     return data
@@ -141,7 +141,8 @@ def _failure(mesh: str, torque: float, states: NDArray[np.void]) -> str:
     )
 
 
-def _attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any) -> dict[str, Any]:
+def contact_attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any) -> dict[str, Any]:
+    """Attributes of a contact analysis: provenance, model, level and options of the contact."""
     from pitchpoint.core.provenance import content_hash, provenance
     from pitchpoint.model.write import model_text
 
@@ -156,9 +157,22 @@ def _attributes(flanks: FlankStates, status: int, wall_s: float, **options: Any)
     return {**about, **contact_options(flanks), **found}
 
 
-def _dataset(
+def contact_dataset(
     flanks: FlankStates, torques: Array, phase: Array, found: list[tuple[NDArray[np.void], NDArray[np.void]]]
 ) -> xr.Dataset:
+    """Dataset of solved states.
+
+    Parameters
+    ----------
+    flanks
+        The mesh.
+    torques
+        Torques [N m], shape (n,).
+    phase
+        Mesh phases [base pitches], shape (m,).
+    found
+        States, shape (m,), and nodes for each torque.
+    """
     import xarray as xr
 
     over = ("torque", "mesh_phase_position")

@@ -13,6 +13,7 @@ backlash.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
@@ -142,10 +143,12 @@ def roll_through(
     mesh: str | None = None,
     others: bool = True,
     progress: Progress = silent,
+    look: Callable[[System, Array], None] | None = None,
 ) -> Roll:
     """Roll slowly through mesh periods; parameters as in `solve_quasistatic`, and the mesh for a scenario.
 
-    Without `others`, `Roll.meshes` contains the rolled mesh only.
+    Without `others`, `Roll.meshes` contains the rolled mesh only. `look` is called at each position with the
+    evaluated system and its channels.
     """
     scenario, mesh, points, periods = _plan(system, what, points, periods, mesh)
     if system.model is None:
@@ -176,6 +179,8 @@ def roll_through(
             found = find_equilibrium(own, state, held)
             state = found.state
             rows[s] = found.observe(own)
+            if look is not None:
+                look(own, rows[s])
             reaction[s] = found.reaction
             for m in observed:
                 contact = rows[s][own.layout.channel(f"contact_state[{names[m]}]")]

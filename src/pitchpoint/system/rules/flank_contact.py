@@ -13,11 +13,15 @@ from numpy.polynomial.legendre import leggauss
 from numpy.typing import NDArray
 
 from pitchpoint.contact.compliance.blank import Blank
+from pitchpoint.contact.compliance.description import FlankCompliance
 from pitchpoint.contact.compliance.gear import flank_compliance, gear_slice
 from pitchpoint.contact.compliance.heights import dual
 from pitchpoint.contact.compliance.pair import contact_depth, pair_slice
 from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.stiffness.description import PairShape
+from pitchpoint.contact.tooth_fe.flank_fields import flank_fields
+from pitchpoint.contact.tooth_fe.store import stored_tooth_fe
+from pitchpoint.contact.tooth_fe.tooth_model import ToothModel
 from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
@@ -31,7 +35,6 @@ from pitchpoint.model.components.flank_contact import (
 from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
-    from pitchpoint.contact.compliance.description import FlankCompliance
     from pitchpoint.contact.compliance.gear import GearSlice
     from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.components.flank_contact import FlankContact, OilFilm, StructuralDamping
@@ -200,6 +203,35 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
 
 
+def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, float]) -> FlankCompliance:
+    """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face."""
+    if contact.teeth == "analytic":
+        return flank_compliance(
+            gear.geometry,
+            planes=contact.planes,
+            width=width,
+            material=gear.material_data,
+            blank=blank_of(gear),
+            body=contact.body,
+            clamp=contact.clamp,
+            coupling=contact.coupling,
+            C_M=contact.correction,
+        )
+    tooth = stored_tooth_fe(
+        ToothModel(
+            gear=gear.geometry,
+            E=gear.material_data.youngs_modulus,
+            nu=gear.material_data.poisson_ratio,
+            bore_diameter=gear.bore_diameter or None,
+            rim_thickness=gear.rim_thickness,
+            web_thickness=gear.web_thickness,
+        )
+    )
+    fields = flank_fields(tooth, contact.planes, width, heights=_HEIGHTS)
+    whole = FlankCompliance(fields.roll, fields.own, fields.beside, fields.windup, dict(fields.provenance))
+    return whole if contact.correction == 1.0 else whole.scaled(contact.correction)
+
+
 def flexible_surfaces(
     contact: FlexibleContact, pair: GearPair, gears: Sequence[Gear], offsets: tuple[float, float]
 ) -> SurfaceContact:
@@ -219,17 +251,8 @@ def flexible_surfaces(
     found = []
     parts = _slices(contact, gears)
     for gear, part, offset in zip(gears, parts, offsets, strict=True):
-        compliance = flank_compliance(
-            gear.geometry,
-            planes=contact.planes,
-            width=(offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w),
-            material=gear.material_data,
-            blank=blank_of(gear),
-            body=contact.body,
-            clamp=contact.clamp,
-            coupling=contact.coupling,
-            C_M=contact.correction,
-        )
+        width = (offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w)
+        compliance = _compliance_of(contact, gear, width)
         t, weights = leggauss(16)
         low, high = compliance.roll
         depth = contact_depth(part, 0.5 * (low + high + (high - low) * t), pair.gear1.beta_b)

@@ -36,6 +36,7 @@ STATE = np.dtype(
         ("pairs", "i8"),
         ("psi", "f8"),  # mesh phase: whole base pitches and fraction
         ("distance", "f8"),  # signed centre distance [m]
+        ("dz", "f8"),  # axial offset of the gears [m]
         ("kappa", "f8"),  # loss of penetration over the width [rad]
         ("by_force", "i8"),  # 1: `force` is given, 0: `x_0`
         ("x_0", "f8"),  # penetration at the pitch point [m]
@@ -71,6 +72,7 @@ def _begin(b, state):
     if not a * a > r_b * r_b:
         return BAD_CENTRE
     now["a"] = a
+    now["dz"] = state["dz"]
     place_gears(b, r_b / a)
     now["flank"] = state["flank"]
     now["psi"] = state["psi"]
