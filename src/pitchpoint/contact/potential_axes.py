@@ -47,9 +47,10 @@ class TableAxis:
     name
         Name for messages.
     points
-        Tabulated points, increasing, shape (n,); one point: no interpolation.
+        Tabulated points, increasing, shape (n,).
     doubled
-        Whether slopes are given and double the resolution.
+        Whether slopes are given and double the resolution; a function of one point is linear with its slope,
+        and constant without it.
     period
         Period, 0 for none; a periodic axis begins at 0.
     tolerance
@@ -95,6 +96,11 @@ class TableAxis:
         return len(self.points)
 
     @property
+    def size(self) -> int:
+        """Number of coefficients without the repeated ones of a periodic axis."""
+        return len(self.refined) + (self.count == 1 and self.doubled)
+
+    @property
     def closed(self) -> FloatArray:
         """Tabulated points; of a periodic axis with the end of the period, shape (n,) or (n + 1,)."""
         return np.append(self.points, self.period) if self.period else self.points
@@ -117,13 +123,13 @@ class TableAxis:
     @cached_property
     def n_coefficients(self) -> int:
         """Number of B-spline coefficients; of a periodic axis the first three are repeated at the end."""
-        return 1 if self.count == 1 else len(self._cardinal.c)
+        return self.size if self.count == 1 else len(self._cardinal.c)
 
     @cached_property
     def values_operator(self) -> FloatArray:
         """Coefficients of the spline through values at the points, shape (n_coefficients, n)."""
         if self.count == 1:
-            return np.ones((1, 1))
+            return np.eye(self.size, 1)
         unit = np.eye(self.count)
         if not self.doubled:
             return np.array(self._cardinal.c)
@@ -135,7 +141,9 @@ class TableAxis:
 
         The value at the middle is (f0 + f1)/2 + h (f0' - f1')/8.
         """
-        if self.count == 1 or not self.doubled:
+        if self.count == 1:
+            return np.eye(self.size, 1), np.eye(self.size, 1, -1)
+        if not self.doubled:
             return self.values_operator, np.zeros((self.n_coefficients, self.count))
         size = len(self.refined)
         value, slope = np.zeros((2, size, self.count))

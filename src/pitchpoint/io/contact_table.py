@@ -276,11 +276,8 @@ def _differences(stored: Any, wanted: Any) -> dict[str, tuple[Any, Any]]:
     """Stored and required values that differ, by path."""
     old, new = dict(_leaves(stored)), dict(_leaves(wanted))
     keys = [*new, *(key for key in old if key not in new)]
-    return {
-        key: (old.get(key), new.get(key))
-        for key in keys
-        if (key in old, old.get(key)) != (key in new, new.get(key))
-    }
+    pairs = {key: (old.get(key), new.get(key)) for key in keys}
+    return {k: pair for k, pair in pairs.items() if k not in old or k not in new or pair[0] != pair[1]}
 
 
 def _leaves(data: Any, path: str = "") -> Iterator[tuple[str, Any]]:
