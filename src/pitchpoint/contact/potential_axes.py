@@ -75,20 +75,22 @@ class TableAxis:
         where = f"axis.{self.name}"
         points = frozen_array(where, self.points, 1)
         object.__setattr__(self, "points", points)
-        count = len(points)
+        count, steps = len(points), np.diff(points)
         if count > MOST_POINTS:
-            raise refuse(where, "points are too many", count, f"<= {MOST_POINTS}", "use a coarser axis")
-        if np.any(np.diff(points) <= 0.0):
-            raise refuse(where, "do not increase", points, "increasing points", "sort them")
+            words, limit = "is too large a number of points", f"<= {MOST_POINTS}"
+            raise refuse(where, words, count, limit, "use a coarser axis")
+        if np.any(steps <= 0.0):
+            k = int(np.argmax(steps <= 0.0))
+            pair = f"{points[k]:.6g}, {points[k + 1]:.6g}"
+            raise refuse(where, "do not increase", pair, "increasing points", "sort them")
         if self.period and (points[0] != 0.0 or points[-1] >= self.period):
-            raise refuse(
-                where, "is not one period", points, f"0 to below {self.period:g}", "shift the points"
-            )
+            pair, limit = f"{points[0]:.6g} to {points[-1]:.6g}", f"0 to below {self.period:g}"
+            raise refuse(where, "is not one period", pair, limit, "shift the points")
         if not (self.tolerance >= 0.0 and np.isfinite(self.tolerance)):
             raise refuse(where, "is not a tolerance", self.tolerance, ">= 0", "give a distance")
         if (count > 1 or self.period) and len(self.refined) < _FEWEST:
             fewest = "1 without a period, >= 3 with slopes, >= 4 without"
-            raise refuse(where, "points are too few", count, fewest, "add points")
+            raise refuse(where, "is too small a number of points", count, fewest, "add points")
 
     @property
     def count(self) -> int:

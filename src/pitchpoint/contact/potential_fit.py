@@ -82,6 +82,8 @@ class PotentialTable:
                 )
             if not np.all(np.isfinite(array)):
                 raise refuse(f"table.{name}", "is not finite", "NaN or inf", "numbers", "rebuild the table")
+        if not np.all(np.isfinite([size for sizes in self.errors.values() for size in sizes])):
+            raise refuse("table.errors", "are not finite", "NaN or inf", "numbers", "rebuild the table")
         if np.max(lowest_values(self.axes, self.coefficients)) >= 0.0:
             raise refuse("table.coefficients", "begin in contact", "V >= 0", "V < 0", "rebuild the table")
 

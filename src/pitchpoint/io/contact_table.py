@@ -155,11 +155,11 @@ def read_contact_table(path: str | os.PathLike[str], inputs: Mapping[str, Any] |
         with h5py.File(io.BytesIO(image), "r") as file:
             found = _stored(name, file)
     except ModelError as error:
-        raise ContactTableError(f"{name}: {error.problems[0]}") from error
+        raise ContactTableError(f"{name}: {_reason(error.problems[0])}") from error
     except PitchpointError:
         raise
     except DAMAGE as error:
-        reason = " ".join(str(error).split())[:200] or type(error).__name__
+        reason = _reason(error) or type(error).__name__
         raise ContactTableError(f"{name}: is not a contact table ({reason}); compute it again") from error
     if inputs is not None:
         differing = _differences(found.inputs, plain_data(inputs))
@@ -288,6 +288,11 @@ def _leaves(data: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         return
     for key, value in items:
         yield from _leaves(value, f"{path}.{key}" if path else str(key))
+
+
+def _reason(error: object) -> str:
+    """Message in one line."""
+    return " ".join(str(error).split())[:200]
 
 
 def _shown(value: Any) -> str:

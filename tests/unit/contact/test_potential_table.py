@@ -371,14 +371,14 @@ def test_contact_at_the_lowest_approach_is_refused() -> None:
     [
         ({"points": np.array([0.0, 2.0, 1.0, 3.0])}, "do not increase"),
         ({"points": np.array([0.0, 1.0, np.nan, 3.0])}, "finite"),
-        ({"points": np.arange(3.0)}, "too few"),
-        ({"points": np.arange(2.0), "doubled": True}, "too few"),
-        ({"points": np.arange(600.0)}, "too many"),
+        ({"points": np.arange(3.0)}, "too small"),
+        ({"points": np.arange(2.0), "doubled": True}, "too small"),
+        ({"points": np.arange(600.0)}, "too large"),
         ({"points": np.arange(4.0), "period": 3.0}, "not one period"),
         ({"points": np.arange(1.0, 5.0), "period": 9.0}, "not one period"),
         ({"points": np.zeros(1), "tolerance": -1.0}, "tolerance"),
         ({"points": np.zeros(1), "tolerance": np.nan}, "tolerance"),
-        ({"points": np.zeros(1), "period": 1.0}, "too few"),
+        ({"points": np.zeros(1), "period": 1.0}, "too small"),
     ],
 )
 def test_bad_axes_are_refused(options, words) -> None:
