@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -215,11 +216,14 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
 
 
+_kept_compliance = lru_cache(maxsize=32)(flank_compliance)
+
+
 def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, float]) -> FlankCompliance:
     """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face."""
     if contact.teeth == "analytic":
-        return flank_compliance(
-            gear.geometry,
+        return _kept_compliance(
+            gear.geometry.replace(outline=None),  # the generated tooth
             planes=contact.planes,
             width=width,
             material=gear.material_data,
