@@ -357,6 +357,7 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     row["is_rigid"] = contact.elastic is None
     row["reach"] = REACH * row["p_bt"]
     row["tip_share"] = -1.0
+    row["rounding"] = [gear.tip_rounding or 0.0 for gear in (pair.gear1, pair.gear2)]
     row["max_nodes"] = contact.planes * pairs_in_reach(pair)
     row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
     cos_b = math.cos(pair.gear1.beta_b)
