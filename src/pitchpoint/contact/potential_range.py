@@ -106,10 +106,11 @@ def fixed_axes(span: TableRange, size: TableSize) -> tuple[TableAxis, TableAxis,
     (low, high), (near, far) = span.approach, span.centre_distance
     step = (high - low) / (size.approach - 2)
     x = TableAxis("approach", high - step * np.arange(size.approach, dtype=np.float64)[::-1])
-    u = np.linspace(-1.0, 1.0, size.misalignment)
-    kappa = TableAxis("misalignment", span.misalignment * np.sign(u) * np.abs(u) ** _GRADING, True)
     if span.misalignment == 0.0:
         kappa = TableAxis("misalignment", np.zeros(1), tolerance=span.tolerances[0])
+    else:
+        u = np.linspace(-1.0, 1.0, size.misalignment)
+        kappa = TableAxis("misalignment", span.misalignment * np.sign(u) * np.abs(u) ** _GRADING, True)
     if near == far:
         return x, kappa, TableAxis("centre_distance", np.array([near]), tolerance=span.tolerances[1])
     return x, kappa, TableAxis("centre_distance", np.linspace(near, far, size.centre_distance), True)
