@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.options import common, model_file, one_of, output, writes
+from pitchpoint.cli.options import common, model_file, one_of, output, quantity, writes
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 
 if TYPE_CHECKING:
@@ -55,14 +55,29 @@ MOST = 500
     type=click.Choice(["front", "back"]),
     help="Flanks in contact; default: by the sign of the default torque, else front.",
 )
+@quantity("--speed", "angular_speed", "Speed of gear 1, for oil film and flash temperature.")
+@click.option(
+    "--friction",
+    type=click.FloatRange(0.0, 2.0),
+    metavar="MU",
+    help="Mean coefficient of friction; default: that of the mesh, if any.",
+)
+@quantity(
+    "--viscosity", "dynamic_viscosity", "Dynamic viscosity of the oil at the temperature of the flanks."
+)
+@quantity(
+    "--pressure-viscosity",
+    "pressure_viscosity",
+    "Pressure-viscosity coefficient; default: 20 1/GPa, typical of mineral oils.",
+)
 @writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
 @output("Result file (netCDF-4/HDF5); default: none.")
 @common
 def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Analyse the loaded tooth contact of a mesh of FILE, which has `contact`.
 
-    Transmission error, stiffness, pressure, load distribution and losses for each torque. The axes of the
-    gears are fixed; --misalignment tilts the flanks.
+    Transmission error, stiffness, pressure, load distribution and losses for each torque; with --speed also
+    oil film and flash temperature. The axes of the gears are fixed; --misalignment tilts the flanks.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
@@ -72,6 +87,7 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     model = read_model(file, allow_code, quiet)
     mesh = _chosen(model, options["mesh"])
     options["torques"], options["flank"] = _loads(model, mesh, options["torques"], options["flank"])
+    options["operation"] = _operation(model, mesh, options)
     options["misalignment"] = _angle(options["misalignment"], model, mesh)
     target = result_path(options["output"], file, "") if options["output"] is not None else None
     if options["picture"] is not None:
@@ -190,6 +206,18 @@ def _angle(text: str | None, model: Model, mesh: str) -> float:
         ) from None
 
 
+def _operation(model: Model, mesh: str, options: dict[str, Any]) -> dict[str, Any]:
+    """Operating conditions; friction from the mesh if it is not given."""
+    for name in ("viscosity", "pressure_viscosity"):
+        needed = "speed" if name == "viscosity" else "viscosity"
+        if options[name] is not None and options[needed] is None:
+            raise click.UsageError(f"--{name.replace('_', '-')} requires --{needed}")
+    own = model.meshes[mesh].friction
+    friction = options["friction"] if options["friction"] is not None or own is None else own.mu
+    found = {"friction": friction, **{n: options[n] for n in ("speed", "viscosity", "pressure_viscosity")}}
+    return {name: value for name, value in found.items() if value is not None}
+
+
 def compute(
     model: Model, file: str, mesh: str, target: Path | None, options: dict[str, Any], *, quiet: bool
 ) -> tuple[dict[str, Any], BaseException | None]:
@@ -200,6 +228,7 @@ def compute(
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.core.errors import SolverError
     from pitchpoint.io.writing import how_it_ended
+    from pitchpoint.solvers.contact_analysis.lubrication import Operation, with_operation
     from pitchpoint.solvers.contact_analysis.solve import solve_contact
 
     begun = time.perf_counter()
@@ -219,6 +248,8 @@ def compute(
         if error.partial is None:
             raise
         failure, data = SolverError(str(error), error.status, target and str(target)), error.partial
+    data = with_operation(data, Operation(**options["operation"]))
+    data.attrs |= options["operation"]
     status, sentence, code = how_it_ended(failure)
     if target is not None:
         store(target, model, file, data, status=status, sentence=sentence, code=code)
@@ -275,14 +306,15 @@ def _draw(path: Path, data: xr.Dataset) -> None:
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
     """Print one row per torque, and the description of the contact."""
-    from pitchpoint.viz.contact_table import COLUMNS, contact_words
+    from pitchpoint.viz.contact_table import columns, contact_words
 
     found = summary["numbers"]
+    chosen = columns(found)
     rows = [
-        [shown(torque, "torque", 5), *(shown(found[c.key][k], c.dimension, c.digits) for c in COLUMNS)]
+        [shown(torque, "torque", 5), *(c.text(found[c.key][k]) for c in chosen)]
         for k, torque in enumerate(summary["torque"])
     ]
-    table(title, ["torque", *(c.heading for c in COLUMNS)], rows)
+    table(title, ["torque", *(c.heading for c in chosen)], rows)
     if quiet:
         return
     options = summary["options"]
@@ -293,7 +325,10 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
 
 
 def _where(options: dict[str, Any]) -> str:
-    """Flank and misalignment in words."""
-    side = "back flanks" if options.get("flank") == -1 else "front flanks"
+    """Flank, misalignment and operating conditions in words."""
+    from pitchpoint.viz.contact_table import operation_words
+
+    words = ["back flanks" if options.get("flank") == -1 else "front flanks"]
     angle = float(options.get("misalignment", 0.0))
-    return side if angle == 0.0 else f"{side}, misalignment {shown(angle, 'angle', 4)}"
+    words += [f"misalignment {shown(angle, 'angle', 4)}"] if angle else []
+    return ", ".join([*words, *operation_words(options)])

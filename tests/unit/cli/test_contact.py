@@ -121,6 +121,30 @@ def test_a_result_file_holds_the_dataset(
     assert "FZG type C: tooth contact" in text
 
 
+def test_operating_conditions(file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target, page = tmp_path / "c.h5", tmp_path / "c.html"
+    oil = ["--speed", "2000 rpm", "--friction", "0.05", "--viscosity", "20 mPa s"]
+    files = ["-o", str(target), "--picture", str(page)]
+    assert run_command(["contact", file, "--positions", "8", *oil, *files]) == 0
+    text = capsys.readouterr().out
+    for words in ("loss [%]", "flash", "film", "speed of gear 1 2000 rpm, friction 0.05, viscosity 20 mPa s"):
+        assert words in text
+    with open_result(target) as data:
+        assert float(data["flash_temperature"].max()) > 0.0
+        assert data["film_thickness"].attrs["units"] == "m"
+    assert "Thickness of the oil film along the path of contact" in page.read_text(encoding="utf-8")
+    assert read_header(target)["options"]["friction"] == 0.05
+
+
+def test_friction_of_the_mesh(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    text = MODEL.replace("    center_distance", "    friction: {mu: 0.04}\n    center_distance")
+    found = json_of(["contact", written(tmp_path, text), "--positions", "8"], capsys)
+    numbers = found["numbers"]
+    assert numbers["loss_share"][0] == pytest.approx(0.04 * numbers["loss_factor"][0])
+    other = json_of(["contact", written(tmp_path, text), "--positions", "8", "--friction", "0.06"], capsys)
+    assert other["options"]["friction"] == 0.06
+
+
 def test_torques_before_a_failure_are_kept(
     file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -169,6 +193,9 @@ def test_a_stop_before_the_first_torque(
         (["--misalignment", "3 kg"], "is neither a length nor an angle"),
         (["--mesh", "stag"], "no mesh 'stag'; did you mean stage?"),
         (["--positions", "3"], "--positions"),
+        (["--viscosity", "20 mPa s"], "--viscosity requires --speed"),
+        (["--pressure-viscosity", "20 1/GPa", "--speed", "5 rpm"], "requires --viscosity"),
+        (["--speed", "5 m"], "is not the unit of a rotational speed"),
         (["-o", "model.yaml"], "output"),
     ],
 )
