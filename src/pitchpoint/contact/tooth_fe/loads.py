@@ -24,7 +24,20 @@ HEIGHTS = 10
 
 
 def roll_at(contour: Contour, t: FloatArray) -> FloatArray:
-    """Lengths of roll [m] at heights t, shape of t."""
+    """Lengths of roll at heights.
+
+    Parameters
+    ----------
+    contour
+        Outline of the tooth.
+    t
+        Heights.
+
+    Returns
+    -------
+    ndarray, shape of t
+        Lengths of roll [m].
+    """
     root, tip = contour.roll
     return np.asarray(0.5 * ((1.0 - t) * root + (1.0 + t) * tip))
 

@@ -76,7 +76,7 @@ def contact_depth(contour: Contour, rho: FloatArray) -> FloatArray:
 
 
 def half_pitch(mesh: SectionMesh, column: float = 0.0) -> tuple[IntArray, IntArray]:
-    """Elements on the loaded side of a mesh line, and the nodes of their borders to the rest of the gear.
+    """Elements on the loaded side of a mesh line, and nodes at the border of the rest of the gear.
 
     Parameters
     ----------
@@ -84,6 +84,11 @@ def half_pitch(mesh: SectionMesh, column: float = 0.0) -> tuple[IntArray, IntArr
         The section.
     column
         Position of the line as in `Density.across`; 0 is the centre line of the tooth.
+
+    Returns
+    -------
+    elements : ndarray, shape (m,)
+    nodes : ndarray, shape (n,)
     """
     first = np.isclose(mesh.column, column)
     line = np.unique(mesh.elements[first][:, 0, :])

@@ -51,14 +51,20 @@ def with_loads(sector: Part, chosen: IntArray, numbers: IntArray) -> Part:
 
 
 def series(a: Part, b: Part) -> Part:
-    """Two sectors side by side as one, counter-clockwise, condensed to their outer borders."""
+    """Two neighbouring sectors as one, condensed to their outer borders.
+
+    Parameters
+    ----------
+    a, b
+        The sectors, counter-clockwise.
+    """
     n = a.nodes.size // 2
     both = joined(between(a, 0, 1), between(b, 1, 2))
     return between(eliminated(both, np.arange(n, 2 * n)), 0, 1)
 
 
 def arc(sector: Part, count: int) -> Part:
-    """Several equal sectors side by side without loads, condensed to their outer borders.
+    """Several equal sectors without loads, condensed to their outer borders.
 
     Parameters
     ----------

@@ -80,7 +80,14 @@ def lagrange(order: int, xi: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def shape(order: int, first: FloatArray, second: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Shape functions of an element at points (first, second), shape (n,), and their slopes.
+    """Shape functions of an element and their slopes at points.
+
+    Parameters
+    ----------
+    order
+        Polynomial order of the element.
+    first, second
+        Local coordinates of the points in [-1, 1], shape (n,).
 
     Returns
     -------
@@ -90,6 +97,7 @@ def shape(order: int, first: FloatArray, second: FloatArray) -> tuple[FloatArray
     (a, da), (b, db) = lagrange(order, first), lagrange(order, second)
 
     def product(left: FloatArray, right: FloatArray) -> FloatArray:
+        """Products of functions of both coordinates, shape (n, (order + 1)²)."""
         return np.einsum("pi,pj->pij", left, right).reshape(len(left), -1)
 
     return product(a, b), np.stack([product(da, b), product(a, db)])
@@ -166,6 +174,7 @@ def element_matrices(
     DB, DC = (np.einsum("ab,epbn,ep->epan", D, part, dA) for part in (found.B, found.C))
 
     def energy(left: FloatArray, right: FloatArray) -> FloatArray:
+        """Sums over points and components, shape (m, 3 n, 3 n)."""
         flat = (len(left), -1, left.shape[-1])
         return np.asarray(np.swapaxes(left.reshape(flat), 1, 2) @ right.reshape(flat))
 

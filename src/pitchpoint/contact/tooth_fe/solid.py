@@ -109,12 +109,12 @@ class Solid:
 
     @cached_property
     def matrices(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Energy matrices of all elements, see `element_matrices`."""
+        """Energy matrices of all elements, see `element_matrices`; shape (m, 3 n, 3 n) each."""
         return element_matrices(self.mesh, self.E, self.nu, self.twist)
 
     @cached_property
     def axes(self) -> FloatArray:
-        """Angle of the axes of each node [rad]: radial and tangential on the borders of the pitch."""
+        """Angles of the axes of the nodes [rad], shape (n,): radial and tangential on the borders."""
         angle = np.zeros(self.mesh.points.size)
         angle[self.mesh.clockwise], angle[self.mesh.counter] = -math.pi / self.z, math.pi / self.z
         return angle

@@ -128,6 +128,7 @@ def condensed(leaf: Callable[[int], Part], elements: Mesh, kept: IntArray) -> Pa
     stays[kept] = True
 
     def grouped(group: IntArray) -> Part:
+        """Some of the elements as one part; their numbers, shape (n,)."""
         if group.size == 1:
             part = leaf(int(group[0]))
         else:
