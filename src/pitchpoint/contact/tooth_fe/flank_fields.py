@@ -53,6 +53,18 @@ def flank_fields(
     The displacement that all teeth share is the mean one of the tooth after the next, limited so that the
     rest is positive semidefinite. The coupling of neighbours is limited so that any number of teeth is
     positive semidefinite; `provenance["coupling_ratio"]` above 0.5 shows that this was necessary.
+
+    Examples
+    --------
+    One polynomial over height and width:
+
+    >>> one = np.ones((1, 1, 1, 1))
+    >>> tooth = ToothFE(width=2.0, roll=np.array([0.0, 1.0]), same=4.0 * one, next=1.5 * one, far=0.5 * one,
+    ...     contact=np.zeros(1), tangents=np.zeros(1), fillet=np.zeros((1, 2)),
+    ...     stress=np.ones((1, 3, 1, 3, 1, 1)), provenance={})
+    >>> found = flank_fields(tooth, 1)
+    >>> [round(float(c), 12) for c in (found.windup, found.own[0, 0, 0, 0], found.beside[0, 0, 0, 0])]
+    [0.25, 1.75, 0.5]
     """
     M, P = heights or tooth.same.shape[0], tooth.same.shape[1]
     basis = WidthBasis(tooth.width, P)
@@ -128,6 +140,12 @@ def separated(
     If own^(-1/2) C own^(-1/2) of the coupling C has a norm of at most 1/2, own + e^(iφ) C + e^(-iφ) Cᵀ is
     positive semidefinite for all φ, and so is the matrix of any number of teeth (block Toeplitz matrices: U.
     Grenander and G. Szegö, Toeplitz Forms and their Applications, 1958).
+
+    Examples
+    --------
+    >>> own, coupled, windup, ratio = separated(np.array([[4.0]]), np.array([[1.5]]), 0.25, 2.0)
+    >>> own.round(12).tolist(), coupled.round(12).tolist(), windup, round(ratio, 4)
+    ([[3.5]], [[1.0]], 0.25, 0.2857)
     """
     uniform = np.zeros(len(same))
     uniform[0] = math.sqrt(width)

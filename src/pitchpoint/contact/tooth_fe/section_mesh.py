@@ -160,6 +160,15 @@ def section_mesh(
         Order and numbers of elements.
     rim
         Radius between rim and web [m]; None without web.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> mesh = section_mesh(contour, 1e-3, 5e-3, Density())
+    >>> mesh.points.size, len(mesh.elements), mesh.counter.size
+    (529, 30, 13)
     """
     q, form = density.order, contour.form
     tangent = 0.5 * (max(contour.tangent_range[0], 0.0) + contour.tangent_range[1])

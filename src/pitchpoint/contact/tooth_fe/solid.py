@@ -47,6 +47,11 @@ def freedoms(count: int, twisted: bool) -> list[Freedoms]:
         Number of polynomials.
     twisted
         Whether the gear is helical.
+
+    Examples
+    --------
+    >>> [f.components.size for f in freedoms(4, True) + freedoms(4, False)]
+    [12, 6, 6]
     """
     components = np.repeat(np.arange(3), count)
     polynomials = np.tile(np.arange(count), 3)

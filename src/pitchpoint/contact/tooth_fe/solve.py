@@ -45,6 +45,13 @@ def one_pitch(model: ToothModel) -> tuple[Solid, Contour, GearBody]:
     ------
     GeometryError
         If tooth or body are not possible, or the root has a sharp corner.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> solid, contour, body = one_pitch(ToothModel(gear=CylindricalGear(z=17, m_n=1e-3)))
+    >>> solid.z, round(1e3 * body.clamped, 3)    # half of the root radius
+    (17, 3.625)
     """
     gear = model.gear
     body = gear_body(gear, model.blank)
