@@ -159,13 +159,15 @@ def newton(C, node, n, load, state, on, v, U):
     """
     x = v[PENETRATION]
     before = 0.0
-    for _ in range(_STEPS):
+    scale = 0.0
+    for step in range(_STEPS):
         if load > 0.0:
             for i in range(n):
                 x[i] = v[WEIGHT, i] * state["approach"] - v[GAP, i]
-        scale = 0.0
-        for i in range(n):
-            scale = max(scale, x[i])
+        if load > 0.0 or step == 0:
+            scale = 0.0
+            for i in range(n):
+                scale = max(scale, x[i])
         state["exact"] = 0
         largest, sound = residual(C, node, n, state["m"], on, v)
         if not sound:

@@ -47,9 +47,10 @@ class TableAxis:
     name
         Name for messages.
     points
-        Tabulated points, increasing, shape (n,); one point: no interpolation.
+        Tabulated points, increasing, shape (n,).
     doubled
-        Whether slopes are given and double the resolution.
+        Whether slopes are given and double the resolution; a function of one point is linear with its slope,
+        and constant without it.
     period
         Period, 0 for none; a periodic axis begins at 0.
     tolerance
@@ -74,25 +75,32 @@ class TableAxis:
         where = f"axis.{self.name}"
         points = frozen_array(where, self.points, 1)
         object.__setattr__(self, "points", points)
-        count = len(points)
+        count, steps = len(points), np.diff(points)
         if count > MOST_POINTS:
-            raise refuse(where, "points are too many", count, f"<= {MOST_POINTS}", "use a coarser axis")
-        if np.any(np.diff(points) <= 0.0):
-            raise refuse(where, "do not increase", points, "increasing points", "sort them")
+            words, limit = "is too large a number of points", f"<= {MOST_POINTS}"
+            raise refuse(where, words, count, limit, "use a coarser axis")
+        if np.any(steps <= 0.0):
+            k = int(np.argmax(steps <= 0.0))
+            pair = f"{points[k]:.6g}, {points[k + 1]:.6g}"
+            raise refuse(where, "do not increase", pair, "increasing points", "sort them")
         if self.period and (points[0] != 0.0 or points[-1] >= self.period):
-            raise refuse(
-                where, "is not one period", points, f"0 to below {self.period:g}", "shift the points"
-            )
+            pair, limit = f"{points[0]:.6g} to {points[-1]:.6g}", f"0 to below {self.period:g}"
+            raise refuse(where, "is not one period", pair, limit, "shift the points")
         if not (self.tolerance >= 0.0 and np.isfinite(self.tolerance)):
             raise refuse(where, "is not a tolerance", self.tolerance, ">= 0", "give a distance")
         if (count > 1 or self.period) and len(self.refined) < _FEWEST:
             fewest = "1 without a period, >= 3 with slopes, >= 4 without"
-            raise refuse(where, "points are too few", count, fewest, "add points")
+            raise refuse(where, "is too small a number of points", count, fewest, "add points")
 
     @property
     def count(self) -> int:
         """Number of tabulated points."""
         return len(self.points)
+
+    @property
+    def size(self) -> int:
+        """Number of coefficients without the repeated ones of a periodic axis."""
+        return len(self.refined) + (self.count == 1 and self.doubled)
 
     @property
     def closed(self) -> FloatArray:
@@ -117,13 +125,13 @@ class TableAxis:
     @cached_property
     def n_coefficients(self) -> int:
         """Number of B-spline coefficients; of a periodic axis the first three are repeated at the end."""
-        return 1 if self.count == 1 else len(self._cardinal.c)
+        return self.size if self.count == 1 else len(self._cardinal.c)
 
     @cached_property
     def values_operator(self) -> FloatArray:
         """Coefficients of the spline through values at the points, shape (n_coefficients, n)."""
         if self.count == 1:
-            return np.ones((1, 1))
+            return np.eye(self.size, 1)
         unit = np.eye(self.count)
         if not self.doubled:
             return np.array(self._cardinal.c)
@@ -135,7 +143,9 @@ class TableAxis:
 
         The value at the middle is (f0 + f1)/2 + h (f0' - f1')/8.
         """
-        if self.count == 1 or not self.doubled:
+        if self.count == 1:
+            return np.eye(self.size, 1), np.eye(self.size, 1, -1)
+        if not self.doubled:
             return self.values_operator, np.zeros((self.n_coefficients, self.count))
         size = len(self.refined)
         value, slope = np.zeros((2, size, self.count))

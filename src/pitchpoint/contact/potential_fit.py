@@ -58,8 +58,8 @@ class PotentialTable:
     Examples
     --------
     >>> table = PotentialTable.of_spring(2.0e8, 1.0e-5, 5.0e-5)
-    >>> table.coefficients.shape, table.packed.size
-    ((8, 6, 1, 1), 397)
+    >>> table.coefficients.shape, sorted(table.quantities)
+    ((8, 6, 1, 1), [])
     """
 
     axes: tuple[TableAxis, TableAxis, TableAxis, TableAxis]
@@ -82,7 +82,9 @@ class PotentialTable:
                 )
             if not np.all(np.isfinite(array)):
                 raise refuse(f"table.{name}", "is not finite", "NaN or inf", "numbers", "rebuild the table")
-        if np.max(self.coefficients[:, 0]) >= 0.0:
+        if not np.all(np.isfinite([size for sizes in self.errors.values() for size in sizes])):
+            raise refuse("table.errors", "are not finite", "NaN or inf", "numbers", "rebuild the table")
+        if np.max(lowest_values(self.axes, self.coefficients)) >= 0.0:
             raise refuse("table.coefficients", "begin in contact", "V >= 0", "V < 0", "rebuild the table")
 
     @cached_property
@@ -149,7 +151,37 @@ def coefficients_shape(axes: tuple[TableAxis, ...]) -> tuple[int, ...]:
     >>> coefficients_shape(PotentialTable.of_spring(1.0, 0.0, 1.0).axes)
     (8, 6, 1, 1)
     """
-    return tuple(len(axis.refined) for axis in axes)
+    return tuple(axis.size for axis in axes)
+
+
+def lowest_values(axes: tuple[TableAxis, ...], coefficients: FloatArray) -> FloatArray:
+    """Coefficients of the largest V at the lowest approach within the tolerances of axes with one point.
+
+    Parameters
+    ----------
+    axes
+        The four axes.
+    coefficients
+        Coefficients of V, shape (n_s, n_x, n_kappa, n_a).
+
+    Returns
+    -------
+    FloatArray
+        Shape (n_s, n_kappa, n_a), with one value for an axis with one point. A spline is below its largest
+        coefficient.
+
+    Examples
+    --------
+    >>> spring = PotentialTable.of_spring(2.0e8, 0.0, 4.0e-5)
+    >>> bool(np.all(lowest_values(spring.axes, spring.coefficients) < 0.0))
+    True
+    """
+    bound = coefficients[:, 0]
+    for number, axis in ((1, axes[2]), (2, axes[3])):
+        if axis.count == 1:
+            value, *slopes = np.split(bound, axis.size, axis=number)
+            bound = value + axis.tolerance * sum(np.abs(slope) for slope in slopes)
+    return bound
 
 
 def fit_potential(
@@ -202,8 +234,10 @@ def fit_potential(
         V = {k: _along(number, by_value if k == U else smooth, v) for k, v in V.items()}
         V[U] += _along(number, by_slope, slope)
     coefficients = np.ascontiguousarray(V[U][: len(axes[PHASE].refined)])
-    # the first coefficients are V at the lowest approach, where no teeth touch: the spline must not overshoot
-    coefficients[:, 0] = np.minimum(coefficients[:, 0], -1e-9 * np.max(coefficients))
+    # no teeth touch at the lowest approach: the spline must not overshoot there
+    excess = np.maximum(lowest_values(axes, coefficients) + 1e-9 * np.max(np.abs(V[U])), 0.0)
+    inside = tuple(slice(0, 1) if axis.count == 1 else slice(None) for axis in axes[2:])
+    coefficients[:, 0, *inside] -= excess
     return PotentialTable(axes, coefficients, _ratios(values), quantities)
 
 

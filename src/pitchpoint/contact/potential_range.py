@@ -46,7 +46,7 @@ class TableRange:
     centre_distance
         Smallest and largest centre distance [m]; equal: fixed.
     tolerances
-        Deviations of a fixed misalignment [rad] and of a fixed centre distance [m] that are neglected.
+        Largest deviations from a fixed misalignment [rad] and centre distance [m]; the table is linear there.
     """
 
     approach: tuple[float, float]
@@ -100,18 +100,18 @@ def fixed_axes(span: TableRange, size: TableSize) -> tuple[TableAxis, TableAxis,
     Examples
     --------
     >>> x, kappa, a = fixed_axes(TableRange((0.0, 3e-5), 1e-3), TableSize(approach=5))
-    >>> [round(float(1e6 * p), 9) for p in x.points], kappa.count, a.count
-    ([-10.0, 0.0, 10.0, 20.0, 30.0], 9, 1)
+    >>> [round(float(1e6 * p)) for p in x.points], kappa.count, a.count
+    ([-10, 0, 10, 20, 30], 9, 1)
     """
     (low, high), (near, far) = span.approach, span.centre_distance
     step = (high - low) / (size.approach - 2)
     x = TableAxis("approach", high - step * np.arange(size.approach, dtype=np.float64)[::-1])
-    u = np.linspace(-1.0, 1.0, size.misalignment)
-    kappa = TableAxis("misalignment", span.misalignment * np.sign(u) * np.abs(u) ** _GRADING, True)
-    if span.misalignment == 0.0:
-        kappa = TableAxis("misalignment", np.zeros(1), tolerance=span.tolerances[0])
+    kappa = TableAxis("misalignment", np.zeros(1), True, tolerance=span.tolerances[0])
+    if span.misalignment:
+        u = np.linspace(-1.0, 1.0, size.misalignment)
+        kappa = TableAxis("misalignment", span.misalignment * np.sign(u) * np.abs(u) ** _GRADING, True)
     if near == far:
-        return x, kappa, TableAxis("centre_distance", np.array([near]), tolerance=span.tolerances[1])
+        return x, kappa, TableAxis("centre_distance", np.array([near]), True, tolerance=span.tolerances[1])
     return x, kappa, TableAxis("centre_distance", np.linspace(near, far, size.centre_distance), True)
 
 
@@ -152,7 +152,7 @@ def phase_axis(forces: FloatArray, count: int) -> TableAxis:
 
     Examples
     --------
-    >>> [float(s) for s in phase_axis(np.ones((16, APPROACHES)), 4).points]
+    >>> [round(float(s), 12) for s in phase_axis(np.ones((16, APPROACHES)), 4).points]
     [0.0, 0.25, 0.5, 0.75]
     """
     scanned = forces.reshape(-1, SCAN * count, APPROACHES)

@@ -9,7 +9,7 @@ function: they do no work on a closed path.
 
 Outside the range V continues linearly from its edge, so the force continues linearly in the approach, and the
 potential remains C1 and conservative; the result states the axes concerned. Below the lowest tabulated
-approach there is no contact. An axis with one point is not interpolated.
+approach there is no contact. On an axis with one point V is linear, or constant, about that point.
 
 The table is one array: sizes and offsets, one block per axis, the coefficients of V in the order s, kappa, a,
 x, and the ratios of further quantities to the force V V_x at the tabulated points in the order s, kappa, a,
@@ -63,7 +63,7 @@ def potential(table, s, x, kappa, a):
         beyond += BEYOND_CENTRE
     if x < table[o_x + LOW]:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, beyond
-    i_s, b_s, d_s = _slopes(table, o_s, s - math.floor(s))
+    i_s, b_s, d_s = _slopes(table, o_s, _phase(s))
     i_x, b_x, d_x, e_x = _curvatures(table, o_x, x)
     i_k, b_k, d_k, e_k = _curvatures(table, o_k, kappa)
     i_a, b_a, d_a = _slopes(table, o_a, a)
@@ -131,7 +131,7 @@ def force_ratios(table, s, x, kappa, a, out):
     0.03
     """
     n = int(table[QUANTITIES])
-    i_s, t_s = _between(table, int(table[AXES + PHASE]), s - math.floor(s))
+    i_s, t_s = _between(table, int(table[AXES + PHASE]), _phase(s))
     i_x, t_x = _between(table, int(table[AXES + APPROACH]), x)
     i_k, t_k = _between(table, int(table[AXES + MISALIGNMENT]), kappa)
     i_a, t_a = _between(table, int(table[AXES + CENTRE]), a)
@@ -153,6 +153,12 @@ def force_ratios(table, s, x, kappa, a, out):
         first = int(table[RATIOS]) + row * n
         for q in range(n):
             out[q] += weight * table[first + q]
+
+
+@kernel(inline=True)
+def _phase(s):
+    """Fraction of the phase; NaN if it is not finite."""
+    return s - math.floor(s) if abs(s) < math.inf else math.nan
 
 
 @kernel(inline=True)
@@ -185,7 +191,7 @@ def _place(table, o, x):
 def _slopes(table, o, x):
     """First coefficient and the four B-splines at x, with first derivatives; linear outside the range."""
     if table[o + CELLS] == 0.0:
-        return 0, (1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)
+        return 0, (1.0, x - table[o + EDGES + 1], 0.0, 0.0), (0.0, 1.0, 0.0, 0.0)
     cell, t, out, p = _place(table, o, x)
     b0, d0 = _cubic(table, p, t, out)
     b1, d1 = _cubic(table, p + 1, t, out)
@@ -198,7 +204,8 @@ def _slopes(table, o, x):
 def _curvatures(table, o, x):
     """First coefficient and the four B-splines at x, with both derivatives; linear outside the range."""
     if table[o + CELLS] == 0.0:
-        return 0, (1.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 0.0)
+        nothing = (0.0, 0.0, 0.0, 0.0)
+        return 0, (1.0, x - table[o + EDGES + 1], 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), nothing
     cell, t, out, p = _place(table, o, x)
     b0, d0 = _cubic(table, p, t, out)
     b1, d1 = _cubic(table, p + 1, t, out)

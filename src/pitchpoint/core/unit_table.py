@@ -232,6 +232,12 @@ DIMENSIONS: dict[str, Dimension] = {
     "rate": Dimension("a rate per time", (0, 0, -1, 0), "1/s", "5 1/s"),
     "compliance": Dimension("a compliance", (0, -1, 2, 0), "m/N", "2e-9 m/N"),
     "wear_coefficient": Dimension("a wear coefficient", (1, -1, 2, 0), "m^2/N", "5e-7 mm^3/(N m)"),
+    "dynamic_viscosity": Dimension(
+        "a dynamic viscosity", (-1, 1, -1, 0), "Pa s", "15 mPa s", display=((0.0, "mPa s"),)
+    ),
+    "pressure_viscosity": Dimension(
+        "a pressure-viscosity coefficient", (1, -1, 2, 0), "1/Pa", "20 1/GPa", display=((0.0, "1/GPa"),)
+    ),
     "curvature": Dimension("a curvature", (-1, 0, 0, 0), "1/m", "20 1/m"),
     "temperature_difference": Dimension("a temperature difference", (0, 0, 0, 1), "K", "40 K"),
 }

@@ -172,11 +172,11 @@ def read_contact_table(path: str | os.PathLike[str], inputs: Mapping[str, Any] |
         with h5py.File(io.BytesIO(image), "r") as file:
             found = _stored(name, file)
     except ModelError as error:
-        raise ContactTableError(f"{name}: {error.problems[0]}") from error
+        raise ContactTableError(f"{name}: {_reason(error.problems[0])}") from error
     except PitchpointError:
         raise
     except DAMAGE as error:
-        reason = " ".join(str(error).split())[:200] or type(error).__name__
+        reason = _reason(error) or type(error).__name__
         raise ContactTableError(f"{name}: is not a contact table ({reason}); compute it again") from error
     if inputs is not None:
         differing = _differences(found.inputs, plain_data(inputs))
@@ -296,11 +296,8 @@ def _differences(stored: Any, wanted: Any) -> dict[str, tuple[Any, Any]]:
     """Stored and required values that differ, by path."""
     old, new = dict(_leaves(stored)), dict(_leaves(wanted))
     keys = [*new, *(key for key in old if key not in new)]
-    return {
-        key: (old.get(key), new.get(key))
-        for key in keys
-        if (key in old, old.get(key)) != (key in new, new.get(key))
-    }
+    pairs = {key: (old.get(key), new.get(key)) for key in keys}
+    return {k: pair for k, pair in pairs.items() if k not in old or k not in new or pair[0] != pair[1]}
 
 
 def _leaves(data: Any, path: str = "") -> Iterator[tuple[str, Any]]:
@@ -311,6 +308,11 @@ def _leaves(data: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         return
     for key, value in items:
         yield from _leaves(value, f"{path}.{key}" if path else str(key))
+
+
+def _reason(error: object) -> str:
+    """Message in one line."""
+    return " ".join(str(error).split())[:200]
 
 
 def _shown(value: Any) -> str:

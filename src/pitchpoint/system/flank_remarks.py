@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 COUNTERS = ("newton", "factorisations", "pivoted", "blocks", "singles")
-"""Counters of the contact solver since the system was compiled; `pivoted`: solutions that required pivoting."""
+"""Counters of the contact solver since the compilation; `pivoted`: solutions that required pivoting."""
 AXES = {
     BEYOND_APPROACH: "approach",
     BEYOND_MISALIGNMENT: "misalignment",
@@ -59,8 +59,8 @@ def counter_notes(system: System) -> tuple[Message, ...]:
     return tuple(
         note(
             f"contact solver of mesh {name}: {found['newton']} Newton steps, {found['factorisations']} "
-            f"factorisations, {found['pivoted']} solutions by pivoting ({found['singles']} exchanges of single "
-            "nodes)"
+            f"factorisations, {found['pivoted']} solutions by pivoting ({found['singles']} exchanges of "
+            "single nodes)"
         )
         for name, found in contact_counters(system).items()
     )
@@ -76,8 +76,8 @@ def table_remarks(system: System) -> tuple[Message, ...]:
         axes = [word for bit, word in AXES.items() if int(record["beyond"]) & bit]
         found.append(
             note(
-                f"mesh {name} left the range of its contact table: {' and '.join(axes)}; forces there continue "
-                "linearly",
+                f"mesh {name} left the range of its contact table: {' and '.join(axes)}; forces there "
+                "continue linearly",
                 remedy="compute a table with a wider range",
             )
         )

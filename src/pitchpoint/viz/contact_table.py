@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -14,12 +15,25 @@ if TYPE_CHECKING:
 
 
 class Column(NamedTuple):
-    """Column of a table over the torques: key of `contact_numbers`, heading, dimension, digits."""
+    """Column of a table over the torques: key of `contact_numbers`, heading, dimension, digits, factor."""
 
     key: str
     heading: str
     dimension: str
     digits: int = 5
+    factor: float = 1.0
+
+    def text(self, value: float) -> str:
+        """Value in a customary unit; an en dash if it is not a number.
+
+        Examples
+        --------
+        >>> Column("loss_share", "loss [%]", "dimensionless", 3, 100.0).text(0.01)
+        '1'
+        """
+        if not math.isfinite(value):
+            return "–"
+        return format_quantity(self.factor * value + 0.0, self.dimension, self.digits)
 
 
 COLUMNS = (
@@ -34,8 +48,11 @@ COLUMNS = (
     Column("line_load_ratio", "w max/mean", "dimensionless", 4),
     Column("loaded_pairs", "pairs", "dimensionless", 4),
     Column("loss_factor", "H_V", "dimensionless", 4),
+    Column("loss_share", "loss [%]", "dimensionless", 4, 100.0),
+    Column("max_flash_temperature", "flash", "temperature_difference", 4),
+    Column("min_film_thickness", "film", "length", 4),
 )
-"""Main results of a contact analysis, one row per torque."""
+"""Main results of a contact analysis, one row per torque; the last three with operating conditions."""
 
 ORDER = {
     "level": "dimensionless",
@@ -52,11 +69,41 @@ ORDER = {
 WORDS = {"correction": "C_M", "overlap": "contact overlap"}
 
 
+OPERATION = {
+    "speed": "angular_speed",
+    "friction": "dimensionless",
+    "viscosity": "dynamic_viscosity",
+    "pressure_viscosity": "pressure_viscosity",
+}
+"""Operating conditions and their dimensions."""
+
+
+def columns(numbers: Mapping[str, Any]) -> list[Column]:
+    """Columns for the results that are there."""
+    return [column for column in COLUMNS if column.key in numbers]
+
+
+def operation_words(options: Mapping[str, Any]) -> list[str]:
+    """Operating conditions in words.
+
+    Examples
+    --------
+    >>> operation_words({"speed": 157.07963267948966, "friction": 0.05})
+    ['speed of gear 1 1500 rpm', 'friction 0.05']
+    """
+    return [
+        f"{'speed of gear 1' if name == 'speed' else name.replace('_', '-')} "
+        f"{format_quantity(float(options[name]), dimension)}"
+        for name, dimension in OPERATION.items()
+        if name in options
+    ]
+
+
 def options_of(data: xr.Dataset) -> dict[str, Any]:
     """Options of a contact analysis: those of the solver and of the contact, from attributes or a file."""
     stored = data.attrs.get("options", {})
     options = json.loads(stored) if isinstance(stored, str) else dict(stored)
-    return {**options, **{name: data.attrs[name] for name in ORDER if name in data.attrs}}
+    return {**options, **{name: data.attrs[name] for name in (*ORDER, *OPERATION) if name in data.attrs}}
 
 
 def contact_words(options: Mapping[str, Any]) -> str:

@@ -7,7 +7,8 @@ phase p is at p + n base pitches from A: all of them together are the way of one
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FIELDS = ("line_load", "pressure", "edge_pressure")
+OTHERS = ("film_thickness", "flash_temperature", "sliding_speed", "rolling_speed")
+"""Fields of a contact analysis with operating conditions."""
 POINTS = 181
 """Lengths of roll of a pattern on a flank."""
 
@@ -44,6 +47,8 @@ class ContactPattern:
         n_plane).
     teeth
         Geometry of the mesh.
+    others
+        Further fields by name, in SI units, shape (n_position, n_plane).
     """
 
     position: Array
@@ -53,6 +58,7 @@ class ContactPattern:
     pressure: Array
     edge_pressure: Array
     teeth: MeshTeeth
+    others: Mapping[str, Array] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -105,6 +111,7 @@ def contact_pattern(data: xr.Dataset, torque: int = 0) -> ContactPattern:
         z=teeth.z,
         roll=np.stack([rows("roll_1"), rows("roll_2")]),
         teeth=teeth,
+        others={name: rows(name) for name in OTHERS if name in data},
         **fields,
     )
 
@@ -117,7 +124,7 @@ def on_path(pattern: ContactPattern, name: str, points: int = POINTS) -> Contact
     pattern
         The pattern.
     name
-        "line_load", "pressure", "edge_pressure" or "any_pressure" (the larger of both).
+        "line_load", "pressure", "edge_pressure", "any_pressure" (the larger of both) or one of `others`.
     points
         Number of equidistant positions from the first to the last contact, A and E included.
 
@@ -157,7 +164,7 @@ def on_flank(pattern: ContactPattern, name: str, gear: int = 1, points: int = PO
     pattern
         The pattern.
     name
-        "line_load", "pressure", "edge_pressure" or "any_pressure" (the larger of both).
+        "line_load", "pressure", "edge_pressure", "any_pressure" (the larger of both) or one of `others`.
     gear
         1 or 2.
     points
@@ -204,6 +211,8 @@ def on_flank(pattern: ContactPattern, name: str, gear: int = 1, points: int = PO
 def _values(pattern: ContactPattern, name: str) -> Array:
     if name == "any_pressure":
         return np.fmax(pattern.pressure, pattern.edge_pressure)
+    if name in pattern.others:
+        return pattern.others[name]
     return np.asarray(getattr(pattern, name))
 
 

@@ -44,7 +44,8 @@ def contact_numbers(data: xr.Dataset, harmonics: int = 5) -> dict[str, Array]:
         `mean_secant_stiffness` (mean of force over approach from first contact); `flank_pressure` and
         `edge_pressure` (maxima; NaN without contact, or for sharp edges); `face_load_factor`,
         `transverse_load_factor`; `max_line_load`, `mean_line_load`, `line_load_ratio`; `loaded_pairs`;
-        `loss_factor`.
+        `loss_factor`. With operating conditions `loss_share` (friction power over power),
+        `max_flash_temperature` and `min_film_thickness`.
     """
     curves = {
         name: np.asarray(data[name].transpose(*CYCLE).values, dtype=np.float64)
@@ -58,7 +59,7 @@ def contact_numbers(data: xr.Dataset, harmonics: int = 5) -> dict[str, Array]:
     most, mean = line_loads(data)
     phase = np.asarray(data["mesh_phase_position"].values, dtype=np.float64)
     error = curves["transmission_error"]
-    return {
+    found = {
         "mean_transmission_error": error.mean(axis=1),
         "transmission_error_pp": np.ptp(error, axis=1),
         "unloaded_transmission_error_pp": np.ptp(curves["unloaded_transmission_error"], axis=1),
@@ -75,6 +76,13 @@ def contact_numbers(data: xr.Dataset, harmonics: int = 5) -> dict[str, Array]:
         "loaded_pairs": loaded_pairs(data),
         "loss_factor": loss_factor(data),
     }
+    if "friction_coefficient" in data:
+        found["loss_share"] = np.asarray(data["friction_coefficient"].values) * found["loss_factor"]
+    if "flash_temperature" in data:
+        found["max_flash_temperature"] = maximum(data, "flash_temperature")
+    if "film_thickness" in data:
+        found["min_film_thickness"] = -maximum(-data[["film_thickness"]], "film_thickness")
+    return found
 
 
 def maximum(data: xr.Dataset, name: str) -> Array:

@@ -107,11 +107,9 @@ _SURFACE = [
     ("n_slots", "i8"),  # nodes of the last solution, -1: none
     ("n_slot_pairs", "i8"),  # number of tooth pairs whose forces start the next solution
     ("own", "i8", 2),
-    (
-        "neighbour",
-        "i8",
-        2,
-    ),  # influence functions of both gears, offsets in the pool; see `surface.compliance`
+    ("before", "i8", 2),
+    ("after", "i8", 2),  # influence functions of both gears, offsets in the pool; see `surface.compliance`
+    ("columns", "i8"),  # number of planes, rounded up to whole lanes
     ("height", "f8", (2, 2)),  # length of roll at the height 0, and its half range
     ("windup", "f8"),  # compliance of both blanks in torsion, along the base tangent [m/N]
     ("depth", "f8", (2, 4)),  # depth of the reference points of the local contact over the height [m]

@@ -18,6 +18,7 @@ from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
+from pitchpoint.solvers.contact_analysis.stepped_flanks import step_pressures
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -259,6 +260,7 @@ def _node_fields(
         fields["pressure"][where] = peak_pressure(load, half_width(load, radius, *soft))
         fields["edge_pressure"][where] = peak_pressure(load, half_width(load, edge, *soft))
         fields["roll_1"][where], fields["roll_2"][where] = np.abs(one), np.abs(two)
+    step_pressures(flanks, fields)
     return fields
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,7 +26,7 @@ from pitchpoint.contact.tooth_fe.tooth_model import ToothModel
 from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
-from pitchpoint.elements.mesh.surface.scratch import scratch_size
+from pitchpoint.elements.mesh.surface.scratch import scratch_size, widened
 from pitchpoint.model.components.flank_contact import (
     OVERLAPS,
     FlexibleContact,
@@ -90,6 +91,14 @@ class ElasticFlanks:
     correction: float = 1.0
 
 
+def _by_columns(blocks: Array) -> Array:
+    """Influence functions [i, j, m, n] in the order [i, m, n, j], j filled up with zeros to whole lanes."""
+    planes = len(blocks)
+    out = np.zeros((planes, *blocks.shape[2:], widened(planes)))
+    out[..., :planes] = blocks.transpose(0, 2, 3, 1)
+    return out
+
+
 def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callable[[Array], int]) -> None:
     """Set influence functions, local contact and scratch of flexible teeth."""
     planes, pairs = int(row["slices"]), pairs_in_reach(pair)
@@ -97,12 +106,16 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
     row["is_flexible"] = 1
     row["n_slots"], row["n_slot_pairs"] = -1, pairs
     row["plane_width"] = width = pair.b_w / planes
-    row["work"] = keep(np.zeros(scratch_size(int(row["max_nodes"]), pairs * planes)))
+    row["columns"] = widened(planes)
+    row["work"] = keep(np.zeros(scratch_size(int(row["max_nodes"]), pairs, planes)))
     c = [plane_strain_compliance(E, nu) for E, nu in zip(elastic.moduli, elastic.poisson, strict=True)]
     for k, gear in enumerate(elastic.gears):
         low, high = gear.teeth.roll
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
-        row["own"][k], row["neighbour"][k] = keep(gear.teeth.own), keep(gear.teeth.beside)
+        first = gear.teeth.beside
+        row["own"][k] = keep(_by_columns(gear.teeth.own))
+        row["before"][k] = keep(_by_columns(first))
+        row["after"][k] = keep(_by_columns(first.transpose(1, 0, 3, 2)))
         row["depth"][k] = gear.depth
         row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width * elastic.correction)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
@@ -203,11 +216,14 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
 
 
+_kept_compliance = lru_cache(maxsize=32)(flank_compliance)
+
+
 def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, float]) -> FlankCompliance:
     """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face."""
     if contact.teeth == "analytic":
-        return flank_compliance(
-            gear.geometry,
+        return _kept_compliance(
+            gear.geometry.replace(outline=None),  # the generated tooth
             planes=contact.planes,
             width=width,
             material=gear.material_data,
@@ -341,6 +357,7 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     row["is_rigid"] = contact.elastic is None
     row["reach"] = REACH * row["p_bt"]
     row["tip_share"] = -1.0
+    row["rounding"] = [gear.tip_rounding or 0.0 for gear in (pair.gear1, pair.gear2)]
     row["max_nodes"] = contact.planes * pairs_in_reach(pair)
     row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
     cos_b = math.cos(pair.gear1.beta_b)

@@ -19,7 +19,7 @@ from pitchpoint.analysis.flank_contact.contact_pattern import (
 from pitchpoint.analysis.flank_contact.load_factors import load_over_width
 from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.viz import contact_plots as plots
-from pitchpoint.viz.contact_table import COLUMNS, contact_words, options_of
+from pitchpoint.viz.contact_table import columns, contact_words, operation_words, options_of
 from pitchpoint.viz.mesh_cycle_plot import plot_transmission_error
 from pitchpoint.viz.quantities import Array, amount, number
 from pitchpoint.viz.report.page import Section
@@ -30,6 +30,12 @@ if TYPE_CHECKING:
 
 MAX_CURVES = 5
 """Maximum number of torques in a plot with one curve each."""
+OIL = (
+    ("film_thickness", "thickness of the oil film", "m", -1.0),
+    ("flash_temperature", "flash temperature", "K", 1.0),
+    ("sliding_speed", "sliding speed", "m/s", 1.0),
+)
+"""Fields with operating conditions: name, title, unit, and whether maxima (1) or minima (-1) are drawn."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -126,6 +132,16 @@ def _add_path(
         plots.plot_along_path(curves, pattern.teeth, "maximum pressure", "Pa", of_pair=False),
         f"Maximum contact pressure over the face width along the path of contact, at {at}.",
     )
+    for name, title, unit, sign in OIL:
+        if name not in pattern.others:
+            continue
+        field = on_path(pattern, name)
+        curve = {"": (field.place, sign * _largest(sign * field.values))}
+        section.add_figure(
+            plots.plot_along_path(curve, pattern.teeth, title, unit, of_pair=False),
+            f"{title[0].upper()}{title[1:]} along the path of contact at {at}: "
+            f"{'maximum' if sign > 0 else 'minimum'} over the face width.",
+        )
 
 
 def _add_cycle(section: Section, data: xr.Dataset, names: Mapping[int, str], most: int, at: str) -> None:
@@ -169,8 +185,10 @@ def chosen_torques(torques: Array) -> list[int]:
 def _about(data: xr.Dataset) -> str:
     options = options_of(data)
     side = "back flanks" if options.get("flank") == -1 else "front flanks"
-    angle = float(options.get("misalignment", 0.0))
-    tilted = f", misalignment {amount(angle, 'rad')}" if angle else ""
+    angle = float(data["misalignment"].mean() if "misalignment" in data else options.get("misalignment", 0.0))
+    side += ", shafts in equilibrium" if options.get("shafts") else ""
+    more = "".join(f", {words}" for words in operation_words(options))
+    tilted = (f", misalignment {amount(angle, 'rad')}" if angle else "") + more
     return (
         f"Mesh {options['mesh']}, {side}: {contact_words(options)}; "
         f"{data.sizes['mesh_phase_position']} mesh phases{tilted}."
@@ -179,16 +197,8 @@ def _about(data: xr.Dataset) -> str:
 
 def _table(torques: Array, found: Mapping[str, Array]) -> str:
     """Table with one row per torque."""
-    body = []
+    body, chosen = [], columns(found)
     for k, torque in enumerate(torques):
-        cells = "".join(
-            f'<td class="num">{_cell(float(found[c.key][k]), c.dimension, c.digits)}</td>' for c in COLUMNS
-        )
+        cells = "".join(f'<td class="num">{c.text(float(found[c.key][k]))}</td>' for c in chosen)
         body.append(f'<tr><th scope="row">{amount(float(torque), "N m")}</th>{cells}</tr>')
-    return plain_table(("torque", *(c.heading for c in COLUMNS)), body)
-
-
-def _cell(value: float, dimension: str, digits: int) -> str:
-    from pitchpoint.core.units import format_quantity
-
-    return format_quantity(value, dimension, digits) if np.isfinite(value) else "–"
+    return plain_table(("torque", *(c.heading for c in chosen)), body)

@@ -3,24 +3,22 @@
 
 A force f_j on the plane s_j of a tooth at the height t_j displaces the plane s_i of the same tooth at t_i by
 
-    f_j times the sum over m, n of P_m(t_i) own[s_i, s_j, m, n] P_n(t_j)
+    f_j times the sum over m, n of P_m(t_i) own[s_i, m, n, s_j] P_n(t_j)
 
-with Legendre polynomials P of the height t, -1 at the root and +1 at the tip; that of the next tooth likewise
-by `neighbour` (`contact.compliance`). All nodes of a gear also move by the torsion of its blank. Matrices
+with Legendre polynomials P of the height t, -1 at the root and +1 at the tip; those on the neighbouring teeth
+likewise (`contact.compliance`). All nodes of a gear also move by the torsion of its blank. Matrices
 refer to a nominal width of the planes; their change with an axial offset of the gears is neglected.
 """
 
 from __future__ import annotations
 
-from pitchpoint.contact.local_approach import A1, A2, K1, K2, N_NODE, T1, B, D
+from pitchpoint.contact.local_approach import A1, A2, K1, K2, T1, B, D
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh.line_of_action import pooled
 from pitchpoint.multibody.channels import F8
 
 HEIGHTS = 4
 """Number of Legendre polynomials of the height, P_0 to P_3."""
-LEGS = 2 * HEIGHTS
-"""Values per node: polynomials of its heights on both gears."""
 
 
 @kernel
@@ -54,7 +52,7 @@ def _sum_of(c, p):
 
 @kernel
 def set_local(b, nodes, i, legs, local):
-    """Set polynomials of the heights and local compliance of node i."""
+    """Set polynomials of the heights of node i at its pair and plane, and its local compliance."""
     node = nodes[i]
     place = node["roll"]
     least = b["least_roll"]
@@ -62,7 +60,7 @@ def set_local(b, nodes, i, legs, local):
         t, _ = _height(b, gear, place[gear])
         p = _polynomials(t)
         for m in range(HEIGHTS):
-            legs[i, HEIGHTS * gear + m] = p[m]
+            legs[node["slot"], gear, m, node["plane"]] = p[m]
         local[i, T1 + gear] = _sum_of(b["depth"][gear], p)
     # radii of curvature in the transverse section; near a base circle, where they vanish, a finite one
     one = max(place[0], least)
@@ -101,108 +99,161 @@ def local_slopes(b, node, by_radius, by_depth):
 
 
 @kernel
-def _product(own, s_i, s_j, legs, i, j, first):
-    """Influence between two nodes: polynomials of node i times a block times those of node j."""
-    block = own[s_i, s_j]
-    total = 0.0
-    for m in range(HEIGHTS):
-        row = 0.0
-        for n in range(HEIGHTS):
-            row += block[m, n] * legs[j, first + n]
-        total += legs[i, first + m] * row
-    return total
+def influence(b, gear, which):
+    """Influence functions of a gear, shape (planes, 4, 4, columns) over plane and polynomial of the displaced
+    node, polynomial and plane of the force; columns beyond the planes are zero.
 
-
-@kernel
-def blocks(b, gear, neighbour):
-    """Influence functions of a gear, of a tooth on itself or on the next, shape (planes, planes, 4, 4)."""
-    n = b["slices"]
-    offset = b["neighbour"][gear] if neighbour else b["own"][gear]
-    return view(pooled(b, offset), (n, n, HEIGHTS, HEIGHTS), F8)
-
-
-@kernel
-def between(b, nodes, i, j, legs, arrays):
-    """Compliance between two nodes i and j, apart from the local one [m/N].
-
-    `arrays`: own and neighbour of gear 1, own and neighbour of gear 2.
+    `which` 0: of a tooth on itself, 1 and 2: of a tooth on the one before and after it (`own`, `before`,
+    `after` of the record).
     """
-    lead = nodes[i]["pair"] - nodes[j]["pair"]
-    s_i = nodes[i]["plane"]
-    s_j = nodes[j]["plane"]
-    c = b["windup"]
-    if lead == 0:
-        c += _product(arrays[0], s_i, s_j, legs, i, j, 0)
-        c += _product(arrays[2], s_i, s_j, legs, i, j, HEIGHTS)
-    elif lead == 1:
-        # of two teeth of gear 1 that with the higher number of its pair comes first in `neighbour`
-        c += _product(arrays[1], s_i, s_j, legs, i, j, 0)
-        c += _product(arrays[3], s_j, s_i, legs, j, i, HEIGHTS)
-    elif lead == -1:
-        c += _product(arrays[1], s_j, s_i, legs, j, i, 0)
-        c += _product(arrays[3], s_i, s_j, legs, i, j, HEIGHTS)
-    return c
+    n = b["slices"]
+    offset = b["own"][gear]
+    if which == 1:
+        offset = b["before"][gear]
+    elif which == 2:
+        offset = b["after"][gear]
+    return view(pooled(b, offset), (n, HEIGHTS, HEIGHTS, b["columns"]), F8)
 
 
 @kernel
-def assemble(b, nodes, n, legs, local, C):
-    """Set the compliance matrix C of n nodes, and their local compliances."""
-    arrays = (blocks(b, 0, False), blocks(b, 0, True), blocks(b, 1, False), blocks(b, 1, True))
+def _add_row(a, p, legs, row):
+    """Add to `row` the displacement per force on each plane of a tooth.
+
+    `a`: influence functions of the displaced plane, shape (4, 4, columns); `p`: its four polynomials; `legs`:
+    polynomials at the planes of the forces, shape (4, columns).
+    """
+    p0, p1, p2, p3 = p
+    a00 = a[0, 0]
+    a01 = a[0, 1]
+    a02 = a[0, 2]
+    a03 = a[0, 3]
+    a10 = a[1, 0]
+    a11 = a[1, 1]
+    a12 = a[1, 2]
+    a13 = a[1, 3]
+    a20 = a[2, 0]
+    a21 = a[2, 1]
+    a22 = a[2, 2]
+    a23 = a[2, 3]
+    a30 = a[3, 0]
+    a31 = a[3, 1]
+    a32 = a[3, 2]
+    a33 = a[3, 3]
+    l0 = legs[0]
+    l1 = legs[1]
+    l2 = legs[2]
+    l3 = legs[3]
+    for s in range(row.size):
+        row[s] += (
+            (p0 * a00[s] + p1 * a10[s] + p2 * a20[s] + p3 * a30[s]) * l0[s]
+            + (p0 * a01[s] + p1 * a11[s] + p2 * a21[s] + p3 * a31[s]) * l1[s]
+            + (p0 * a02[s] + p1 * a12[s] + p2 * a22[s] + p3 * a32[s]) * l2[s]
+            + (p0 * a03[s] + p1 * a13[s] + p2 * a23[s] + p3 * a33[s]) * l3[s]
+        )
+
+
+@kernel
+def _reset(row, value):
+    for s in range(row.size):
+        row[s] = value
+
+
+@kernel
+def _which(lead, gear):
+    """Influence functions between two pairs: 0 the same pair, 1 and 2 neighbours, -1 others.
+
+    Of two teeth of gear 1 that with the higher number of its pair precedes the other one counter-clockwise
+    (right flanks: clockwise), of gear 2 that with the lower number.
+    """
+    if lead == 0:
+        return 0
+    if lead == 1:
+        return 1 if gear == 0 else 2
+    if lead == -1:
+        return 2 if gear == 0 else 1
+    return -1
+
+
+@kernel
+def _polynomials_at(b, node, gear):
+    return _polynomials(_height(b, gear, node["roll"][gear])[0])
+
+
+@kernel
+def assemble(b, nodes, n, legs, local, index, row, C):
+    """Set the compliance matrix C of n nodes, their local compliances, and the polynomials of their heights.
+
+    `index`: number of the node of each pair and plane, -1 without; `row`: scratch of one value per column.
+    """
+    pairs = nodes[n - 1]["slot"] + 1
+    for k in range(pairs):
+        for s in range(b["columns"]):
+            index[k, s] = -1
+            for m in range(HEIGHTS):
+                legs[k, 0, m, s] = 0.0
+                legs[k, 1, m, s] = 0.0
     for i in range(n):
         set_local(b, nodes, i, legs, local)
-        for j in range(i + 1):
-            c = between(b, nodes, i, j, legs, arrays)
-            C[i, j] = c
-            C[j, i] = c
+        index[nodes[i]["slot"], nodes[i]["plane"]] = i
+    windup = b["windup"]
+    for i in range(n):
+        node = nodes[i]
+        plane = node["plane"]
+        p_1 = _polynomials_at(b, node, 0)
+        p_2 = _polynomials_at(b, node, 1)
+        for k in range(pairs):
+            # pairs are listed in descending order of their numbers
+            lead = k - node["slot"]
+            _reset(row, windup)
+            if _which(lead, 0) >= 0:
+                _add_row(influence(b, 0, _which(lead, 0))[plane], p_1, legs[k, 0], row)
+                _add_row(influence(b, 1, _which(lead, 1))[plane], p_2, legs[k, 1], row)
+            for s in range(b["slices"]):
+                j = index[k, s]
+                if j >= 0:
+                    C[i, j] = row[s]
 
 
 @kernel
-def _pull(block, f, legs, j, first, flip, out):
-    """Add f times a block (transposed with `flip`) times the polynomials of node j to four values."""
-    for m in range(HEIGHTS):
-        row = 0.0
-        for n in range(HEIGHTS):
-            row += (block[n, m] if flip else block[m, n]) * legs[j, first + n]
-        out[m] += f * row
+def load_planes(nodes, n, legs, loads):
+    """Set the polynomials of the heights times the elastic forces of n nodes."""
+    pairs = nodes[n - 1]["slot"] + 1
+    for k in range(pairs):
+        for gear in range(2):
+            for m in range(HEIGHTS):
+                _reset(loads[k, gear, m], 0.0)
+    for i in range(n):
+        node = nodes[i]
+        for gear in range(2):
+            for m in range(HEIGHTS):
+                where = legs[node["slot"], gear, m, node["plane"]]
+                loads[node["slot"], gear, m, node["plane"]] = where * node["elastic"]
 
 
 @kernel
-def energy_by_height(b, nodes, on, n_on, f, i, legs, out):
-    """Derivatives of the elastic energy f C f/2 by both signed lengths of roll of node i, at constant forces.
+def energy_by_height(b, node, pairs, loads, row):
+    """Derivatives of the elastic energy f C f/2 by both signed lengths of roll of a node, at constant forces.
 
-    `on`: indices of the n_on nodes with forces; `out`: scratch of 8 values.
+    `pairs`: number of pairs, `loads`: as from `load_planes`.
     """
-    arrays = (blocks(b, 0, False), blocks(b, 0, True), blocks(b, 1, False), blocks(b, 1, True))
-    node = nodes[i]
-    s_i = node["plane"]
-    for m in range(LEGS):
-        out[m] = 0.0
-    one = out[:HEIGHTS]
-    two = out[HEIGHTS:]
-    for k in range(n_on):
-        j = on[k]
-        lead = node["pair"] - nodes[j]["pair"]
-        s_j = nodes[j]["plane"]
-        if lead == 0:
-            _pull(arrays[0][s_i, s_j], f[j], legs, j, 0, False, one)
-            _pull(arrays[2][s_i, s_j], f[j], legs, j, HEIGHTS, False, two)
-        elif lead == 1:
-            _pull(arrays[1][s_i, s_j], f[j], legs, j, 0, False, one)
-            _pull(arrays[3][s_j, s_i], f[j], legs, j, HEIGHTS, True, two)
-        elif lead == -1:
-            _pull(arrays[1][s_j, s_i], f[j], legs, j, 0, True, one)
-            _pull(arrays[3][s_i, s_j], f[j], legs, j, HEIGHTS, False, two)
-    t, slope = _height(b, 0, node["roll"][0])
-    by_1 = f[i] * _sum_of(one, _slopes(t)) * slope
-    t, slope = _height(b, 1, node["roll"][1])
-    return by_1, f[i] * _sum_of(two, _slopes(t)) * slope
-
-
-@kernel
-def compliance_arrays(b):
-    """Scratch of a flank in the pool: polynomials, local compliances and the matrix."""
-    n = b["max_nodes"]
-    work = b["work"]
-    legs = view(pooled(b, work), (n, LEGS), F8)
-    local = view(pooled(b, work + n * LEGS), (n, N_NODE), F8)
-    return legs, local, view(pooled(b, work + n * (LEGS + N_NODE)), (n, n), F8)
+    plane = node["plane"]
+    f = node["elastic"]
+    by_1 = by_2 = 0.0
+    for gear in range(2):
+        t, slope = _height(b, gear, node["roll"][gear])
+        if slope == 0.0:
+            continue
+        d = _slopes(t)
+        _reset(row, 0.0)
+        for k in range(pairs):
+            which = _which(k - node["slot"], gear)
+            if which >= 0:
+                _add_row(influence(b, gear, which)[plane], d, loads[k, gear], row)
+        total = 0.0
+        for s in range(row.size):
+            total += row[s]
+        if gear == 0:
+            by_1 = f * total * slope
+        else:
+            by_2 = f * total * slope
+    return by_1, by_2

@@ -22,7 +22,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.mesh.observations import add_pair_force
 from pitchpoint.elements.mesh.record import N_OUT, RECORD
 from pitchpoint.elements.mesh.sums import FRICTION_ROWS
-from pitchpoint.elements.mesh.surface.compliance import assemble, energy_by_height, local_slopes
+from pitchpoint.elements.mesh.surface.compliance import assemble, energy_by_height, load_planes, local_slopes
 from pitchpoint.elements.mesh.surface.losses import farthest_gap, with_losses
 from pitchpoint.elements.mesh.surface.nodes import (
     add_slopes,
@@ -38,7 +38,7 @@ from pitchpoint.elements.mesh.surface.nodes import (
     set_node,
     tip_bounds,
 )
-from pitchpoint.elements.mesh.surface.scratch import flexible_arrays, solver_arrays
+from pitchpoint.elements.mesh.surface.scratch import flexible_arrays, plane_arrays, solver_arrays
 
 
 @kernel
@@ -50,6 +50,7 @@ def place_nodes(b, watch):
     nodes = node_array(b)
     far = farthest_gap(b)
     found = 0
+    first = 0
     q, count = first_pair(b)
     for _ in range(count):
         own = begin_pair(b, q)
@@ -63,7 +64,10 @@ def place_nodes(b, watch):
                     b["sums"]["nearest"] = max(b["sums"]["nearest"], x)
                 continue
             node = nodes[found]
+            if found == 0:
+                first = q
             node["pair"] = now["tooth"] - q
+            node["slot"] = q - first
             node["plane"] = s
             set_node(b, node, xi, z, place, eta, own)
             if node["x"] > -far:
@@ -115,10 +119,11 @@ def _remember(b, n, slots, kept, v):
 def solve_nodes(b, n):
     """Solve the contact problem of the placed nodes; returns a status."""
     nodes = node_array(b)
-    x, legs, local, C, slots, kept, _ = flexible_arrays(b, n)
+    x, local, C, slots, kept = flexible_arrays(b, n)
+    legs, loads, index, row = plane_arrays(b)
     states, on, v, U = solver_arrays(b)
     state = states[0]
-    assemble(b, nodes, n, legs, local, C)
+    assemble(b, nodes, n, legs, local, index, row, C)
     for i in range(n):
         x[i] = nodes[i]["x"]
     _recall(b, nodes, n, slots, kept, state, on, v)
@@ -231,14 +236,14 @@ def _add_node(b, watch, i, node, k, factors):
 
 
 @kernel
-def _add_energy_slopes(b, i, node, on, m, v, legs, local, pull):
+def _add_energy_slopes(b, i, node, pairs, loads, local, row):
     """Add the slopes of the energy by the motion of the node over the flanks."""
     elastic = node["elastic"]
     by_xi = 0.0
     by_tan = 0.0
     of_soft = 0.0
     if elastic > 0.0:
-        by_1, by_2 = energy_by_height(b, node_array(b), on[LISTED], m, v[FORCE], i, legs, pull)
+        by_1, by_2 = energy_by_height(b, node, pairs, loads, row)
         by_radius, by_t1, by_t2, _ = energy_slopes(local, i, elastic)
         local_1, local_2 = local_slopes(b, node, by_radius, (by_t1, by_t2))
         of_soft = 0.5 * elastic * elastic / b["plane_width"]
@@ -266,7 +271,10 @@ def flexible_flank(record, watch, _):
         return status
     nodes = node_array(b)
     sums = b["sums"]
-    factors, legs, local, C, slots, kept, pull = flexible_arrays(b, n)  # penetrations are no longer used
+    factors, local, C, slots, kept = flexible_arrays(b, n)  # penetrations are no longer used
+    legs, loads, index, row = plane_arrays(b)
+    load_planes(nodes, n, legs, loads)
+    pairs = nodes[n - 1]["slot"] + 1
     states, on, v, U = solver_arrays(b)
     state = states[0]
     m = state["m"]
@@ -277,7 +285,7 @@ def flexible_flank(record, watch, _):
             sums["nearest"] = max(sums["nearest"], node["x"])
         f = _add_node(b, watch, i, node, k, factors)
         if f > 0.0:
-            _add_energy_slopes(b, i, node, on, m, v, legs, local, pull)
+            _add_energy_slopes(b, i, node, pairs, loads, local, row)
             if watch == 1 and b["request"]["out"] != 0 and b["n_pair"] > 0:
                 add_pair_force(b, N_OUT, node["pair"] % b["n_pair"], now["flank"] * f)
     sums["energy"] += contact_energy(local, state, on, v) if watch == 1 else 0.0

@@ -33,6 +33,7 @@ ON_PATH, TIP_1, TIP_2 = 0, 1, 2
 NODE = np.dtype(
     [
         ("pair", "i8"),  # number of the pair, as `contact_lines`
+        ("slot", "i8"),  # pairs from the first one with nodes, in descending order of their numbers
         ("plane", "i8"),
         ("place", "i8"),
         ("z", "f8"),

@@ -23,6 +23,7 @@ from pitchpoint.core.status import INCONSISTENT, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.geometry.modification_terms import N_TERM
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.relief.curves import BEHIND, Curves
 from pitchpoint.solvers.contact_analysis.relief.flexible_phases import (
     DesignSolver,
     FlexiblePhases,
@@ -34,30 +35,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Curves:
-    """Result of one analysis over the mesh phase.
-
-    Parameters
-    ----------
-    approach
-        Approach of the flanks along the base tangent [m], shape (misalignments, torques, positions).
-    pressure
-        Maximum Hertzian pressure on the path of contact [Pa], likewise.
-    edge
-        Share of the load on tip edges [-], likewise.
-    """
-
-    approach: Array
-    pressure: Array
-    edge: Array
-
-    @property
-    def peak_to_peak(self) -> Array:
-        """Peak-to-peak transmission error [m], shape (misalignments, torques)."""
-        return np.asarray(np.ptp(self.approach, axis=2))
 
 
 @dataclass(frozen=True)
@@ -80,6 +57,12 @@ class Conditions:
     positions: int = 64
     misalignments: tuple[float, ...] = (0.0,)
     flank: int = 1
+
+    @property
+    def phases(self) -> Array:
+        """Mesh phases, and as many close behind them for slopes, shape (2 positions,)."""
+        place = (np.arange(self.positions) + 0.5) / self.positions
+        return np.concatenate([place, place + BEHIND / self.positions])
 
 
 class _Solver(Protocol):
@@ -129,7 +112,7 @@ class Analyses:
         if self._flanks.record["is_flexible"] == 1:
             kappa = np.array(conditions.misalignments)
             approach = float(self._own().curves(rows).approach.max()) + deepest
-            self._phases = FlexiblePhases(self._flanks, rows, conditions.positions, kappa, approach)
+            self._phases = FlexiblePhases(self._flanks, rows, conditions.phases, kappa, approach)
         self._own_of = threading.local()
 
     def with_torques(self, torques: Sequence[float]) -> Analyses:
@@ -194,7 +177,7 @@ class _Flexible:
     def curves(self, rows: Array) -> Curves:
         found = self.solver.solve(rows)
         _check(found["status"])
-        return Curves(found["approach"], found["pressure"], found["edge"])
+        return Curves.of(found["approach"], found["pressure"], found["edge"])
 
 
 class _General:
@@ -209,8 +192,8 @@ class _General:
             raise SolverError("neither gear of the mesh has modifications", INCONSISTENT)
         record["modified"] = 1
         record["sep_min"] = -record["p_bt"]  # below any modifications
-        phase = np.arange(conditions.positions) / conditions.positions
-        self.shape = len(conditions.misalignments), loads.size, conditions.positions
+        phase = conditions.phases
+        self.shape = len(conditions.misalignments), loads.size, phase.size
         self.states = flanks.states(np.broadcast_to(phase, self.shape).copy())
         self.states["kappa"] = np.repeat(conditions.misalignments, loads.size * phase.size)
         self.states["force"] = np.tile(np.repeat(loads, phase.size), self.shape[0])
@@ -232,7 +215,7 @@ class _General:
         unit = pressure_of_unit_force(flanks, nodes["roll"].reshape(-1, 2)).reshape(nodes.shape)
         pressure = np.where(held & on_path, unit * np.sqrt(force), 0.0).max(axis=1, initial=0.0)
         edge = np.where(on_path, 0.0, force).sum(axis=1) / states["force"]
-        return Curves(*(values.reshape(self.shape) for values in (states["x_0"].copy(), pressure, edge)))
+        return Curves.of(*(values.reshape(self.shape) for values in (states["x_0"].copy(), pressure, edge)))
 
 
 def _check(status: NDArray[np.int64]) -> None:

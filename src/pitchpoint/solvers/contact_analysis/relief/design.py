@@ -14,7 +14,8 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, OK, sentence
 from pitchpoint.model.numbers import number_at
-from pitchpoint.solvers.contact_analysis.relief.analyses import Analyses, Curves
+from pitchpoint.solvers.contact_analysis.relief.analyses import Analyses
+from pitchpoint.solvers.contact_analysis.relief.curves import Curves
 from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
 from pitchpoint.solvers.contact_analysis.relief.search import Search
 from pitchpoint.solvers.contact_analysis.relief.target import MICRO
@@ -242,7 +243,7 @@ def _dataset(
         "misalignment": (("misalignment",), np.array(plan.misalignments), {"units": "rad"}),
         "mesh_phase_position": (
             ("mesh_phase_position",),
-            np.arange(plan.positions) / plan.positions,
+            (np.arange(plan.positions) + 0.5) / plan.positions,
             {"units": "1", "long_name": "mesh phase, 0 when a pair reaches A at mid-face"},
         ),
     }

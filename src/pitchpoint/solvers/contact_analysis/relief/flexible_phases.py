@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 
 
 class FlexiblePhases:
-    """Equidistant mesh phases of a flank with flexible teeth, ready for any modifications.
+    """Mesh phases of a flank with flexible teeth, ready for any modifications.
 
     Parameters
     ----------
@@ -36,8 +36,8 @@ class FlexiblePhases:
         The mesh; its modifications are replaced.
     rows
         Modifications of the mesh (`geometry.modification_terms`), shape (2, N_TERM).
-    positions
-        Number of mesh phases over one base pitch.
+    places
+        Mesh phases [base pitches], shape (phases,).
     misalignments
         Angles between the flanks in the plane of action [rad].
     approach
@@ -45,14 +45,14 @@ class FlexiblePhases:
     """
 
     def __init__(
-        self, flanks: FlankStates, rows: Array, positions: int, misalignments: Array, approach: float
+        self, flanks: FlankStates, rows: Array, places: Array, misalignments: Array, approach: float
     ) -> None:
-        self.shape = misalignments.size, positions
+        self.shape = misalignments.size, places.size
         self._kept: list[NDArray[Any]] = []
         self.phases = np.zeros(self.shape, PHASE)
         for m, kappa in enumerate(misalignments):
-            for p in range(positions):
-                self._place(self.phases[m, p], flanks, rows, (p / positions, float(kappa), approach))
+            for p, place in enumerate(places):
+                self._place(self.phases[m, p], flanks, rows, (float(place), float(kappa), approach))
 
     def _place(self, phase: Any, flanks: FlankStates, rows: Array, at: tuple[float, float, float]) -> None:
         """Store the nodes of one phase; `at`: mesh phase, misalignment, approach."""
@@ -144,7 +144,7 @@ class DesignSolver:
 
         Returns
         -------
-        ndarray of FOUND, shape (misalignments, loads, positions)
+        ndarray of FOUND, shape (misalignments, loads, phases)
         """
         self.rows = np.ascontiguousarray(rows)
         self.design["rows"] = self.rows.ctypes.data

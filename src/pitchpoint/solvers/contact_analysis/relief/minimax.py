@@ -17,17 +17,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.solvers.contact_analysis.relief.analyses import Curves
+from pitchpoint.solvers.contact_analysis.relief.curves import Curves
 from pitchpoint.solvers.contact_analysis.relief.target import MICRO, PENALTY, Target
 
 Array = NDArray[np.float64]
 
-_DIFFERENCE = 1e-5
-"""Step of differences, relative to the bounds."""
-_FIRST, _LEAST = 0.1, 1e-8
+_DIFFERENCES = (2e-2, -2e-2, 1e-3, -1e-3, 1e-5, -1e-5)
+"""Steps of differences, relative to the bounds. Where the start of a relief passes a contact node, the curves
+themselves have kinks: long steps average over them, both signs see both sides."""
+_FIRST, _LEAST = 0.1, 1e-7
 """First and smallest size of the trust region, relative to the bounds."""
-_GAIN = 1e-9
-"""Gain of a step [µm] below which the search ends."""
+_GAIN = 1e-7
+"""Expected gain of a step [µm] below which a series of steps ends."""
+_ENOUGH = 1e-4
+"""Gain [µm] of a series over all differences below which the search ends."""
 _NEAR = 0.5
 """Limits this close to a violation enter the linear programme."""
 
@@ -45,8 +48,8 @@ Evaluate = Callable[[Sequence[Array]], Sequence[Point]]
 """Analysis of several designs, given by values relative to the bounds, 0 to 1."""
 
 
-def polish(evaluate: Evaluate, start: Point, target: Target, rounds: int) -> Point:
-    """Improve a design.
+def polish(evaluate: Evaluate, start: Point, target: Target) -> Point:
+    """Improve a design until no difference gives a better one.
 
     Parameters
     ----------
@@ -56,17 +59,25 @@ def polish(evaluate: Evaluate, start: Point, target: Target, rounds: int) -> Poi
         The design.
     target
         What is minimised.
-    rounds
-        Maximum number of linear programmes.
     """
-    best, radius = start, _FIRST
-    slopes: list[Point] | None = None
-    for _ in range(rounds):
-        if radius < _LEAST:
-            break
-        steps = np.where(best.at + _DIFFERENCE > 1.0, -_DIFFERENCE, _DIFFERENCE)
+    best = start
+    while True:
+        before = best.score
+        for difference in _DIFFERENCES:
+            best = _descend(evaluate, best, target, difference)
+        if before - best.score < _ENOUGH:
+            return best
+
+
+def _descend(evaluate: Evaluate, start: Point, target: Target, difference: float) -> Point:
+    """Steps of linear programmes with slopes from one kind of difference."""
+    best, radius = start, max(_FIRST * abs(difference) / _DIFFERENCES[0], 10.0 * abs(difference))
+    slopes: Sequence[Point] | None = None
+    while radius > _LEAST:
+        ends = best.at + difference
+        steps = np.where((ends > 1.0) | (ends < 0.0), -difference, difference)
         if slopes is None:
-            slopes = list(evaluate([best.at + step for step in np.diag(steps)]))
+            slopes = evaluate([best.at + step for step in np.diag(steps)])
         step, expected = _programme(best, slopes, steps, target, radius)
         gain = best.score - expected
         if gain < _GAIN:
@@ -94,15 +105,15 @@ def _programme(
     from scipy.sparse import block_array, coo_array
 
     n = best.at.size
-    curves = np.array([c.approach for c in best.samples]) / MICRO
+    curves = np.array([c.points for c in best.samples]) / MICRO
     shape = curves.shape[:3]  # samples, misalignments, torques
     flat = curves.reshape(-1, curves.shape[3])
-    by = np.array([[c.approach for c in point.samples] for point in slopes]).reshape(n, *flat.shape) / MICRO
+    by = np.array([[c.points for c in point.samples] for point in slopes]).reshape(n, *flat.shape) / MICRO
     by = (by - flat) / steps[:, None, None]
-    room = radius * np.abs(by).sum(axis=0)
-    base = flat.mean(axis=1)[:, None]
-    high = np.argwhere(flat + room >= (flat - room).max(axis=1)[:, None])
-    low = np.argwhere(flat - room <= (flat + room).min(axis=1)[:, None])
+    room = radius * np.abs(by).sum(axis=0)  # not a number where a curve has no kink: never in the programme
+    base = np.nanmean(flat, axis=1)[:, None]
+    high = np.argwhere(flat + room >= np.nanmax(flat - room, axis=1)[:, None])
+    low = np.argwhere(flat - room <= np.nanmin(flat + room, axis=1)[:, None])
     ends = len(flat)
     blocks, right = [], []
     for sign, chosen, at in ((1.0, high, 0), (-1.0, low, 1)):

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.progress import Progress
-from pitchpoint.solvers.contact_analysis.relief.analyses import Analyses, Curves
+from pitchpoint.solvers.contact_analysis.relief.analyses import Analyses
+from pitchpoint.solvers.contact_analysis.relief.curves import Curves
 from pitchpoint.solvers.contact_analysis.relief.minimax import Point, polish
 from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
 from pitchpoint.solvers.contact_analysis.relief.target import tolerance_samples
@@ -26,8 +27,8 @@ _POPULATION = 10
 _SMALLEST, _LARGEST = 16, 64
 _SETTLED = 1e-4
 """Spread of a generation, relative, at which the evolution ends."""
-_ROUNDS = 60
-"""Maximum number of linear programmes."""
+_STARTS, _APART = 4, 0.1
+"""Designs from which linear programmes start, and their distance relative to the bounds."""
 _ROUNDING = 0.15
 """Share of the analyses up to which all roundings are compared."""
 
@@ -119,8 +120,8 @@ class Search:
         """Search from a start, values of the variables relative to the bounds; the result is `best`."""
         try:
             self._evolve(start)
-            assert self.best is not None
-            polish(self.evaluate, self.best, self.target, _ROUNDS)
+            for start in self._starts():
+                polish(self.evaluate, *self.evaluate([start]), self.target)
         except Exhausted:
             pass
 
@@ -154,6 +155,17 @@ class Search:
             updating="deferred",
             seed=self.plan.seed,
         )
+
+    def _starts(self) -> list[Array]:
+        """Best designs that differ from each other."""
+        chosen: list[Array] = []
+        for k in np.argsort(self.scores, kind="stable"):
+            at = (self.values[k] - self.low) / self.span
+            if all(np.abs(at - other).max() > _APART for other in chosen):
+                chosen.append(at)
+            if len(chosen) == _STARTS:
+                break
+        return chosen
 
     def rounded(self) -> Array:
         """Best values rounded to drawing precision [m]: the best of all neighbours, or the nearest."""

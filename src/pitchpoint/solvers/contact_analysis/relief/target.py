@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.solvers.contact_analysis.relief.analyses import Curves
+from pitchpoint.solvers.contact_analysis.relief.curves import Curves
 
 Array = NDArray[np.float64]
 

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Oil film and flash temperature of a contact analysis at a speed, with the speeds of the flanks."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.contact.film_thickness import film_thickness
+from pitchpoint.contact.flash_temperature import STEEL, flash_temperature
+from pitchpoint.contact.hertz import plane_strain_compliance
+from pitchpoint.core.nomenclature import attributes
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+
+OVER = ("torque", "mesh_phase_position", "tooth_pair", "plane")
+MINERAL = 20e-9
+"""Pressure-viscosity coefficient, typical of mineral oils [1/Pa]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Operation:
+    """Operating conditions for oil film, friction and flash temperature; None: not computed.
+
+    Parameters
+    ----------
+    speed
+        Speed of gear 1 [rad/s].
+    friction
+        Mean coefficient of friction [-].
+    viscosity
+        Dynamic viscosity at the temperature of the flanks [Pa s].
+    pressure_viscosity
+        Pressure-viscosity coefficient [1/Pa].
+    thermal_contact
+        Thermal contact coefficients of both gears [W s^0.5/(m² K)].
+    """
+
+    speed: float | None = None
+    friction: float | None = None
+    viscosity: float | None = None
+    pressure_viscosity: float = MINERAL
+    thermal_contact: tuple[float, float] = (STEEL, STEEL)
+
+
+def with_operation(data: xr.Dataset, operation: Operation) -> xr.Dataset:
+    """Add the coefficient of friction, speeds, film thickness and flash temperature to a contact analysis.
+
+    Parameters
+    ----------
+    data
+        Dataset of `solve_contact`.
+    operation
+        Operating conditions.
+
+    Returns
+    -------
+    xarray.Dataset
+        With `friction_coefficient` over the torque, and over the contact nodes `sliding_speed` and
+        `rolling_speed` (mean of both flanks) [m/s], `film_thickness` [m], `flash_temperature` [K], as far as
+        the operation defines them; NaN where the pressure is unknown.
+    """
+    found = data.copy()
+    if operation.friction is not None:
+        mu = np.full(data.sizes["torque"], operation.friction)
+        found["friction_coefficient"] = ("torque",), mu, attributes("friction_coefficient")
+    if operation.speed is None:
+        return found
+    load, roll_1, roll_2 = (_values(data, name) for name in ("line_load", "roll_1", "roll_2"))
+    teeth = np.asarray(data["number_of_teeth"].values, dtype=np.float64)
+    v_1 = abs(operation.speed) * roll_1
+    v_2 = abs(operation.speed) * float(teeth[0] / teeth[1]) * roll_2
+    soft = sum(
+        plane_strain_compliance(float(E), float(nu))
+        for E, nu in zip(data["youngs_modulus"].values, data["poisson_ratio"].values, strict=True)
+    )
+    pressure = np.fmax(_values(data, "pressure"), _values(data, "edge_pressure"))
+    b_H = 2.0 * load / (math.pi * pressure)
+    fields = {"sliding_speed": np.abs(v_1 - v_2), "rolling_speed": 0.5 * (v_1 + v_2)}
+    if operation.viscosity is not None:
+        radius = math.pi * b_H * b_H / (4.0 * load * soft)
+        oil = (operation.viscosity, operation.pressure_viscosity)
+        fields["film_thickness"] = film_thickness(load, radius, fields["rolling_speed"], soft, *oil)
+    if operation.friction is not None:
+        fields["flash_temperature"] = flash_temperature(
+            load, b_H, v_1, v_2, operation.friction, operation.thermal_contact
+        )
+    for name, values in fields.items():
+        found[name] = OVER, values, attributes(name)
+    return found
+
+
+def _values(data: xr.Dataset, name: str) -> Array:
+    return np.asarray(data[name].transpose(*OVER).values, dtype=np.float64)

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pressure of flanks with parabolic reliefs, crowning and tip roundings in a contact analysis."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pitchpoint.contact.hertz import half_width, plane_strain_compliance
+from pitchpoint.contact.strip_pressure import stepped_pressure
+from pitchpoint.geometry.modifications import deviation
+from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.solve import solve_contact
+from pitchpoint.solvers.contact_analysis.stepped_flanks import bends_of, step_pressures
+from tests.support.contact_files import fzg
+
+STEEL = plane_strain_compliance(206e9, 0.3)
+RELIEF = "modifications: {both: {tip_relief: {amount: 40 um, length: 1.5 mm, shape: parabolic}}}"
+ROOT = "modifications: {both: {root_relief: {amount: 60 um, length: 4 mm, shape: parabolic}}}"
+CROWNED = "modifications: {both: {profile_crowning: 30 um}}"
+
+
+def contacts(model, positions=128):
+    """Length of roll on gear 1, line load and pressure of the middle plane."""
+    data = solve_contact(model, torque=302.0, positions=positions)
+    fields = [data[name].isel(plane=5).values.ravel() for name in ("roll_1", "line_load", "pressure")]
+    known = np.isfinite(fields[2]) & (fields[1] > 1e4)
+    order = np.argsort(fields[0][known])
+    return [values[known][order] for values in fields]
+
+
+def hertz(pair, gear_1, made, roll, load):
+    """Hertz with the second derivative of the removed material over the arc, by differences."""
+    step = 1e-5
+    rolls = np.sqrt(roll**2 + 2.0 * gear_1.r_b * step * np.array([[-1.0], [0.0], [1.0]]))
+    gaps = deviation(made, gear_1, rolls)
+    bent = (gaps[0] - 2.0 * gaps[1] + gaps[2]) / step**2
+    curvature = 1.0 / roll + 1.0 / (pair.T1T2 - roll) + bent
+    return 2.0 * load / (math.pi * half_width(load, 1.0 / curvature, STEEL, STEEL))
+
+
+@pytest.mark.parametrize("text", [RELIEF, ROOT, CROWNED])
+def test_beyond_the_start_it_is_hertz_with_the_curvature_of_the_modification(
+    tmp_path: Path, text: str
+) -> None:
+    """1e-3 for the differences over 10 µm of arc."""
+    model = fzg(tmp_path, gears=(text, ""))
+    pair, gear = model.pairs["stage"], model.gears["g1"]
+    made = gear.modifications.side("left").of_geometry()
+    roll, load, pressure = contacts(model)
+    expected = hertz(pair, gear.geometry, made, roll, load)
+    starts = [bend.start for bend in bends_of(FlankStates(model, "stage"))]
+    far = np.all([np.abs(roll - start) > 0.7e-3 for start in starts], axis=0)
+    assert far.sum() > 50
+    assert pressure[far] == pytest.approx(expected[far], rel=1e-3)
+    inside = np.abs(expected / hertz(pair, gear.geometry, type(made)(), roll, load) - 1.0) > 0.02
+    assert (far & inside).sum() > 3
+
+
+def test_near_the_start_it_is_between_both_curvatures(tmp_path: Path) -> None:
+    model = fzg(tmp_path, gears=(RELIEF, ""))
+    pair = model.pairs["stage"]
+    (bend,) = bends_of(FlankStates(model, "stage"))
+    assert (bend.gear, bend.towards_tip) == (0, True)
+    assert bend.start == pytest.approx(pair.T1E - 1.5e-3, rel=1e-9)
+    roll, load, pressure = contacts(model, positions=2000)
+    k = int(np.abs(roll - bend.start).argmin())
+    involute = 1.0 / roll[k] + 1.0 / (pair.T1T2 - roll[k])
+    added = bend.by_roll * (pair.gear1.r_b / roll[k]) ** 2 * bend.start / roll[k]
+    low, high = (
+        2.0 * load[k] / (math.pi * half_width(load[k], 1.0 / c, STEEL, STEEL))
+        for c in (involute, involute + added)
+    )
+    assert 1.1 * low < pressure[k] < 0.95 * high
+    ahead = (bend.start**2 - roll[k] ** 2) / (2.0 * pair.gear1.r_b)
+    at = [(ahead, added)] if ahead >= 0.0 else [(ahead, -added)]
+    inside = involute if ahead >= 0.0 else involute + added
+    strips = stepped_pressure(float(inside), at, float(load[k]), 2.0 * STEEL)
+    assert pressure[k] == pytest.approx(strips.maximum, rel=1e-6)
+
+
+def test_equal_gears_have_mirrored_pressures(tmp_path: Path) -> None:
+    """Tip relief of gear 1 before E, and of gear 2 after A."""
+    text = f"{RELIEF[:-2]}}}}}"
+    path = tmp_path / "equal.yaml"
+    fzg(tmp_path, gears=(text, text))
+    lines = (tmp_path / "fzg.yaml").read_text(encoding="utf-8")
+    lines = lines.replace("number_of_teeth: 16", "number_of_teeth: 20").replace(
+        "number_of_teeth: 24", "number_of_teeth: 20"
+    )
+    lines = lines.replace("0.1715", "0.1817").replace("91.5", "91.6")
+    path.write_text(lines, encoding="utf-8")
+    from pitchpoint.io.yaml_model import load_model
+
+    model = load_model(path)
+    pair = model.pairs["stage"]
+    roll, _, pressure = contacts(model, positions=400)
+    mirrored = np.interp(pair.T1T2 - roll[::-1], roll, pressure)[::-1]
+    steep = np.abs(np.gradient(pressure)) > 0.02 * pressure.max()
+    assert mirrored[~steep] == pytest.approx(pressure[~steep], rel=5e-3)
+
+
+def test_tip_rounding_within_the_contact(tmp_path: Path) -> None:
+    """Contacts at both ends of the path, where the involute of one gear meets the rounding of its tip."""
+    model = fzg(tmp_path)
+    pair = model.pairs["stage"]
+    flanks = FlankStates(model, "stage")
+    flanks.records["rounding"] = 0.1e-3
+    assert [(b.gear, b.radius) for b in bends_of(flanks)] == [(0, 1e-4), (1, 1e-4)]
+    roll = np.array([pair.T1A, pair.T1C, pair.T1E])
+    load = np.full(3, 1e5)
+    curvature = 1.0 / roll + 1.0 / (pair.T1T2 - roll)
+    fields = {"line_load": load, "roll_1": roll, "roll_2": pair.T1T2 - roll}
+    fields["pressure"] = 2.0 * load / (math.pi * half_width(load, 1.0 / curvature, STEEL, STEEL))
+    before = fields["pressure"].copy()
+    step_pressures(flanks, fields)
+    assert fields["pressure"][1] == pytest.approx(before[1], rel=1e-12)
+    for k, own in ((0, pair.T1T2 - pair.T1A), (2, pair.T1E)):
+        strips = stepped_pressure(curvature[k], [(0.0, 1.0 / 1e-4 - 1.0 / own)], 1e5, 2.0 * STEEL)
+        assert fields["pressure"][k] == pytest.approx(strips.maximum, rel=1e-4)
+        assert fields["pressure"][k] > 1.5 * before[k]
