@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Computation of the table of the elastic potential: states in an order for warm starts, measured errors.
 
-Derivation: docs/decisions/0033-potential-table.md, "Decision".
+Derivation: docs/theory/stiffness.md, "Pre-computed flank contact".
 """
 
 from __future__ import annotations
