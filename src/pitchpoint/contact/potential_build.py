@@ -154,10 +154,12 @@ def build_potential_table(
         states come in lines along the approach, up and down in turn, so that neighbours differ by one step.
         The values of a state are potential [J], its derivatives by phase, approach, misalignment and centre
         distance, and the further quantities, which vanish without contact.
-    span, size
-        Range of the table, number of points.
+    span
+        Range of the table.
     nominal
         Values to which the errors are related.
+    size
+        Number of points.
     quantities
         Unit of the ratio of every further quantity to the force, by name.
     run
