@@ -60,7 +60,7 @@ class Bend:
 
 def bends_of(flanks: FlankStates) -> list[Bend]:
     """Changes of curvature of both flanks in contact."""
-    found = []
+    found: list[Bend] = []
     names = flanks.model.meshes[flanks.mesh].gears
     for k, name in enumerate(names):
         gear = flanks.model.gears[name]
@@ -124,8 +124,8 @@ def step_pressures(flanks: FlankStates, fields: dict[str, Array]) -> None:
     near = (np.abs(places) < RANGE * b_H).any(axis=0)
     known: dict[tuple[float, ...], float] = {}
     for n in np.flatnonzero(near):
-        row = (curvature[n], load[n], *places[:, n], *steps[:, n])
-        key = tuple(float(f"{value:.{_DIGITS}g}") for value in row)
+        values = (curvature[n], load[n], *places[:, n], *steps[:, n])
+        key = tuple(float(f"{value:.{_DIGITS}g}") for value in values)
         if key not in known:
             kept = np.abs(places[:, n]) < RANGE * b_H[n]
             listed = list(zip(places[kept, n].tolist(), steps[kept, n].tolist(), strict=True))
