@@ -70,9 +70,9 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     from pitchpoint.io.target import check_target
 
     model = read_model(file, allow_code, quiet)
-    mesh = _chosen(model, options["mesh"])
-    options["torques"], options["flank"] = _loads(model, mesh, options["torques"], options["flank"])
-    options["misalignment"] = _angle(options["misalignment"], model, mesh)
+    mesh = chosen_mesh(model, options["mesh"])
+    options["torques"], options["flank"] = loads_of(model, mesh, options["torques"], options["flank"])
+    options["misalignment"] = misalignment_of(options["misalignment"], model, mesh)
     target = result_path(options["output"], file, "") if options["output"] is not None else None
     if options["picture"] is not None:
         options["picture"] = check_target(options["picture"], "page", [file])
@@ -86,7 +86,7 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     return OK if error is None else exit_code_of(error)
 
 
-def _chosen(model: Model, name: str | None) -> str:
+def chosen_mesh(model: Model, name: str | None) -> str:
     """Name of the mesh: the given one, or the only one with contact of tooth surfaces."""
     touching = [key for key, mesh in model.meshes.items() if mesh.contact is not None]
     if name is None and len(touching) == 1:
@@ -99,7 +99,7 @@ def _chosen(model: Model, name: str | None) -> str:
     return chosen
 
 
-def _loads(model: Model, mesh: str, texts: tuple[str, ...], side: str | None) -> tuple[list[float], int]:
+def loads_of(model: Model, mesh: str, texts: tuple[str, ...], side: str | None) -> tuple[list[float], int]:
     """Torques [N m] and flank, 1 or -1."""
     if texts:
         torques = [value for text in texts for value in torques_of(text)]
@@ -164,7 +164,7 @@ def default_torque(model: Model, mesh: str) -> float | None:
     return sum(values) if values and len(values) == len(laws) and sum(values) != 0.0 else None
 
 
-def _angle(text: str | None, model: Model, mesh: str) -> float:
+def misalignment_of(text: str | None, model: Model, mesh: str) -> float:
     """Misalignment in the plane of action [rad] from a length over the common face width, or an angle."""
     from pitchpoint.core.errors import UnitError
     from pitchpoint.core.units import parse_quantity
