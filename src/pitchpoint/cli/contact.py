@@ -260,7 +260,7 @@ def compute(
         "sentence": sentence,
         "wall_s": time.perf_counter() - begun,
         "output": None if target is None else str(target),
-        "notes": [],
+        "notes": [text for text in str(data.attrs.get("notes", "")).split("; ") if text],
         **numbers(data),
     }
     return summary, failure
