@@ -257,7 +257,8 @@ def _node_fields(
         load = node["force"] / width
         on_path = node["place"] == ON_PATH
         with np.errstate(divide="ignore", invalid="ignore"):
-            radius = np.where(on_path, one * two / (one + two), np.nan) / cos_b
+            radius = one * two / (one + two) / cos_b
+            radius[~on_path | ~(radius > 0.0)] = np.nan  # a tip edge; inside a base circle
             edge = np.where(on_path, np.nan, _edge_radius(record, node))
         fields["plane_force"][where] = node["force"]
         fields["line_load"][where] = load
