@@ -44,6 +44,8 @@ LONGEST_TEXT = 1 << 22
 """Largest size of the description [bytes]."""
 MOST_QUANTITIES = 32
 """Largest number of further quantities."""
+FLANKS = ("front", "back")
+"""Flanks whose tables a file contains."""
 AXES = {"phase": "1", "approach": "m", "misalignment": "rad", "centre_distance": "m"}
 """Names and units of the axes."""
 _PERIODS = {"phase": 1.0}
@@ -72,27 +74,27 @@ class StaleTableError(ContactTableError):
 
 @dataclass(frozen=True)
 class StoredTable:
-    """Contents of a file: table, inputs as plain data, package version and date of the computation."""
+    """Contents of a file: tables by flank, inputs as plain data, package version and date."""
 
-    table: PotentialTable
+    tables: Mapping[str, PotentialTable]
     inputs: Mapping[str, Any]
     version: str
     created: str
 
 
 def write_contact_table(
-    path: str | os.PathLike[str], table: PotentialTable, inputs: Mapping[str, Any]
+    path: str | os.PathLike[str], tables: Mapping[str, PotentialTable], inputs: Mapping[str, Any]
 ) -> Path:
-    """Write a table; an older one of the same name remains until the new one is complete.
+    """Write the tables of a mesh; an older file of the same name remains until the new one is complete.
 
     Parameters
     ----------
     path
         File to write, usually with the extension `.gcp.h5`.
-    table
-        The table.
+    tables
+        Tables by flank, `FLANKS`.
     inputs
-        All that the table depends on: both gears with micro-geometry, materials, options of the computation;
+        All that the tables depend on: both gears with micro-geometry, materials, options of the computation;
         nested data as for `content_hash`.
 
     Raises
@@ -110,9 +112,7 @@ def write_contact_table(
         "created": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
         "inputs_hash": content_hash(plain),
         "inputs": plain,
-        "axes": [{"doubled": a.doubled, "tolerance": float(a.tolerance)} for a in table.axes],
-        "quantities": [[name, unit] for name, unit in table.quantities.items()],
-        "errors": {name: list(map(float, sizes)) for name, sizes in table.errors.items()},
+        "tables": {flank: _described(table) for flank, table in tables.items()},
     }
     text = np.bytes_(json.dumps(description, sort_keys=True, allow_nan=False).encode("ascii"))
     file = h5py.File(target.name, "w", driver="core", backing_store=False, libver="latest")
@@ -120,14 +120,31 @@ def write_contact_table(
         file.attrs["format"] = np.bytes_(f"{CONTACT_TABLE}{VERSION}")
         file.attrs["source"] = np.bytes_(f"pitchpoint {package_version()}".encode("ascii", "replace"))
         file.create_dataset("description", data=text)
-        for (name, unit), axis in zip(AXES.items(), table.axes, strict=True):
-            file.create_dataset(name, data=axis.points, dtype="f8").attrs["units"] = np.bytes_(unit)
-        file.create_dataset("coefficients", data=table.coefficients, dtype="f8", **_PACKING)
-        packing = _PACKING if table.ratios.size else {}
-        file.create_dataset("ratios", data=table.ratios, dtype="f8", **packing)
+        for flank, table in tables.items():
+            _write_table(file.create_group(flank), table)
         file.flush()
         image = file.id.get_file_image()
     return write_file(target, sealed(image))
+
+
+def _described(table: PotentialTable) -> dict[str, Any]:
+    """Options of the axes, quantities and errors of a table as plain data."""
+    return {
+        "axes": [{"doubled": a.doubled, "tolerance": float(a.tolerance)} for a in table.axes],
+        "quantities": [[name, unit] for name, unit in table.quantities.items()],
+        "errors": {name: list(map(float, sizes)) for name, sizes in table.errors.items()},
+    }
+
+
+def _write_table(group: h5py.Group, table: PotentialTable) -> None:
+    """Write the arrays of a table."""
+    import numpy as np
+
+    for (name, unit), axis in zip(AXES.items(), table.axes, strict=True):
+        group.create_dataset(name, data=axis.points, dtype="f8").attrs["units"] = np.bytes_(unit)
+    group.create_dataset("coefficients", data=table.coefficients, dtype="f8", **_PACKING)
+    packing = _PACKING if table.ratios.size else {}
+    group.create_dataset("ratios", data=table.ratios, dtype="f8", **packing)
 
 
 def read_contact_table(path: str | os.PathLike[str], inputs: Mapping[str, Any] | None = None) -> StoredTable:
@@ -201,19 +218,22 @@ def _stored(name: str, file: h5py.File) -> StoredTable:
     if text.shape != () or text.dtype.kind != "S" or text.dtype.itemsize > LONGEST_TEXT:
         raise ValueError("the description is not a text")
     said = json.loads(text[()].decode("ascii"))
-    axes = _axes(file, said["axes"])
-    quantities = _quantities(said["quantities"])
-    coefficients = _array(file, "coefficients", coefficients_shape(axes))
-    ratios = _array(file, "ratios", (len(quantities), *(axis.count for axis in axes)))
-    errors = {str(key): _errors(sizes) for key, sizes in dict(said["errors"]).items()}
+    tables = {}
+    for flank in FLANKS:
+        group, options = member(file, flank), dict(said["tables"])[flank]
+        axes = _axes(group, options["axes"])
+        quantities = _quantities(options["quantities"])
+        coefficients = _array(group, "coefficients", coefficients_shape(axes))
+        ratios = _array(group, "ratios", (len(quantities), *(axis.count for axis in axes)))
+        errors = {str(key): _errors(sizes) for key, sizes in dict(options["errors"]).items()}
+        tables[flank] = PotentialTable(axes, coefficients, ratios, quantities, errors)
     stored, digest = dict(said["inputs"]), said["inputs_hash"]
     if content_hash(stored) != digest:
         raise ValueError("the inputs differ from their checksum")
-    table = PotentialTable(axes, coefficients, ratios, quantities, errors)
-    return StoredTable(table, stored, str(said["version"]), str(said["created"]))
+    return StoredTable(tables, stored, str(said["version"]), str(said["created"]))
 
 
-def _axes(file: h5py.File, options: Any) -> tuple[TableAxis, TableAxis, TableAxis, TableAxis]:
+def _axes(file: h5py.Group, options: Any) -> tuple[TableAxis, TableAxis, TableAxis, TableAxis]:
     """The four axes."""
     found = []
     for name, option in zip(AXES, options, strict=True):
@@ -230,7 +250,7 @@ def _axes(file: h5py.File, options: Any) -> tuple[TableAxis, TableAxis, TableAxi
     return found[0], found[1], found[2], found[3]
 
 
-def _array(file: h5py.File, name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
+def _array(file: h5py.Group, name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
     """Array of a given shape, checked before memory is reserved."""
     item = _dataset(file, name)
     if item.shape != shape or item.dtype != "f8":
@@ -241,7 +261,7 @@ def _array(file: h5py.File, name: str, shape: tuple[int, ...]) -> NDArray[np.flo
     return values
 
 
-def _dataset(file: h5py.File, name: str) -> h5py.Dataset:
+def _dataset(file: h5py.Group, name: str) -> h5py.Dataset:
     """Array stored in the file itself."""
     import h5py
 
