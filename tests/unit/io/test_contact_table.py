@@ -245,7 +245,7 @@ def large(inside: h5py.File) -> None:
         (described(lambda d: d.update(quantities=[["loss", "m"]])), "has the shape"),
         (described(lambda d: d["inputs"].update(z=3)), "differ from their checksum"),
         (described(lambda d: d.pop("inputs")), "inputs"),
-        (bomb, "too large"),
+        (bomb, "points .limit"),
         (large, "values .limit"),
         (linked, "is a link to somewhere else"),
         (elsewhere, "is stored in another file"),
