@@ -116,7 +116,8 @@ def test_tip_rounding_within_the_contact(tmp_path: Path) -> None:
     fields = {"line_load": load, "roll_1": roll, "roll_2": pair.T1T2 - roll}
     fields["pressure"] = 2.0 * load / (math.pi * half_width(load, 1.0 / curvature, STEEL, STEEL))
     before = fields["pressure"].copy()
-    step_pressures(flanks, fields)
+    fields["edge_pressure"] = np.full(3, np.nan)
+    step_pressures(flanks, fields, np.zeros(3))
     assert fields["pressure"][1] == pytest.approx(before[1], rel=1e-12)
     for k, own in ((0, pair.T1T2 - pair.T1A), (2, pair.T1E)):
         strips = stepped_pressure(curvature[k], [(0.0, 1.0 / 1e-4 - 1.0 / own)], 1e5, 2.0 * STEEL)

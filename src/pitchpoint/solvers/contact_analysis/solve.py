@@ -20,6 +20,7 @@ from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 from pitchpoint.solvers.contact_analysis.notes import contact_notes
 from pitchpoint.solvers.contact_analysis.stepped_flanks import step_pressures
+from pitchpoint.solvers.contact_analysis.stepped_flanks import edge_turns, step_pressures
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -250,6 +251,7 @@ def _node_fields(
     materials = [flanks.model.gears[g].material_data for g in flanks.model.meshes[flanks.mesh].gears]
     soft = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
     fields = {name: np.full((*size, len(numbers), planes), np.nan) for name in NODE_FIELDS}
+    turns = np.zeros((*size, len(numbers), planes))
     for t, (states, nodes) in enumerate(found):
         at, node = _loaded(states, nodes)
         where = (t, at, -node["pair"] - numbers.start, node["plane"])
@@ -265,7 +267,8 @@ def _node_fields(
         fields["pressure"][where] = peak_pressure(load, half_width(load, radius, *soft))
         fields["edge_pressure"][where] = peak_pressure(load, half_width(load, edge, *soft))
         fields["roll_1"][where], fields["roll_2"][where] = np.abs(one), np.abs(two)
-    step_pressures(flanks, fields)
+        turns[where] = edge_turns(record, node)
+    step_pressures(flanks, fields, turns)
     return fields
 
 
