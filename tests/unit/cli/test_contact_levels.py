@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-import yaml
+from ruamel.yaml import YAML
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.yaml_model import load_model
@@ -42,7 +42,9 @@ def test_printed_lines_are_parts_of_a_model_file(
         assert words in text
     found = json_of(["contact-levels", file, *options], capsys)
     parts = [
-        yaml.safe_load(line) for line in text.splitlines() if line.startswith(("stiffness:", "contact:"))
+        YAML(typ="safe").load(line)
+        for line in text.splitlines()
+        if line.startswith(("stiffness:", "contact:"))
     ]
     law, rigid = parts[0]["stiffness"], parts[1]["contact"]
     model = load_model(file).replace_all({"meshes.stage.stiffness": law, "meshes.stage.contact": None})

@@ -19,7 +19,6 @@ from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 from pitchpoint.solvers.contact_analysis.notes import contact_notes
-from pitchpoint.solvers.contact_analysis.stepped_flanks import step_pressures
 from pitchpoint.solvers.contact_analysis.stepped_flanks import edge_turns, step_pressures
 
 if TYPE_CHECKING:
