@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes on a contact analysis: contacts below the root form circle, and at the end of the range of tip edges."""
+"""Notes on a contact analysis: contact below the root form circle, or at the end of the range of tip edges."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ def contact_notes(
         States, shape (m,), and nodes, shape (m, max_nodes), for each torque.
     """
     loaded = [nodes[_held(states, nodes)] for states, nodes in found]
-    node = np.concatenate(loaded) if loaded else np.zeros(0)
-    if not node.size:
+    if not any(nodes.size for nodes in loaded):
         return ()
+    node = np.concatenate(loaded)
     return (*_interference(flanks, node), *_far_edges(flanks, node))
 
 
