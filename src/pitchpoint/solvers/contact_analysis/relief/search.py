@@ -24,7 +24,7 @@ from pitchpoint.solvers.contact_analysis.relief.variables import Flanks
 
 Array = NDArray[np.float64]
 
-_NOMINAL, _EVOLUTION, _COARSE = 0.25, 0.5, 0.75
+_NOMINAL, _EVOLUTION, _COARSE = 0.1, 0.5, 0.75
 """Shares of the analyses up to the end of the search without tolerances, of differential evolution, and of
 linear programmes without more positions."""
 _POPULATION = 10
@@ -196,6 +196,7 @@ class Search:
         differential_evolution(
             scores,
             Bounds(np.zeros(self.n), np.ones(self.n)),
+            strategy="rand1bin",
             init=first,
             maxiter=generations,
             tol=_SETTLED,
