@@ -157,6 +157,17 @@ def test_tip_edges_over_all_of_single_contact():
         assert single > 0.5
 
 
+@pytest.mark.parametrize("share", [0.5, 0.8, 1.0])
+@pytest.mark.parametrize("steep", [1.2, 1.7])
+def test_steeper_reliefs_of_equal_slope(steep, share):
+    """Slope e, lengths that add up to L* + C/e: also |F/k - C|/2, with a shorter path of contact."""
+    eps, _ = contact_ratio()
+    slope = steep * SCALE / (eps - 1.0)
+    length = 0.5 * (eps - 1.0 + SCALE / slope)
+    x, _ = solved(flanks(slope * length, length), share * FORCE)
+    assert np.ptp(x) / SCALE == pytest.approx(0.5 * abs(share - 1.0), abs=1e-9)
+
+
 @pytest.mark.parametrize(("low", "high"), [(0.5, 1.0), (0.25, 1.5)])
 def test_best_relief_of_a_range_of_torques(low, high):
     """C = (F1 + F2)/(2k) has the least maximum error over F1 to F2, (F2 - F1)/(4k)."""

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 FILES = ("output", "picture", "write")
 """Options of files."""
+_MET = 1e-6
+"""Relative violation up to which a limit counts as met."""
 
 
 @click.command()
@@ -214,6 +216,7 @@ def numbers(data: xr.Dataset) -> dict[str, Any]:
     names = (
         "objective",
         "nominal_objective",
+        "excess",
         "peak_to_peak_min",
         "peak_to_peak_max",
         "pressure",
@@ -266,6 +269,9 @@ def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
     columns = ["torque", *(f"TE p–p, {d}" for d in designs), *["rounded, worst"] * worst, *ends]
     table("Peak-to-peak transmission error", columns, rows)
     values = " → ".join(shown(summary["objective"][d], "length", 4) for d in ("start", "rounded"))
+    excess = summary["excess"]["rounded"]
+    if excess > _MET:
+        show(f"note: a limit is exceeded by {100.0 * excess:.3g} % with the rounded values")
     if not quiet:
         show(f"objective {values} after {summary['analyses']} analyses in {summary['wall_s']:.3g} s")
         for name in FILES:

@@ -37,7 +37,7 @@ def plot_relief(data: xr.Dataset) -> go.Figure:
     curves = data["transmission_error"].isel(misalignment=0)
     error = scale("m", curves.values)
     torque = scale("N m", data["map_torque"].values)
-    figure = theme.figure("mesh phase [base pitches]", error.title("transmission error"), height=420)
+    figure = theme.figure("mesh phase [base pitches]", error.title("transmission error"), height=560)
     figure.update_layout(
         margin={"t": 84},
         legend={"y": 1.1},
