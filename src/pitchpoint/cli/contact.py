@@ -151,7 +151,7 @@ def compute(
     if target is not None:
         store(target, model, file, data, status=status, sentence=sentence, code=code)
     if options["picture"] is not None:
-        _draw(options["picture"], data)
+        _draw(options["picture"], data, model)
     summary = {
         "status": status,
         "sentence": sentence,
@@ -185,6 +185,7 @@ def _solved(model: Model, mesh: str, options: dict[str, Any], progress: Progress
 
 def numbers(data: xr.Dataset) -> dict[str, Any]:
     """Main results by torque, and curves over mesh phase and face width, in SI units."""
+    from pitchpoint.analysis.flank_contact.active_flank import contact_path
     from pitchpoint.analysis.flank_contact.load_factors import load_over_width
     from pitchpoint.analysis.flank_contact.numbers import contact_numbers
     from pitchpoint.viz.contact_table import options_of
@@ -199,6 +200,8 @@ def numbers(data: xr.Dataset) -> dict[str, Any]:
         "plane": data["plane"].values.tolist(),
         "load_over_width": load_over_width(data).tolist(),
         **{name: data[name].values.tolist() for name in UNDER_LOAD if name in data},
+        "contact_path": [contact_path(data, k) for k in range(data.sizes["torque"])],
+        "active_flanks": active_flanks_of(data),
     }
 
 
@@ -214,12 +217,24 @@ def store(path: Path, model: Model, file: str, data: xr.Dataset, **ending: Any) 
     write_dataset(path, replace(header, options=options_of(data)), data, **ending)
 
 
-def _draw(path: Path, data: xr.Dataset) -> None:
+def active_flanks_of(data: xr.Dataset) -> list[list[dict[str, Any]] | None]:
+    """Flanks of both gears in contact, by torque: start and end towards root and tip."""
+    from pitchpoint.analysis.flank_contact.active_flank import active_flanks
+
+    found: list[list[dict[str, Any]] | None] = []
+    for k in range(data.sizes["torque"]):
+        both = active_flanks(data, k)
+        found.append(both and [{key: v.tolist() for key, v in vars(one).items()} for one in both])
+    return found
+
+
+def _draw(path: Path, data: xr.Dataset, model: Model) -> None:
     """Write a page with plots."""
     from pitchpoint.io.target import write_file
     from pitchpoint.viz.contact_page import contact_page
 
-    write_file(path, contact_page(data))
+    gears = {name: model.gears[name].geometry for name in model.meshes[str(data.attrs["mesh"])].gears}
+    write_file(path, contact_page(data, gears=gears))
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:

@@ -3,17 +3,25 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from html import escape
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from pitchpoint.analysis.flank_contact.active_flank import active_flanks, contact_path
+from pitchpoint.analysis.flank_contact.teeth import mesh_teeth
+from pitchpoint.viz.active_flank_drawing import active_flank_svg
 from pitchpoint.viz.contact_table import options_of
+from pitchpoint.viz.quantities import amount, number
 from pitchpoint.viz.report.contact import contact_result, contact_section
-from pitchpoint.viz.report.page import page
+from pitchpoint.viz.report.page import Section, page
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-def contact_page(data: xr.Dataset, note: str = "") -> str:
+def contact_page(data: xr.Dataset, note: str = "", gears: Mapping[str, Any] | None = None) -> str:
     """Page with the results and plots of `solve_contact`.
 
     Parameters
@@ -22,6 +30,8 @@ def contact_page(data: xr.Dataset, note: str = "") -> str:
         Dataset of a contact analysis.
     note
         Sentence on an incomplete analysis.
+    gears
+        `CylindricalGear` of gear 1 and gear 2 by name, for drawings of their flanks in contact.
     """
     mesh = str(options_of(data)["mesh"])
     facts = (
@@ -31,4 +41,29 @@ def contact_page(data: xr.Dataset, note: str = "") -> str:
     )
     title = str(data.attrs.get("title") or "Gears")
     section = contact_section({mesh: contact_result(data, note)})
-    return page(f"{title}: tooth contact", facts, [section], "pitchpoint contact.", [note] if note else [])
+    sections = [section, flank_section(data, gears or {})]
+    return page(f"{title}: tooth contact", facts, sections, "pitchpoint contact.", [note] if note else [])
+
+
+def flank_section(data: xr.Dataset, gears: Mapping[str, Any]) -> Section:
+    """Part of the flanks in contact at the highest torque, as drawings of a tooth of each gear."""
+    section = Section("flanks", "Flanks in contact")
+    torques = np.asarray(data["torque"].values, dtype=np.float64)
+    if not torques.size or not gears:
+        return section
+    most = int(np.argmax(torques))
+    found = active_flanks(data, most)
+    if found is None:
+        return section
+    at = amount(float(torques[most]), "N m")
+    path = contact_path(data, most)
+    assert path is not None
+    before, beyond = (number(max(v, 0.0), 3) for v in (-path[0], path[1] - mesh_teeth(data).eps_alpha))
+    section.add(
+        f"<p>Filled: flank between start and end of contact at {escape(at)}, over all mesh phases and "
+        f"contact planes. On the path of contact, pairs touch from {before} base pitches before A to "
+        f"{beyond} beyond E, there with a tip edge.</p>"
+    )
+    for (name, gear), loaded in zip(gears.items(), found, strict=True):
+        section.add(f"<figure>{active_flank_svg(gear, loaded, name=name, words=at)}</figure>")
+    return section

@@ -34,7 +34,8 @@ def own_file(kind: str, path: Path) -> Path:
         with ResultWriter(path, Header("time"), [Channel("x", "m")]) as writer:
             writer.append(np.zeros(1), np.zeros((1, 1)))
     elif kind == "contact":
-        write_contact_table(path, PotentialTable.of_spring(2e8, 0.0, 3e-5), {})
+        table = PotentialTable.of_spring(2e8, 0.0, 3e-5)
+        write_contact_table(path, {"front": table, "back": table}, {})
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
     elif kind == "index":

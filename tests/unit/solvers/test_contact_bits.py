@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact of tooth surfaces keeps forces between evaluations; a second run nevertheless gives the same bits."""
+"""Contact of tooth surfaces keeps forces between evaluations; a second run gives the same bits."""
 
 import numpy as np
 import pytest

@@ -113,14 +113,15 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0)
     -----
     A node of the law at the path position p carries c′ Δb s(p; S_R, T_R) x with the penetration x without
     deformation. S_R and T_R minimise the sum of squared differences of the node forces over the path from A
-    to E; c′ then minimises that of the mesh force over the cycle, which includes tip edges. The rigid stiffness
-    minimises the latter for a force that is proportional to the penetration.
+    to E, T_R in steps of 0.025; c′ then minimises that of the mesh force over the cycle, which includes tip
+    edges. The rigid stiffness minimises the latter for a force that is proportional to the penetration.
     """
     name = mesh_of(model, mesh)
     contact = model.meshes[name].contact
     if contact is None or contact.level not in _LEVELS:
         raise SolverError(
-            f"mesh {name}: a law is fitted to rigid or flexible contact; give it `contact: {{level: flexible}}`",
+            f"mesh {name}: a law is fitted to rigid or flexible contact; "
+            "give it `contact: {level: flexible}`",
             INCONSISTENT,
         )
     if not math.isfinite(torque) or torque == 0.0:

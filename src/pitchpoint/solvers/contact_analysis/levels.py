@@ -6,9 +6,10 @@ Derivation: docs/theory/flank_contact.md, "Cheaper levels".
 
 from __future__ import annotations
 
+import copy
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
@@ -156,7 +157,7 @@ def compare_levels(
         numbers, forces = _measured(path, reference, exact)
         exact = forces if exact is None else exact
         if level == "precomputed":
-            numbers = LevelNumbers(**{**vars(numbers), "setup_s": numbers.setup_s + table_s})
+            numbers = replace(numbers, setup_s=numbers.setup_s + table_s)
         found[level] = numbers
         progress(k + 1, len(models), f"{name}: {level}")
     return Levels(fit=fit, numbers={level: found[level] for level in ROWS}, table=origin)
@@ -226,5 +227,8 @@ def _precomputed(
     }
     options = plain_component(flexible.meshes[name].contact)
     stored = SimpleNamespace(tables=tables, inputs={"contact": options})
-    contact = PrecomputedContact(file="computed", tables=stored)
-    return model.replace(f"meshes.{name}.contact", contact), "computed"
+    mesh = replace(flexible.meshes[name], contact=PrecomputedContact(file="computed", tables=stored))
+    found = copy.copy(flexible)
+    # not `Model.replace`, which requires a file
+    object.__setattr__(found, "meshes", {**flexible.meshes, name: mesh})
+    return found, "computed"

@@ -18,6 +18,7 @@ from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
+from pitchpoint.solvers.contact_analysis.notes import contact_notes
 from pitchpoint.solvers.contact_analysis.stepped_flanks import edge_turns, step_pressures
 
 if TYPE_CHECKING:
@@ -86,6 +87,8 @@ def solve_contact(
     torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
     if not np.all(np.isfinite(torques)) or np.any(torques == 0.0):
         raise SolverError(f"torque {torque} is not a load; give torques other than 0", INCONSISTENT)
+    if not math.isfinite(misalignment):
+        raise SolverError(f"misalignment {misalignment} is not an angle; give a finite number", INCONSISTENT)
     began = time.perf_counter()
     flanks = FlankStates(model, name, flank)
     phase = np.arange(positions) / positions
@@ -215,7 +218,8 @@ def contact_dataset(
         ),
         "plane": (("plane",), flanks.widths, {"units": "m", "long_name": "position over the face width"}),
     }
-    return xr.Dataset(variables | geometry, coords=coords | axes)
+    notes = {"notes": "; ".join(contact_notes(flanks, found))}
+    return xr.Dataset(variables | geometry, coords=coords | axes, attrs=notes)
 
 
 def _pairs(found: list[tuple[NDArray[np.void], NDArray[np.void]]]) -> range:
@@ -254,7 +258,8 @@ def _node_fields(
         load = node["force"] / width
         on_path = node["place"] == ON_PATH
         with np.errstate(divide="ignore", invalid="ignore"):
-            radius = np.where(on_path, one * two / (one + two), np.nan) / cos_b
+            radius = one * two / (one + two) / cos_b
+            radius[~on_path | ~(radius > 0.0)] = np.nan  # a tip edge; inside a base circle
             edge = np.where(on_path, np.nan, _edge_radius(record, node))
         fields["plane_force"][where] = node["force"]
         fields["line_load"][where] = load

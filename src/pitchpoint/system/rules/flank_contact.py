@@ -209,7 +209,10 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     It is the reference for damping ratios, time steps and the mesh cycle; the forces follow from the contact
     problem.
     """
-    place = np.linspace(pair.T1A, pair.T1E, _ON_PATH)
+    # a path that reaches a base circle has finite radii of curvature in the local contact, too
+    least = LEAST_ROLL * pair.p_et
+    end = math.inf if pair.is_internal else pair.T1T2 - least
+    place = np.clip(np.linspace(pair.T1A, pair.T1E, _ON_PATH), least, end)
     found = pair_slice(pair, place, LINE_LOAD, _slices(contact, gears))
     stiffness = contact.correction * found.stiffness
     top = float(stiffness.max())

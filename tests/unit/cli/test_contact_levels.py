@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pitchpoint contact-levels`: table, JSON, and the printed parts of a model file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from ruamel.yaml import YAML
+
+from pitchpoint.cli.main import run_command
+from pitchpoint.io.yaml_model import load_model
+from tests.support.cli_files import json_of, written
+
+MODEL = """
+gears:
+  g1: {number_of_teeth: 16, normal_module: 4.5 mm, face_width: 14 mm, profile_shift_coefficient: 0.1817}
+  g2: {number_of_teeth: 24, normal_module: 4.5 mm, face_width: 14 mm, profile_shift_coefficient: 0.1715}
+bodies:
+  a: {gears: [g1], motion: torsion}
+  b: {gears: [g2], motion: torsion}
+meshes:
+  stage:
+    gears: [g1, g2]
+    center_distance: 91.5 mm
+    contact: {level: flexible, planes: 3}
+"""
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> str:
+    return written(tmp_path, MODEL)
+
+
+def test_printed_lines_are_parts_of_a_model_file(
+    file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = ["--torque", "302 N m", "--table", "small"]
+    assert run_command(["contact-levels", file, *options]) == 0
+    text = capsys.readouterr().out
+    for words in ("rigid", "flexible", "pre-computed", "law din3990", "computed for this comparison"):
+        assert words in text
+    found = json_of(["contact-levels", file, *options], capsys)
+    parts = [
+        YAML(typ="safe").load(line)
+        for line in text.splitlines()
+        if line.startswith(("stiffness:", "contact:"))
+    ]
+    law, rigid = parts[0]["stiffness"], parts[1]["contact"]
+    model = load_model(file).replace_all({"meshes.stage.stiffness": law, "meshes.stage.contact": None})
+    assert model.meshes["stage"].stiffness.single_stiffness == pytest.approx(
+        found["law"]["single_stiffness"], rel=1e-5
+    )
+    rigid_model = load_model(file).replace("meshes.stage.contact", rigid)
+    assert rigid_model.meshes["stage"].contact.stiffness == pytest.approx(
+        found["rigid"]["stiffness"], rel=1e-5
+    )
+    assert set(found["levels"]) == {"rigid", "flexible", "precomputed", "law"}
+    assert found["levels"]["precomputed"]["force_max"] < 0.02
+
+
+def test_torque_is_required_without_loads(file: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run_command(["contact-levels", file]) == 2
+    assert "give --torque" in capsys.readouterr().err
