@@ -15,7 +15,7 @@ from pitchpoint.cli.contact_input import (
     operation_of,
     refuse_fixed,
 )
-from pitchpoint.cli.options import common, model_file, output, quantity, writes
+from pitchpoint.cli.options import common, model_file, quantity, writes
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 
 if TYPE_CHECKING:
@@ -86,7 +86,9 @@ UNDER_LOAD = ("misalignment", "center_distance")
     "Pressure-viscosity coefficient; default: 20 1/GPa, typical of mineral oils.",
 )
 @writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
-@output("Result file (netCDF-4/HDF5); default: none.")
+@writes(
+    "-o", "--output", "--out", help="Result file (netCDF-4/HDF5), or page with plots (.html); default: none."
+)
 @common
 def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Analyse the loaded tooth contact of a mesh of FILE, which has `contact`.
@@ -110,6 +112,8 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
             raise click.UsageError("--scenario requires --shafts; on fixed axes only --torque acts")
         options["torques"], options["flank"] = loads_of(model, mesh, options["torques"], options["flank"])
         options["misalignment"] = misalignment_of(options["misalignment"], model, mesh)
+    if options["picture"] is None and (options["output"] or "").lower().endswith(".html"):
+        options["picture"], options["output"] = options["output"], None
     target = result_path(options["output"], file, "") if options["output"] is not None else None
     if options["picture"] is not None:
         options["picture"] = check_target(options["picture"], "page", [file])

@@ -121,6 +121,12 @@ def test_a_result_file_holds_the_dataset(
     assert "FZG type C: tooth contact" in text
 
 
+def test_a_page_by_its_extension(file: str, tmp_path: Path) -> None:
+    page = tmp_path / "c.html"
+    assert run_command(["contact", file, "--positions", "8", "--out", str(page), "-q"]) == 0
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
 def test_operating_conditions(file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target, page = tmp_path / "c.h5", tmp_path / "c.html"
     oil = ["--speed", "2000 rpm", "--friction", "0.05", "--viscosity", "20 mPa s"]
