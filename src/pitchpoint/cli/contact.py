@@ -155,7 +155,7 @@ def compute(
     if target is not None:
         store(target, model, file, data, status=status, sentence=sentence, code=code)
     if options["picture"] is not None:
-        _draw(options["picture"], data, model)
+        _draw(options["picture"], data, model, "" if failure is None else f"{status}: {sentence}")
     summary = {
         "status": status,
         "sentence": sentence,
@@ -232,13 +232,13 @@ def active_flanks_of(data: xr.Dataset) -> list[list[dict[str, Any]] | None]:
     return found
 
 
-def _draw(path: Path, data: xr.Dataset, model: Model) -> None:
-    """Write a page with plots."""
+def _draw(path: Path, data: xr.Dataset, model: Model, note: str) -> None:
+    """Write a page with plots, and a note on an incomplete analysis."""
     from pitchpoint.io.target import write_file
     from pitchpoint.viz.contact_page import contact_page
 
     gears = {name: model.gears[name].geometry for name in model.meshes[str(data.attrs["mesh"])].gears}
-    write_file(path, contact_page(data, gears=gears))
+    write_file(path, contact_page(data, note, gears=gears))
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
