@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes on a contact analysis: contact below the root form circle, or at the end of the range of tip edges."""
+"""Notes on a contact analysis: contact below the root form circle, and beyond the range of tip edges."""
 
 from __future__ import annotations
 
