@@ -47,7 +47,7 @@ def _held(states: NDArray[np.void], nodes: NDArray[np.void]) -> NDArray[np.bool_
 
 
 def _interference(flanks: FlankStates, node: NDArray[np.void]) -> list[Message]:
-    """Contacts between the root form circle and the root, where the flank is no involute."""
+    """Contacts between the root form circle and the root, where the flank is not an involute."""
     pair = flanks.model.pairs[flanks.mesh]
     found = []
     for k, name in enumerate(flanks.model.meshes[flanks.mesh].gears):
