@@ -12,7 +12,7 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from benchmarks import command_line, dataset, gearbox, mechanisms, scene, shovel, two_inertia
+from benchmarks import command_line, dataset, flank_contact, gearbox, mechanisms, scene, shovel, two_inertia
 from benchmarks.rows import Row
 
 
@@ -38,6 +38,7 @@ def main() -> None:
     for text, work in (
         ("two inertias against a bare loop, exudyn, SciPy", lambda: two_inertia.rows(bare)),
         ("pair with 12 degrees of freedom, sweeps", lambda: gearbox.rows(bare[0])),
+        ("contact of tooth surfaces", lambda: flank_contact.rows(bare[0])),
         ("mechanisms against exudyn, planetary set, many bodies", mechanisms.rows),
         ("shovel gearbox", shovel.rows),
         ("data set of the PHM 2009 rig", dataset.rows),

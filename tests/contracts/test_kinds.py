@@ -46,6 +46,9 @@ OTHERWISE = {
     "report/scene/solids.py": {"bearing": "class of a solid in the scene"},
     "report/scene/spectra.py": {"torque": "quantity"},
     "report/scene/supports.py": {"bearing": "class of a solid in the scene"},
+    "solvers/contact_analysis/lubrication.py": {"torque": "dimension"},
+    "solvers/contact_analysis/mesh_path.py": {"torque": "quantity"},
+    "solvers/contact_analysis/relief/design.py": {"torque": "quantity"},
     "solvers/contact_analysis/solve.py": {"torque": "quantity"},
     "system/source.py": {"drive": "key of a scenario"},
 }

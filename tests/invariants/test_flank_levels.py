@@ -12,7 +12,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.support.flank_levels import flexible, rigid
+from tests.support.flank_levels import N_PAIR, flexible, precomputed, rigid
 from tests.support.mesh_alone import moved, rotation
 from tests.support.one_mesh import OneMesh, make_pair
 
@@ -27,15 +27,17 @@ LEVELS = {
     "rigid": rigid,
     "rigid, power 1.5": functools.partial(rigid, c_prime=4e12, power=1.5),
     "flexible": flexible,
+    "precomputed": precomputed,
 }
 every_pair = pytest.mark.parametrize("pair", PAIRS)
 every_level = pytest.mark.parametrize("level", LEVELS)
 both_flanks = pytest.mark.parametrize("flank", [1, -1])
-N_PAIR = 7
 
 
 @functools.cache
 def laws(pair, level):
+    if level == "precomputed" and "internal" in pair:
+        pytest.xfail("tables contain absolute centre distances, and their kernel looks up the signed one")
     return LEVELS[level](make_pair(**PAIRS[pair]))
 
 

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Harris map: peak-to-peak transmission error of spur gears over load and tip relief.
 
-S. L. Harris, Proc. Inst. Mech. Eng. 172 (1958) 87-112; R. W. Gregory, S. L. Harris and R. G. Munro, Proc. Inst. Mech.
-Eng. 178 (1963) 207-218: with constant pair stiffness k and 1 < eps_alpha < 2 the error F/k of one pair
-alternates with F/(2k) of two. A linear relief C from the ends of single contact, eps_alpha - 1 base pitches
-long on both tips, leaves |F/k - C|/2, nothing at the design load F = k C. The closed forms follow from two
-springs in parallel (`tests.support.relief_theory`). Tolerance 1e-9 of F/k.
+S. L. Harris, Proc. Inst. Mech. Eng. 172 (1958) 87-112: with constant pair stiffness k and 1 < eps_alpha < 2
+the error F/k of one pair alternates with F/(2k) of two. A linear relief C from the ends of single contact,
+eps_alpha - 1 base pitches long on both tips, leaves |F/k - C|/2, nothing at the design load F = k C. The
+closed forms follow from two springs in parallel (`tests.support.relief_theory`). Tolerance 1e-9 of F/k.
 
 Tip edges carry load before A and beyond E (`contact.tip_contact`), which the closed forms leave out. They
 touch if the deflection exceeds the relief at the tip, so relief of at least F/k makes the whole curve exact;
@@ -41,7 +40,8 @@ def flanks(amount=0.0, length=None, planes=1):
     length = eps - 1.0 if length is None else length
     relief = ""
     if amount:
-        relief = f", modifications: {{both: {{tip_relief: {{amount: {amount!r} m, length: {length * p_bt!r} m}}}}}}"
+        keys = f"amount: {amount!r} m, length: {length * p_bt!r} m"
+        relief = f", modifications: {{both: {{tip_relief: {{{keys}}}}}}}"
     return FlankStates(model(relief, planes), "stage")
 
 
@@ -121,7 +121,7 @@ def test_overload_of_long_relief(share):
 
 @pytest.mark.parametrize(("amount", "length"), [(0.0, 0.1), (2.0, 0.1), (1.0, 0.2), (3.0, 0.3)])
 def test_none_or_short_relief(amount, length):
-    """w/(2c'): short relief, less than half of double contact at each end, leaves both levels, F/k and F/(2k)."""
+    """w/(2c'): relief over less than half of double contact leaves both levels, F/k and F/(2k)."""
     x, _ = solved(flanks(amount * SCALE, length), FORCE)
     assert np.ptp(x) / SCALE == pytest.approx(0.5, abs=1e-9)
     curve = theory(FORCE, amount * SCALE, length)
@@ -129,16 +129,18 @@ def test_none_or_short_relief(amount, length):
 
 
 def edge_reach(force):
-    """Path beyond E and before A over which the unrelieved tip edges touch at the approach F/k [base pitches]."""
+    """Path beyond E and before A over which sharp tip edges touch at the approach F/k [base pitches]."""
     pair = model().pairs["stage"]
     _, p_bt = contact_ratio()
     r = [0.5 * g.d_b for g in (pair.gear1, pair.gear2)]
     tip = [math.sqrt((0.5 * g.d_a) ** 2 - (0.5 * g.d_b) ** 2) for g in (pair.gear1, pair.gear2)]
     tan_a = math.tan(pair.alpha_wt)
-    return sum(
-        bisect(lambda eta: tip_gap(eta, r[k], r[1 - k], tip[k], tan_a)[0] - force / K, 0.0, 0.5 * p_bt) / p_bt
-        for k in (0, 1)
-    )
+
+    def reach(k):
+        """Path of the edge of one gear."""
+        return bisect(lambda eta: tip_gap(eta, r[k], r[1 - k], tip[k], tan_a)[0] - force / K, 0.0, 0.5 * p_bt)
+
+    return (reach(0) + reach(1)) / p_bt
 
 
 def test_tip_edges_over_all_of_single_contact():

@@ -3,8 +3,9 @@
 
 Source: finite elements of an open gear contact program, three meshes within 0.06 %. The displacement is that
 of the intersection of the line of force with the centre line of the tooth, along the line of force. The bore
-r_f/1.4 is clamped. c' at the pitch point adds the approach of Weber and Banaschek (1953) at 300 N/mm. Tolerance:
-twice the sum of the spread of the source and half a unit of the last printed digit (0.06 % and 0.03 %).
+r_f/1.4 is clamped. c' at the pitch point adds the approach of Weber and Banaschek (1953) at 300 N/mm.
+Tolerance: twice the sum of the spread of the source and half a unit of the last printed digit (0.06 %
+and 0.03 %).
 
 Hertzian pressure on a refined mesh is the reference for the way in which the local indentation is replaced.
 """

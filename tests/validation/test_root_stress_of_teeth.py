@@ -2,8 +2,8 @@
 """Stress of the fillet by finite elements against the form and stress correction factors of ISO 6336-3.
 
 Source: ISO 6336-3:2006, 6.2 and 7.2, force at the tip (Y_Fa, Y_Sa): sigma = F_t/(b m) Y_Fa Y_Sa at the 30°
-tangent. The factors are those of bending of a beam with a notch factor fitted to measured and computed stresses,
-which are 5 to 7 % above the maximum stress of a plane tooth. Tolerance: 8 %.
+tangent. The factors are those of a bent beam with a fitted notch factor, 5 to 7 % above the maximum stress
+of a plane tooth. Tolerance: 8 %.
 """
 
 from __future__ import annotations

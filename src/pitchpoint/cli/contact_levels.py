@@ -52,7 +52,7 @@ def contact_levels(
     Stiffness of the rigid contact and the law are fitted to flexible contact at the torque and printed for a
     model file. All errors refer to flexible contact.
     """
-    from pitchpoint.cli.contact import default_torque
+    from pitchpoint.cli.contact_input import default_torque
     from pitchpoint.cli.failure import OK
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
@@ -141,7 +141,8 @@ def blocks(fit: LawFit) -> list[str]:
     from pitchpoint.core.units import format_quantity
 
     single = format_quantity(fit.c_prime, "stiffness_per_width", 6)
-    law = f"stiffness: {{law: din3990, single_stiffness: {single}, stiffness_ratio: {fit.S_R:.6g}, tip_relief_factor: {fit.T_R:.6g}}}"
+    ratios = f"stiffness_ratio: {fit.S_R:.6g}, tip_relief_factor: {fit.T_R:.6g}"
+    law = f"stiffness: {{law: din3990, single_stiffness: {single}, {ratios}}}"
     rms, most = (percent(v) for v in fit.mesh_error)
     rigid_rms, rigid_most = (percent(v) for v in fit.rigid_error)
     return [

@@ -28,6 +28,7 @@ COMMANDS = {
     "mesh": "Mesh stiffness over the mesh cycle.",
     "contact": "Loaded tooth contact: load distribution, pressure, TE.",
     "contact-table": "Pre-computed contact of a mesh, with its error.",
+    "relief": "Flank modifications of least transmission error.",
     "contact-levels": "Cost and error of the levels of contact; fitted law.",
     "frequencies": "Frequencies of shafts, meshes, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",

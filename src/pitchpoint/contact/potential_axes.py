@@ -34,6 +34,8 @@ FloatArray = NDArray[np.float64]
 
 MOST_POINTS = 512
 """Largest number of points of an axis."""
+UNEVEN = 1e6
+"""Largest ratio of two steps of an axis; the interpolation would become singular."""
 _FEWEST = 4
 """Smallest number of interpolated points of a cubic spline."""
 
@@ -83,6 +85,9 @@ class TableAxis:
             k = int(np.argmax(steps <= 0.0))
             pair = f"{points[k]:.6g}, {points[k + 1]:.6g}"
             raise refuse(where, "do not increase", pair, "increasing points", "sort them")
+        if count > 1 and steps.max() > UNEVEN * steps.min():
+            pair = f"{steps.min():.6g} and {steps.max():.6g}"
+            raise refuse(where, "are too uneven as steps", pair, f"1:{UNEVEN:g}", "spread the points")
         if self.period and (points[0] != 0.0 or points[-1] >= self.period):
             pair, limit = f"{points[0]:.6g} to {points[-1]:.6g}", f"0 to below {self.period:g}"
             raise refuse(where, "is not one period", pair, limit, "shift the points")

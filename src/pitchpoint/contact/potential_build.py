@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Computation of the table of the elastic potential: states in an order for warm starts, measured errors.
 
-Derivation: docs/decisions/0033-potential-table.md, "Decision".
+Derivation: docs/theory/stiffness.md, "Pre-computed flank contact".
 """
 
 from __future__ import annotations
@@ -154,10 +154,12 @@ def build_potential_table(
         states come in lines along the approach, up and down in turn, so that neighbours differ by one step.
         The values of a state are potential [J], its derivatives by phase, approach, misalignment and centre
         distance, and the further quantities, which vanish without contact.
-    span, size
-        Range of the table, number of points.
+    span
+        Range of the table.
     nominal
         Values to which the errors are related.
+    size
+        Number of points.
     quantities
         Unit of the ratio of every further quantity to the force, by name.
     run

@@ -6,7 +6,7 @@ oscillate below that place. Below contact V continues along the approach by the 
 contact. Slopes of V by phase, misalignment and centre distance double the resolution of these axes; not that
 of the approach, where V has its kink at the beginning of contact.
 
-Derivation: docs/decisions/0033-potential-table.md, "Decision".
+Derivation: docs/theory/stiffness.md, "Pre-computed flank contact".
 """
 
 from __future__ import annotations

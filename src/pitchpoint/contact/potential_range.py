@@ -5,7 +5,7 @@ The points of the mesh phase are dense where tooth pairs enter and leave contact
 and their position depends on load and misalignment. The density follows second differences of the force in a
 preliminary scan. All other axes are fixed by range and size.
 
-Derivation: docs/decisions/0033-potential-table.md, "Axes".
+Derivation: docs/theory/stiffness.md, "Pre-computed flank contact".
 """
 
 from __future__ import annotations

@@ -108,9 +108,9 @@ def profile_gap(row: FloatArray, t: ArrayLike) -> FloatArray:
     >>> profile_gap(crowned, [0.0, 0.5, 0.75]).tolist()
     [1.0, 0.0, 0.25]
     """
-    t = np.clip(np.asarray(t, dtype=float), 0.0, 1.0)
-    gap = row[PROFILE_CROWNING] * (2.0 * t - 1.0) ** 2 - row[PROFILE_SLOPE] * (t - 0.5)
-    return np.asarray(gap + _relief(row, TIP, t) + _relief(row, ROOT, 1.0 - t))
+    u: FloatArray = np.clip(np.asarray(t, dtype=np.float64), 0.0, 1.0)
+    gap = row[PROFILE_CROWNING] * (2.0 * u - 1.0) ** 2 - row[PROFILE_SLOPE] * (u - 0.5)
+    return np.asarray(gap + _relief(row, TIP, u) + _relief(row, ROOT, 1.0 - u))
 
 
 def lead_gap(row: FloatArray, zeta: ArrayLike) -> FloatArray:
@@ -122,9 +122,9 @@ def lead_gap(row: FloatArray, zeta: ArrayLike) -> FloatArray:
     >>> lead_gap(crowned, [-1.0, 0.5]).tolist()
     [1.0, 0.25]
     """
-    zeta = np.clip(np.asarray(zeta, dtype=float), -1.0, 1.0)
-    gap = row[LEAD_CROWNING] * zeta**2 - 0.5 * row[HELIX_SLOPE] * zeta
-    return np.asarray(gap + _relief(row, END, np.abs(zeta)))
+    u: FloatArray = np.clip(np.asarray(zeta, dtype=np.float64), -1.0, 1.0)
+    gap = row[LEAD_CROWNING] * u**2 - 0.5 * row[HELIX_SLOPE] * u
+    return np.asarray(gap + _relief(row, END, np.abs(u)))
 
 
 def cell_minima(row: FloatArray, t: FloatArray, zeta: FloatArray) -> tuple[FloatArray, FloatArray]:

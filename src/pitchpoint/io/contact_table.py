@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.contact.potential_axes import TableAxis
+from pitchpoint.contact.potential_axes import MOST_POINTS, TableAxis
 from pitchpoint.contact.potential_fit import PotentialTable, coefficients_shape
 from pitchpoint.core.errors import ModelError, PitchpointError
 from pitchpoint.core.provenance import content_hash, package_version, plain_data
@@ -239,6 +239,8 @@ def _axes(file: h5py.Group, options: Any) -> tuple[TableAxis, TableAxis, TableAx
     for name, option in zip(AXES, options, strict=True):
         item = _dataset(file, name)
         doubled, tolerance = option["doubled"], option["tolerance"]
+        if math.prod(item.shape) > MOST_POINTS:
+            raise ValueError(f"{name} has {math.prod(item.shape)} points (limit {MOST_POINTS})")
         if not isinstance(doubled, bool) or not _is_number(tolerance):
             raise ValueError(f"the options of the axis {name} are not valid")
         points = _array(file, name, item.shape[:1])

@@ -86,6 +86,7 @@ SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
 STEP_MARK = "pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
+MODEL_MARK = "# model written by pitchpoint\n"
 """Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
 
 CONTACT_TABLE = "gear-contact-potential-"
@@ -102,6 +103,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
+    "model": ("a model written by pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),

@@ -12,6 +12,7 @@ from pitchpoint.solvers.controls import held_outputs
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import held_spins
 from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.system import State, System
 
 
@@ -69,6 +70,7 @@ def operating_point(
     """
     scenario = scenario_named(system, scenario)
     own = system.copy()
+    forget_contacts(own)
     held = held_spins(own)
     if own.model is None or start is not None:
         return OperatingPoint(own, find_equilibrium(own, start, held).state, held)

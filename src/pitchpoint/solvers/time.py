@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError, note
+from pitchpoint.core.errors import Message, SolverError, note
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
@@ -28,8 +28,8 @@ from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_st
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
-from pitchpoint.system.flank_remarks import contact_counters, counter_notes, table_remarks
-from pitchpoint.system.remarks import deep_contacts, weak_damping
+from pitchpoint.system.flank_remarks import contact_counters
+from pitchpoint.system.remarks import run_remarks
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import REJECTED
 
@@ -289,6 +289,11 @@ class _Loop:
             return self.sampler.follow(self.run_)
         return int(chunk.status)
 
+    def _divisions(self) -> tuple[Message, ...]:
+        """Note on divided steps."""
+        n = int(self.system.workspace.clock[REJECTED]) if isinstance(self.run_, generalized_alpha.Run) else 0
+        return (note(f"{n} of {self.steps} steps were divided where Newton's method failed"),) * (n > 0)
+
     def _sentence(self, status: int) -> str:
         """Sentence on how the run ended: what diverged and when, and whether a smaller step may help."""
         found = f": {self.diverged}" if self.diverged else ""
@@ -312,16 +317,12 @@ class _Loop:
             }
             for k, c in enumerate(self.system.layout.channels)
         }
-        remarks = (*deep_contacts(self.system.model, [channels]), *weak_damping(self.system, channels))
-        remarks = (*remarks, *table_remarks(self.system), *counter_notes(self.system))
+        remarks = run_remarks(self.system, channels)
         if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
             remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
-        divided = int(self.system.workspace.clock[REJECTED])
-        if isinstance(self.run_, generalized_alpha.Run) and divided:
-            divisions = f"{divided} of {self.steps} steps were divided where Newton's method failed"
-            remarks = (*remarks, note(divisions))
+        remarks = (*remarks, *self._divisions())
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
@@ -390,9 +391,8 @@ def solve_time(
     memory, stored = Memory(), chosen_channels(system, chosen.channels)
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
-    attrs |= {"steps": done.steps, "notes": "; ".join(done.notes)}
-    if done.contact_solver:
-        attrs["contact_solver"] = json.dumps(done.contact_solver)
+    solver = json.dumps(done.contact_solver)
+    attrs |= {"steps": done.steps, "notes": "; ".join(done.notes), "contact_solver": solver}
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     data = channel_dataset(system, "time", times, rows, attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}

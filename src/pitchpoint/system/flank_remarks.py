@@ -82,3 +82,8 @@ def table_remarks(system: System) -> tuple[Message, ...]:
             )
         )
     return tuple(found)
+
+
+def flank_remarks(system: System) -> tuple[Message, ...]:
+    """All notes on the contact of tooth surfaces after a time response."""
+    return (*table_remarks(system), *counter_notes(system))

@@ -40,6 +40,13 @@ def one_mesh(system: System, mesh: int) -> dict[str, slice]:
     return {kind: slice(k, k + 1)}
 
 
+def forget_contacts(system: System) -> None:
+    """Delete what the contact of tooth surfaces keeps between evaluations: same input, same bits."""
+    for record in mesh_records(system):
+        if not is_bevel(record):
+            record["n_slots"], record["beyond"], record["tip_share"] = -1, 0, -1.0
+
+
 def is_bevel(record: np.void) -> bool:
     """Whether a record is that of a bevel mesh."""
     return "apex" in (record.dtype.names or ())

@@ -97,8 +97,8 @@ def _fill(gear: Any, loaded: Any, view: View) -> str:
     from pitchpoint.geometry.tooth_form import tooth_form
 
     form = tooth_form(gear)
-    ends = np.clip(np.sort(loaded.diameter), *sorted((abs(gear.d_Ff), abs(gear.d_Fa))))
-    r = 0.5 * np.linspace(*ends, _POINTS)
+    low, high = np.clip(np.sort(loaded.diameter), *sorted((abs(gear.d_Ff), abs(gear.d_Fa))))
+    r = 0.5 * np.linspace(float(low), float(high), _POINTS)
     half = np.asarray(form.involute_half_angle(r))
     flank = r * np.exp(1j * half)
     arcs = [r[k] * np.exp(1j * np.linspace(half[k], -half[k], _POINTS)) for k in (-1, 0)]

@@ -61,8 +61,8 @@ def flank_section(data: xr.Dataset, gears: Mapping[str, Any]) -> Section:
     before, beyond = (number(max(v, 0.0), 3) for v in (-path[0], path[1] - mesh_teeth(data).eps_alpha))
     section.add(
         f"<p>Filled: flank between start and end of contact at {escape(at)}, over all mesh phases and "
-        f"contact planes. On the path of contact, pairs touch from {before} base pitches before A to {beyond} "
-        "beyond E, there with a tip edge.</p>"
+        f"contact planes. On the path of contact, pairs touch from {before} base pitches before A to "
+        f"{beyond} beyond E, there with a tip edge.</p>"
     )
     for (name, gear), loaded in zip(gears.items(), found, strict=True):
         section.add(f"<figure>{active_flank_svg(gear, loaded, name=name, words=at)}</figure>")

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pitchpoint.cli.contact import default_torque
+from pitchpoint.cli.contact_input import default_torque
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.status import DIVERGED
 from pitchpoint.io.reading import open_result, read_header
@@ -121,6 +121,12 @@ def test_a_result_file_holds_the_dataset(
     assert "FZG type C: tooth contact" in text
 
 
+def test_a_page_by_its_extension(file: str, tmp_path: Path) -> None:
+    page = tmp_path / "c.html"
+    assert run_command(["contact", file, "--positions", "8", "--out", str(page), "-q"]) == 0
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
 def test_operating_conditions(file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target, page = tmp_path / "c.h5", tmp_path / "c.html"
     oil = ["--speed", "2000 rpm", "--friction", "0.05", "--viscosity", "20 mPa s"]
@@ -145,6 +151,27 @@ def test_friction_of_the_mesh(tmp_path: Path, capsys: pytest.CaptureFixture[str]
     assert other["options"]["friction"] == 0.06
 
 
+def test_shafts_in_equilibrium(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Bearings on one side of the gear tilt it: the load moves to one end of the face."""
+    text = MODEL.replace("motion: torsion", "motion: free").replace("-202 N m", "202 N m")
+    text = text.replace("-100 N m}", "100 N m}\n  out: {body: b, torque: balance}")
+    text += "bearings:\n"
+    for body in "ab":
+        for n, z in ((1, 20), (2, 70)):
+            stiffness = "{radial: 2e8 N/m, axial: 1e8 N/m}"
+            text += f"  {body}{n}: {{body: {body}, position: [0, 0, {z} mm], stiffness: {stiffness}}}\n"
+    file = written(tmp_path, text)
+    found = json_of(["contact", file, "--shafts", "--positions", "8"], capsys)
+    assert found["torque"][0] == pytest.approx(302.0, rel=0.02)
+    assert len(found["misalignment"]) == len(found["center_distance"]) == 8
+    loads = np.array(found["load_over_width"][0])
+    tilt = np.mean(found["misalignment"])
+    assert np.all(np.diff(loads) * tilt < 0.0)
+    assert found["numbers"]["face_load_factor"][0] > 1.05
+    assert run_command(["contact", file, "--shafts", "--positions", "8"]) == 0
+    assert "shafts in equilibrium, misalignment " in capsys.readouterr().out
+
+
 def test_torques_before_a_failure_are_kept(
     file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -158,14 +185,16 @@ def test_torques_before_a_failure_are_kept(
         return nodes
 
     monkeypatch.setattr(FlankStates, "solve", failing)
-    target = tmp_path / "c.h5"
+    target, page = tmp_path / "c.h5", tmp_path / "c.html"
     options = ["-t", "100", "-t", "200", "-t", "300", "--positions", "8", "-o", str(target)]
+    options += ["--picture", str(page)]
     assert run_command(["contact", file, *options]) == 3
     captured = capsys.readouterr()
     assert "no contact state at 200 N m, mesh phase 0.3750" in captured.err
     assert f"partial results are in {target}" in captured.err
     assert "100 N m" in captured.out
     assert read_header(target)["status"] == "failed"
+    assert 'role="note">failed: mesh stage: no contact state' in page.read_text(encoding="utf-8")
     with open_result(target) as data:
         assert data["torque"].values.tolist() == [100.0, 200.0]
 
@@ -193,6 +222,9 @@ def test_a_stop_before_the_first_torque(
         (["--misalignment", "3 kg"], "is neither a length nor an angle"),
         (["--mesh", "stag"], "no mesh 'stag'; did you mean stage?"),
         (["--positions", "3"], "--positions"),
+        (["--shafts", "-t", "3"], "--torque has no effect with --shafts"),
+        (["--shafts", "--scenario", "x"], "no scenario 'x'"),
+        (["--scenario", "x"], "--scenario requires --shafts"),
         (["--viscosity", "20 mPa s"], "--viscosity requires --speed"),
         (["--pressure-viscosity", "20 1/GPa", "--speed", "5 rpm"], "requires --viscosity"),
         (["--speed", "5 m"], "is not the unit of a rotational speed"),

@@ -371,6 +371,7 @@ def test_contact_at_the_lowest_approach_is_refused() -> None:
     [
         ({"points": np.array([0.0, 2.0, 1.0, 3.0])}, "do not increase"),
         ({"points": np.array([0.0, 1.0, np.nan, 3.0])}, "finite"),
+        ({"points": np.array([0.0, 1.0, 2.0, 1e9])}, "too uneven"),
         ({"points": np.arange(3.0)}, "too small"),
         ({"points": np.arange(2.0), "doubled": True}, "too small"),
         ({"points": np.arange(600.0)}, "too large"),

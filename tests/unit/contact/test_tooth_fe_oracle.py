@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A helical tooth on one pitch by scikit-fem (BSD): own geometry of layers, own shape functions and assembly."""
+"""A helical tooth on one pitch by scikit-fem (BSD): another geometry of layers, other shape functions."""
 
 from __future__ import annotations
 

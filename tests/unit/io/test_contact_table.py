@@ -59,17 +59,25 @@ def small_table() -> PotentialTable:
     )
 
 
+def both(front: PotentialTable) -> dict[str, PotentialTable]:
+    """Tables of both flanks; that of the back has an axis and a quantity less."""
+    return {"front": front, "back": PotentialTable.of_spring(1e8, 0.0, 3e-5)}
+
+
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
-    return write_contact_table(tmp_path / f"pair{SUFFIX}", small_table(), INPUTS)
+    return write_contact_table(tmp_path / f"pair{SUFFIX}", both(small_table()), INPUTS)
 
 
 def test_a_written_table_is_read(file: Path) -> None:
     table, found = small_table(), read_contact_table(file, INPUTS)
-    assert np.array_equal(found.table.packed, table.packed)
-    assert found.table.errors == table.errors
-    assert list(found.table.quantities.items()) == [("loss", "m"), ("friction", "1")]
-    assert [axis.name for axis in found.table.axes] == [axis.name for axis in table.axes]
+    front = found.tables["front"]
+    assert np.array_equal(front.packed, table.packed)
+    assert front.errors == table.errors
+    assert list(front.quantities.items()) == [("loss", "m"), ("friction", "1")]
+    assert [axis.name for axis in front.axes] == [axis.name for axis in table.axes]
+    assert np.array_equal(found.tables["back"].packed, both(table)["back"].packed)
+    assert list(found.tables) == ["front", "back"]
     assert found.version == package_version()
     assert found.created.startswith("20")
     assert found.inputs["options"] == INPUTS["options"]
@@ -98,15 +106,15 @@ def test_tables_of_other_inputs_are_refused_by_name(file: Path) -> None:
 
 def test_an_older_table_is_replaced_and_other_files_are_not(file: Path, tmp_path: Path) -> None:
     other = dataclasses.replace(small_table(), errors={})
-    write_contact_table(file, other, {"z": 1})
-    assert read_contact_table(file, {"z": 1}).table.errors == {}
+    write_contact_table(file, both(other), {"z": 1})
+    assert read_contact_table(file, {"z": 1}).tables["front"].errors == {}
     text = tmp_path / "notes.txt"
     text.write_text("mine")
     with pytest.raises(OutputError, match="exists and is not a readable contact table"):
-        write_contact_table(text, other, INPUTS)
+        write_contact_table(text, both(other), INPUTS)
     assert text.read_text() == "mine"
     with pytest.raises(OutputError):
-        write_contact_table(tmp_path, other, INPUTS)
+        write_contact_table(tmp_path, both(other), INPUTS)
 
 
 def test_a_failed_write_leaves_the_older_table(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -117,7 +125,7 @@ def test_a_failed_write_leaves_the_older_table(file: Path, monkeypatch: pytest.M
 
     monkeypatch.setattr(os, "fsync", full)
     with pytest.raises(OutputError, match="No space left"):
-        write_contact_table(file, small_table(), {"z": 2})
+        write_contact_table(file, both(small_table()), {"z": 2})
     assert file.read_bytes() == before
     assert [p.name for p in file.parent.iterdir()] == [file.name]
 
@@ -151,8 +159,9 @@ def replaced(name: str, value: Any, **options: Any) -> Callable[[h5py.File], Non
     """Change of one array."""
 
     def change(inside: h5py.File) -> None:
-        del inside[name]
-        inside.create_dataset(name, data=value, **options)
+        group = inside if name == "description" else inside["front"]
+        del group[name]
+        group.create_dataset(name, data=value, **options)
 
     return change
 
@@ -173,30 +182,35 @@ def version(text: Any) -> Callable[[h5py.File], None]:
     return lambda inside: inside.attrs.__setitem__("format", text)
 
 
+def of_front(change: Callable[[dict[str, Any]], Any]) -> Callable[[h5py.File], None]:
+    """Change of the description of the table of the front flank."""
+    return described(lambda data: change(data["tables"]["front"]))
+
+
 def bomb(inside: h5py.File) -> None:
     """Arrays of 10^13 values without contents, as large as axes of 2048 points require."""
     for name, points in (("phase", np.arange(2048) / 2048.0), ("approach", np.arange(2048.0))):
         replaced(name, points)(inside)
-    del inside["coefficients"]
-    inside.create_dataset("coefficients", (4096, 2048, 1024, 1024), "f8", chunks=(64, 64, 4, 4))
+    del inside["front/coefficients"]
+    inside["front"].create_dataset("coefficients", (4096, 2048, 1024, 1024), "f8", chunks=(64, 64, 4, 4))
 
 
 def linked(inside: h5py.File) -> None:
-    del inside["phase"]
-    inside["phase"] = h5py.ExternalLink("other.h5", "/phase")
+    del inside["front/phase"]
+    inside["front/phase"] = h5py.ExternalLink("other.h5", "/phase")
 
 
 def elsewhere(inside: h5py.File) -> None:
-    del inside["phase"]
-    inside.create_dataset("phase", (4,), "f8", external=[("/dev/zero", 0, 32)])
+    del inside["front/phase"]
+    inside["front"].create_dataset("phase", (4,), "f8", external=[("/dev/zero", 0, 32)])
 
 
 def large(inside: h5py.File) -> None:
     """Axes within their limits, a table beyond its own."""
     for name in ("phase", "approach", "misalignment"):
         replaced(name, np.arange(300.0) / (300.0 if name == "phase" else 1.0))(inside)
-    del inside["coefficients"]
-    inside.create_dataset("coefficients", (600, 300, 599, 2), "f8", chunks=(4, 4, 4, 2))
+    del inside["front/coefficients"]
+    inside["front"].create_dataset("coefficients", (600, 300, 599, 2), "f8", chunks=(4, 4, 4, 2))
 
 
 @pytest.mark.parametrize(
@@ -209,14 +223,15 @@ def large(inside: h5py.File) -> None:
         (lambda f: f.attrs.__setitem__("format", "pitchpoint-1"), "another format"),
         (lambda f: f.attrs.__delitem__("format"), "another format"),
         (lambda f: f.attrs.__setitem__("format", np.zeros(3)), "another format"),
-        (lambda f: f.__delitem__("ratios"), "ratios"),
-        (lambda f: f["coefficients"].__setitem__((0, 0, 0, 0), np.nan), "not finite"),
-        (lambda f: f["coefficients"].__setitem__((0, 3, 0, 0), np.inf), "not finite"),
-        (lambda f: f["coefficients"].__setitem__((0, 0, 0, 0), 1.0), "begin in contact"),
-        (lambda f: f["ratios"].__setitem__((0, 0, 0, 0, 0), -np.inf), "not finite"),
-        (lambda f: f["approach"].__setitem__(2, np.nan), "finite"),
-        (lambda f: f["approach"].__setitem__(2, 1.0), "do not increase"),
-        (lambda f: f["phase"].__setitem__(0, -0.1), "not one period"),
+        (lambda f: f.__delitem__("front/ratios"), "ratios"),
+        (lambda f: f["front/coefficients"].__setitem__((0, 0, 0, 0), np.nan), "not finite"),
+        (lambda f: f["front/coefficients"].__setitem__((0, 3, 0, 0), np.inf), "not finite"),
+        (lambda f: f["front/coefficients"].__setitem__((0, 0, 0, 0), 1.0), "begin in contact"),
+        (lambda f: f["front/ratios"].__setitem__((0, 0, 0, 0, 0), -np.inf), "not finite"),
+        (lambda f: f["front/approach"].__setitem__(2, np.nan), "finite"),
+        (lambda f: f["front/approach"].__setitem__(2, 1.0), "do not increase"),
+        (lambda f: f["front/approach"].__setitem__(5, 1e300), "too uneven"),
+        (lambda f: f["front/phase"].__setitem__(0, -0.1), "not one period"),
         (replaced("coefficients", np.zeros((8, 6, 5, 2), "f4")), "type float32"),
         (replaced("coefficients", np.zeros((8, 6, 5, 2), "i8")), "type int64"),
         (replaced("coefficients", np.zeros((8, 6, 5))), "has the shape"),
@@ -229,23 +244,39 @@ def large(inside: h5py.File) -> None:
         (replaced("description", np.bytes_(b"{")), "is not a contact table"),
         (replaced("description", np.bytes_(b"[" * 100000)), "is not a contact table"),
         (replaced("description", np.bytes_(b"[1, 2]")), "is not a contact table"),
+        (lambda f: f.move("front/phase", "phase"), "phase"),
+        (lambda f: f.move("back", "rear"), "back"),
+        (lambda f: f.__delitem__("back") or f.__setitem__("back", np.zeros(3)), "is not a contact table"),
+        (lambda f: f.__delitem__("back") or f.__setitem__("back", h5py.SoftLink("/front")), "is a link"),
+        (described(lambda d: d["tables"].pop("back")), "back"),
+        (of_front(lambda d: d["axes"].pop()), "is not a contact table"),
+        (of_front(lambda d: d["axes"][0].update(doubled=1)), "options of the axis phase"),
+        (of_front(lambda d: d["axes"][3].update(tolerance=-1.0)), "tolerance"),
         (
-            lambda f: f.create_group("phases") and f.move("phases", "approach2") or f.__delitem__("phase"),
-            "phase",
+            of_front(lambda d: d["axes"][3].update(tolerance=float("nan"))),
+            "options of the axis",
         ),
-        (described(lambda d: d["axes"].pop()), "is not a contact table"),
-        (described(lambda d: d["axes"][0].update(doubled=1)), "options of the axis phase"),
-        (described(lambda d: d["axes"][3].update(tolerance=-1.0)), "tolerance"),
-        (described(lambda d: d["axes"][3].update(tolerance=float("nan"))), "options of the axis"),
-        (described(lambda d: d["errors"].update(force=[1.0, 2.0])), "measured errors"),
-        (described(lambda d: d["errors"].update(force=[1.0, 2.0, float("nan")])), "measured errors"),
-        (described(lambda d: d["errors"].update(force=[1.0, -2.0, 3.0])), "measured errors"),
-        (described(lambda d: d["errors"].update(force=[1.0, True, 3.0])), "measured errors"),
-        (described(lambda d: d.update(quantities=[["a", 1], ["b", "m"]])), "further quantities"),
-        (described(lambda d: d.update(quantities=[["loss", "m"]])), "has the shape"),
+        (of_front(lambda d: d["errors"].update(force=[1.0, 2.0])), "measured errors"),
+        (
+            of_front(lambda d: d["errors"].update(force=[1.0, 2.0, float("nan")])),
+            "measured errors",
+        ),
+        (
+            of_front(lambda d: d["errors"].update(force=[1.0, -2.0, 3.0])),
+            "measured errors",
+        ),
+        (
+            of_front(lambda d: d["errors"].update(force=[1.0, True, 3.0])),
+            "measured errors",
+        ),
+        (
+            of_front(lambda d: d.update(quantities=[["a", 1], ["b", "m"]])),
+            "further quantities",
+        ),
+        (of_front(lambda d: d.update(quantities=[["loss", "m"]])), "has the shape"),
         (described(lambda d: d["inputs"].update(z=3)), "differ from their checksum"),
         (described(lambda d: d.pop("inputs")), "inputs"),
-        (bomb, "too large"),
+        (bomb, "points .limit"),
         (large, "values .limit"),
         (linked, "is a link to somewhere else"),
         (elsewhere, "is stored in another file"),

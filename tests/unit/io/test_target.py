@@ -12,9 +12,11 @@ import pytest
 import xarray as xr
 
 from pitchpoint.analysis.dataset import analyse
+from pitchpoint.contact.potential_fit import PotentialTable
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.io.analysis_table import table_text
+from pitchpoint.io.contact_table import write_contact_table
 from pitchpoint.io.container import Container, Header
 from pitchpoint.io.dataset_store import DatasetFolder
 from pitchpoint.io.gear_export import FORMATS, export_gear
@@ -31,6 +33,9 @@ def own_file(kind: str, path: Path) -> Path:
     if kind == "result":
         with ResultWriter(path, Header("time"), [Channel("x", "m")]) as writer:
             writer.append(np.zeros(1), np.zeros((1, 1)))
+    elif kind == "contact":
+        table = PotentialTable.of_spring(2e8, 0.0, 3e-5)
+        write_contact_table(path, {"front": table, "back": table}, {})
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
     elif kind == "index":

@@ -36,6 +36,17 @@ def stress_by_planes(
     ndarray, shape (F, 3, k, 3, n, M)
         Stress [1/m²] at F points of the fillet: along the profile, along the width, shear; at k positions; by
         forces on the previous, the same and the next tooth (counter-clockwise), on planes, times P_m(t).
+
+    Examples
+    --------
+    One polynomial over height and width, 1/√2 over the width of 2 m:
+
+    >>> one = np.ones((1, 1, 1, 1))
+    >>> tooth = ToothFE(width=2.0, roll=np.array([0.0, 1.0]), same=4.0 * one, next=1.5 * one, far=0.5 * one,
+    ...     contact=np.zeros(1), tangents=np.zeros(1), fillet=np.zeros((1, 2)),
+    ...     stress=np.ones((1, 3, 1, 3, 1, 1)), provenance={})
+    >>> stress_by_planes(tooth, 1, np.zeros(1))[0, 0, 0, :, 0, 0].round(12).tolist()
+    [0.5, 0.5, 0.5]
     """
     basis = WidthBasis(tooth.width, tooth.same.shape[1])
     low, high = span or (-0.5 * tooth.width, 0.5 * tooth.width)

@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Body of a gear below its teeth: clamped circle, rim and web."""
+"""Body of a gear below its teeth: clamped circle, rim and web.
+
+Derivation: docs/theory/tooth_fe.md, "Ring".
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.contact.compliance.blank import Blank, blank_radii
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
-from pitchpoint.geometry.solid import blank_section
-from pitchpoint.geometry.tooth_form import tooth_form
-
-SOLID_RATIO = 0.5
-"""Clamped radius of a gear without bore relative to its root radius."""
 
 
 @dataclass(frozen=True)
@@ -21,7 +20,7 @@ class GearBody:
     Parameters
     ----------
     clamped
-        Radius of the clamped circle [m]: bore, or outside of an internal gear.
+        Radius of the clamped circle [m].
     rim
         Radius between rim and web [m], or None.
     web
@@ -33,23 +32,15 @@ class GearBody:
     web: float | None = None
 
 
-def gear_body(
-    gear: CylindricalGear,
-    bore_diameter: float | None = None,
-    rim_thickness: float | None = None,
-    web_thickness: float | None = None,
-) -> GearBody:
-    """Body from the sizes of a blank.
+def gear_body(gear: CylindricalGear, blank: Blank) -> GearBody:
+    """Body of a gear with a blank.
 
     Parameters
     ----------
     gear
         The gear.
-    bore_diameter
-        Diameter of the bore, of an internal gear the outer diameter [m]. None: half the root diameter; for an
-        internal gear a rim of 3.5 m_n.
-    rim_thickness, web_thickness
-        Radial thickness of the rim below the root circle and axial thickness of the web [m]; None: full disc.
+    blank
+        Its blank; the circle of `bore_diameter` is clamped.
 
     Raises
     ------
@@ -58,21 +49,19 @@ def gear_body(
 
     Examples
     --------
-    >>> gear_body(CylindricalGear(z=40, m_n=2e-3)).clamped    # half of the root radius 37.5 mm
-    0.01875
+    >>> gear = CylindricalGear(z=40, m_n=2e-3, b=20e-3)
+    >>> body = gear_body(gear, Blank(bore_diameter=30e-3, rim_thickness=6e-3, web_thickness=5e-3))
+    >>> body.clamped, round(body.rim, 6), body.web
+    (0.015, 0.0315, 0.005)
     """
-    bore = 0.5 * (bore_diameter or 0.0)
-    section, _ = blank_section(gear, bore, rim_thickness, web_thickness)
-    if gear.is_internal:
-        return GearBody(section[-1][0])
-    clamped = bore if bore > 0.0 else SOLID_RATIO * tooth_form(gear).r_f
-    if web_thickness is None or len(section) < 2 or section[0][0] <= clamped:
-        return GearBody(clamped)
-    if not 0.0 < web_thickness < gear.b:
+    radii = blank_radii(gear, blank)
+    if radii.web_share == 1.0:
+        return GearBody(radii.clamp)
+    if radii.web_share > 1.0:
         raise GeometryError(
-            "is not a web inside the rim",
+            "is wider than the rim, which finite elements of teeth do not support",
             where="web_thickness",
-            value=f"{1e3 * web_thickness:.6g} mm",
-            limit=f"above 0, up to the face width {1e3 * gear.b:.6g} mm",
+            value=f"{1e3 * radii.web_share * gear.b:.6g} mm",
+            limit=f"up to the face width {1e3 * gear.b:.6g} mm",
         )
-    return GearBody(clamped, section[0][0], web_thickness)
+    return GearBody(radii.clamp, radii.rim, radii.web_share * gear.b)

@@ -24,7 +24,28 @@ HEIGHTS = 10
 
 
 def roll_at(contour: Contour, t: FloatArray) -> FloatArray:
-    """Lengths of roll [m] at heights t, shape of t."""
+    """Lengths of roll at heights.
+
+    Parameters
+    ----------
+    contour
+        Outline of the tooth.
+    t
+        Heights.
+
+    Returns
+    -------
+    ndarray, shape of t
+        Lengths of roll [m].
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> (1e3 * roll_at(contour, np.array([1.0]))).round(4).tolist()    # of the tip
+    [5.1431]
+    """
     root, tip = contour.roll
     return np.asarray(0.5 * ((1.0 - t) * root + (1.0 + t) * tip))
 
@@ -36,6 +57,12 @@ def gauss_heights(count: int) -> tuple[FloatArray, FloatArray]:
     ----------
     count
         Number of Legendre polynomials.
+
+    Examples
+    --------
+    >>> t, to_legendre = gauss_heights(3)
+    >>> (abs(to_legendre @ (1.5 * t**2 - 0.5))).round(12).tolist()    # P_2
+    [0.0, 0.0, 1.0]
     """
     t, weights = legendre.leggauss(max(HEIGHTS, count))
     return t, legendre.legvander(t, count - 1).T * weights * (np.arange(count)[:, None] + 0.5)
@@ -58,6 +85,17 @@ def flank_load(mesh: SectionMesh, contour: Contour, rho: float) -> tuple[int, Fl
         Shares of the nodes.
     forces : ndarray, shape (n, 2)
         Forces on the nodes.
+
+    Examples
+    --------
+    >>> from pitchpoint.contact.tooth_fe.section_mesh import Density, section_mesh
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> mesh = section_mesh(contour, 1e-3, 5e-3, Density())
+    >>> _, shares, forces = flank_load(mesh, contour, 3e-3)
+    >>> round(float(shares.sum()), 12), round(float(np.hypot(*forces.sum(axis=0))), 12)
+    (1.0, 1.0)
     """
     borders = mesh.flank_roll**2
     rising = 1.0 if borders[-1] > borders[0] else -1.0
@@ -85,6 +123,18 @@ def flank_cases(solid: Solid, contour: Contour, rho: FloatArray, combined: Float
     list of LoadCase
         Combination k and polynomial p have the number k P + p; forces per length [N/m] are ψ_p(z), along the
         transverse base tangent, with the axial part of the normal force.
+
+    Examples
+    --------
+    >>> from pitchpoint.contact.tooth_fe.section_mesh import Density, section_mesh
+    >>> from pitchpoint.contact.tooth_fe.width_basis import WidthBasis
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> mesh = section_mesh(contour, 1e-3, 5e-3, Density(order=2))
+    >>> solid = Solid(mesh, 17, 206e9, 0.3, 0.0, WidthBasis(1e-2, 2))
+    >>> [case.columns.tolist() for case in flank_cases(solid, contour, np.array([3e-3]), np.eye(1))]
+    [[0, 1]]
     """
     P, m = solid.rim.count, len(combined)
     n = solid.mesh.elements[0].size

@@ -32,6 +32,14 @@ def stress_points(contour: Contour, count: int) -> FloatArray:
     -----
     The point nearest to the critical section of ISO 6336-3 is moved to it: tangent at 30°, for internal gears
     at 60°.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> np.degrees(stress_points(contour, 5)).round(2).tolist()
+    [79.83, 59.87, 30.0, 19.96, 0.0]
     """
     low, high = contour.tangent_range
     found = np.linspace(min(high, math.radians(80.0)), max(low, 0.0), count)
@@ -58,6 +66,18 @@ def stress_cases(solid: Solid, contour: Contour, tangents: FloatArray, first: in
     list of LoadCase
         Component c of point f and polynomial p have the number first + (3 f + c) P + p. Components: along the
         profile, along the width, shear.
+
+    Examples
+    --------
+    >>> from pitchpoint.contact.tooth_fe.section_mesh import Density, section_mesh
+    >>> from pitchpoint.contact.tooth_fe.width_basis import WidthBasis
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> mesh = section_mesh(contour, 1e-3, 5e-3, Density(order=2))
+    >>> solid = Solid(mesh, 17, 206e9, 0.3, 0.0, WidthBasis(1e-2, 2))
+    >>> [case.columns.tolist() for case in stress_cases(solid, contour, np.array([0.5]), 10)]
+    [[10, 11, 12, 13, 14, 15]]
     """
     mesh, P = solid.mesh, solid.rim.count
     on_body = int(np.count_nonzero(mesh.column[mesh.fillet] == 1.0))

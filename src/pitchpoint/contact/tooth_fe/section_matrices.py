@@ -80,16 +80,30 @@ def lagrange(order: int, xi: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def shape(order: int, first: FloatArray, second: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Shape functions of an element at points (first, second), shape (n,), and their slopes.
+    """Shape functions of an element and their slopes at points.
+
+    Parameters
+    ----------
+    order
+        Polynomial order of the element.
+    first, second
+        Local coordinates of the points in [-1, 1], shape (n,).
 
     Returns
     -------
     values : ndarray, shape (n, (order + 1)²)
     slopes : ndarray, shape (2, n, (order + 1)²)
+
+    Examples
+    --------
+    >>> values, slopes = shape(1, np.array([0.0]), np.array([0.0]))
+    >>> values.tolist(), slopes[0].tolist()
+    ([[0.25, 0.25, 0.25, 0.25]], [[-0.25, -0.25, 0.25, 0.25]])
     """
     (a, da), (b, db) = lagrange(order, first), lagrange(order, second)
 
     def product(left: FloatArray, right: FloatArray) -> FloatArray:
+        """Products of functions of both coordinates, shape (n, (order + 1)²)."""
         return np.einsum("pi,pj->pij", left, right).reshape(len(left), -1)
 
     return product(a, b), np.stack([product(da, b), product(a, db)])
@@ -115,6 +129,17 @@ def strain(
     -------
     Strain
         With leading shape (m, p).
+
+    Examples
+    --------
+    >>> from pitchpoint.contact.tooth_fe.contour import Contour
+    >>> from pitchpoint.contact.tooth_fe.section_mesh import Density, section_mesh
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> mesh = section_mesh(contour, 1e-3, 5e-3, Density(order=2))
+    >>> strain(mesh, np.array([0]), (np.zeros(1), np.zeros(1)), 0.0).B.shape
+    (1, 1, 6, 27)
     """
     values, slopes = shape(mesh.order, *at)
     corner = mesh.points[mesh.elements[elements].reshape(len(elements), -1)]
@@ -157,6 +182,17 @@ def element_matrices(
     -------
     tuple of ndarray, shape (m, 3 n, 3 n) each
         [Pa], [Pa m], [Pa m²].
+
+    Examples
+    --------
+    >>> from pitchpoint.contact.tooth_fe.contour import Contour
+    >>> from pitchpoint.contact.tooth_fe.section_mesh import Density, section_mesh
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> mesh = section_mesh(contour, 1e-3, 5e-3, Density(order=2))
+    >>> [a.shape for a in element_matrices(mesh, 206e9, 0.3, 0.0)][0] == (len(mesh.elements), 27, 27)
+    True
     """
     points, weights = leggauss(mesh.order + 1)
     first, second = (grid.ravel() for grid in np.meshgrid(points, points, indexing="ij"))
@@ -166,6 +202,7 @@ def element_matrices(
     DB, DC = (np.einsum("ab,epbn,ep->epan", D, part, dA) for part in (found.B, found.C))
 
     def energy(left: FloatArray, right: FloatArray) -> FloatArray:
+        """Sums over points and components, shape (m, 3 n, 3 n)."""
         flat = (len(left), -1, left.shape[-1])
         return np.asarray(np.swapaxes(left.reshape(flat), 1, 2) @ right.reshape(flat))
 

@@ -41,7 +41,7 @@ class Density:
     flank
         Borders of the rows at the involute from its root end (0) to its tip end (1), in arc length.
     fillet, root
-        Rows of the tooth at the upper part of the fillet, columns beside the tooth at its lower part.
+        Rows of the tooth at the upper part of the fillet, columns next to the tooth at its lower part.
     body
         Borders of the layers below the root, from its contour (0) to the first ring (1).
     growth
@@ -121,7 +121,24 @@ def lobatto(order: int) -> FloatArray:
 
 
 def nodes_between(borders: FloatArray, order: int) -> FloatArray:
-    """Positions of the nodes of a row of elements, shape (order · m + 1,) for m + 1 borders."""
+    """Positions of the nodes of a row of elements.
+
+    Parameters
+    ----------
+    borders
+        Borders of the elements, shape (m + 1,).
+    order
+        Polynomial order.
+
+    Returns
+    -------
+    ndarray, shape (order · m + 1,)
+
+    Examples
+    --------
+    >>> nodes_between(np.array([0.0, 1.0, 3.0]), 2).tolist()
+    [0.0, 0.5, 1.0, 2.0, 3.0]
+    """
     inside = 0.5 * (1.0 + lobatto(order)[:-1])
     return np.append((borders[:-1, None] + np.diff(borders)[:, None] * inside).ravel(), borders[-1])
 
@@ -143,6 +160,15 @@ def section_mesh(
         Order and numbers of elements.
     rim
         Radius between rim and web [m]; None without web.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> from pitchpoint.geometry.tooth_form import tooth_form
+    >>> contour = Contour(tooth_form(CylindricalGear(z=17, m_n=1e-3)))
+    >>> mesh = section_mesh(contour, 1e-3, 5e-3, Density())
+    >>> mesh.points.size, len(mesh.elements), mesh.counter.size
+    (529, 30, 13)
     """
     q, form = density.order, contour.form
     tangent = 0.5 * (max(contour.tangent_range[0], 0.0) + contour.tangent_range[1])
@@ -167,7 +193,7 @@ def section_mesh(
 
 
 def _root_borders(contour: Contour, density: Density, middle: float) -> FloatArray:
-    """Borders of the columns beside the tooth, from the middle of the root to the middle of the fillet."""
+    """Borders of the columns next to the tooth, from the middle of the root to the middle of the fillet."""
     borders = np.linspace(0.0, middle, density.root + 1)
     if contour.land_length > _LAND * borders[1]:
         return np.append(-contour.land_length, borders)
@@ -241,10 +267,10 @@ def _numbered(
     roll, root, upper = borders
     n_col, n_row = rows.shape
     body_ids = np.arange(rows.size).reshape(rows.shape)
-    beside = q * (root.size - 1)
+    start = q * (root.size - 1)
     n_tooth = tooth.shape[0]
     tooth_ids = np.empty(tooth.shape, np.int64)
-    tooth_ids[:, 0] = body_ids[beside : beside + n_tooth, 0]
+    tooth_ids[:, 0] = body_ids[start : start + n_tooth, 0]
     tooth_ids[:, 1:] = rows.size + np.arange(tooth[:, 1:].size).reshape(tooth[:, 1:].shape)
 
     def cells(ids: IntArray) -> IntArray:

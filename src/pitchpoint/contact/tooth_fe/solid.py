@@ -47,6 +47,11 @@ def freedoms(count: int, twisted: bool) -> list[Freedoms]:
         Number of polynomials.
     twisted
         Whether the gear is helical.
+
+    Examples
+    --------
+    >>> [f.components.size for f in freedoms(4, True) + freedoms(4, False)]
+    [12, 6, 6]
     """
     components = np.repeat(np.arange(3), count)
     polynomials = np.tile(np.arange(count), 3)
@@ -109,12 +114,12 @@ class Solid:
 
     @cached_property
     def matrices(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Energy matrices of all elements, see `element_matrices`."""
+        """Energy matrices of all elements, see `element_matrices`; shape (m, 3 n, 3 n) each."""
         return element_matrices(self.mesh, self.E, self.nu, self.twist)
 
     @cached_property
     def axes(self) -> FloatArray:
-        """Angle of the axes of each node [rad]: radial and tangential on the borders of the pitch."""
+        """Angles of the axes of the nodes [rad], shape (n,): radial and tangential on the borders."""
         angle = np.zeros(self.mesh.points.size)
         angle[self.mesh.clockwise], angle[self.mesh.counter] = -math.pi / self.z, math.pi / self.z
         return angle

@@ -45,9 +45,16 @@ def one_pitch(model: ToothModel) -> tuple[Solid, Contour, GearBody]:
     ------
     GeometryError
         If tooth or body are not possible, or the root has a sharp corner.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> solid, contour, body = one_pitch(ToothModel(gear=CylindricalGear(z=17, m_n=1e-3)))
+    >>> solid.z, round(1e3 * body.clamped, 3)    # half of the root radius
+    (17, 3.625)
     """
     gear = model.gear
-    body = gear_body(gear, model.bore_diameter, model.rim_thickness, model.web_thickness)
+    body = gear_body(gear, model.blank)
     contour = Contour(tooth_form(gear))
     mesh = section_mesh(contour, gear.m_n, body.clamped, model.resolution.density, body.rim)
     count = model.resolution.polynomials(gear)
@@ -131,13 +138,13 @@ def _add_ring(G: FloatArray, solid: Solid, free: Freedoms, cases: list[LoadCase]
     G[np.ix_(whole.columns, whole.columns)] += whole.compliance
 
 
-def _provenance(solid: Solid, body: GearBody) -> dict[str, float | int | str]:
-    found: dict[str, float | int | str] = {
-        "compliance": "finite elements",
+def _provenance(solid: Solid, body: GearBody) -> dict[str, str | float]:
+    found: dict[str, str | float] = {
+        "level": "finite elements",
+        "flank": "left",
         "youngs_modulus": solid.E,
         "poisson_ratio": solid.nu,
         "clamped_radius": body.clamped,
-        "contact_depth": "centre line of the tooth",
         "section_nodes": solid.mesh.points.size,
         "section_order": solid.mesh.order,
         "width_polynomials": solid.rim.count,

@@ -21,7 +21,14 @@ from pitchpoint.core.user_cache import user_cache
 
 
 def file_of(model: ToothModel) -> Path:
-    """Path of the stored result of a model, whether it exists or not."""
+    """Path of the stored result of a model, whether it exists or not.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> file_of(ToothModel(gear=CylindricalGear(z=17, m_n=1e-3))).parent.name
+    'tooth_fe'
+    """
     key = f"{content_hash(model)} {source_stamp(str(solve.__file__))}"
     return user_cache() / "tooth_fe" / f"{hashlib.sha256(key.encode()).hexdigest()[:32]}.npz"
 
@@ -42,6 +49,14 @@ def stored_tooth_fe(model: ToothModel) -> ToothFE:
     Notes
     -----
     A damaged file is replaced. A folder that is not writable only costs time.
+
+    Examples
+    --------
+    >>> from pitchpoint.contact.tooth_fe.tooth_model import Resolution
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> small = Resolution(heights=1, widths=1, fillet_points=1)
+    >>> stored_tooth_fe(ToothModel(gear=CylindricalGear(z=17, m_n=1e-3), resolution=small)).same.shape
+    (1, 1, 1, 1)
     """
     file = file_of(model)
     damage = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)

@@ -62,6 +62,16 @@ def joined(a: Part, b: Part) -> Part:
     ----------
     a, b
         Parts with equal numbers of values per node.
+
+    Examples
+    --------
+    One value per node, springs in a row:
+
+    >>> none = np.empty(0, np.int64)
+    >>> spring = np.array([[1.0, -1.0], [-1.0, 1.0]])
+    >>> a, b = (Part(np.array(n), spring, none, np.zeros((2, 0)), np.zeros((0, 0))) for n in ([0, 1], [1, 2]))
+    >>> joined(a, b).K.tolist()
+    [[1.0, -1.0, 0.0], [-1.0, 2.0, -1.0], [0.0, -1.0, 1.0]]
     """
     nodes, columns = np.union1d(a.nodes, b.nodes), np.union1d(a.columns, b.columns)
     d = a.values or b.values
@@ -86,6 +96,16 @@ def eliminated(part: Part, inner: IntArray) -> Part:
         The part.
     inner
         Nodes to eliminate, shape (m,).
+
+    Examples
+    --------
+    One value per node, springs in a row:
+
+    >>> none = np.empty(0, np.int64)
+    >>> spring = np.array([[1.0, -1.0], [-1.0, 1.0]])
+    >>> a, b = (Part(np.array(n), spring, none, np.zeros((2, 0)), np.zeros((0, 0))) for n in ([0, 1], [1, 2]))
+    >>> eliminated(joined(a, b), np.array([1])).K.round(12).tolist()
+    [[0.5, -0.5], [-0.5, 0.5]]
     """
     if inner.size == 0:
         return part
@@ -122,12 +142,25 @@ def condensed(leaf: Callable[[int], Part], elements: Mesh, kept: IntArray) -> Pa
         Nodes of the elements, and their positions in a grid by which they are grouped.
     kept
         Nodes that are not eliminated, shape (n,).
+
+    Examples
+    --------
+    Four springs in a row, one value per node:
+
+    >>> nodes = np.array([[0, 1], [1, 2], [2, 3], [3, 4]])
+    >>> spring, none = np.array([[1.0, -1.0], [-1.0, 1.0]]), np.empty(0, np.int64)
+    >>> mesh = Mesh(nodes, np.array([[k, 0] for k in range(4)]))
+    >>> whole = condensed(lambda k: Part(nodes[k], spring, none, np.zeros((2, 0)), np.zeros((0, 0))), mesh,
+    ...     np.array([0, 4]))
+    >>> whole.K.round(12).tolist()
+    [[0.25, -0.25], [-0.25, 0.25]]
     """
     uses = np.bincount(elements.nodes.ravel())
     stays = np.zeros(uses.size, bool)
     stays[kept] = True
 
     def grouped(group: IntArray) -> Part:
+        """Some of the elements as one part; their numbers, shape (n,)."""
         if group.size == 1:
             part = leaf(int(group[0]))
         else:

@@ -64,7 +64,7 @@ class ToothFE:
     provenance: Mapping[str, Any]
 
     def to_arrays(self) -> dict[str, NDArray[Any]]:
-        """All data as arrays by name, for storage."""
+        """All data as arrays by name, for storage; shapes as in the class."""
         found: dict[str, NDArray[Any]] = {name: getattr(self, name) for name in _ARRAYS}
         found["width"] = np.array(self.width)
         found["provenance"] = np.array(json.dumps(dict(self.provenance)))

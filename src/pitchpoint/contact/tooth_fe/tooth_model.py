@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.contact.compliance.blank import Blank
 from pitchpoint.contact.tooth_fe.section_mesh import Density
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -69,7 +70,7 @@ class ToothModel:
     E, nu
         Young's modulus [Pa], Poisson's ratio.
     bore_diameter, rim_thickness, web_thickness
-        Body [m], see `pitchpoint.contact.tooth_fe.gear_body.gear_body`.
+        Blank [m], see `pitchpoint.contact.compliance.blank.Blank`.
     resolution
         Mesh and polynomials.
 
@@ -86,6 +87,15 @@ class ToothModel:
     rim_thickness: float | None = None
     web_thickness: float | None = None
     resolution: Resolution = Resolution()
+
+    @property
+    def blank(self) -> Blank:
+        """Blank of the gear."""
+        return Blank(
+            bore_diameter=self.bore_diameter,
+            rim_thickness=self.rim_thickness,
+            web_thickness=self.web_thickness,
+        )
 
     def __post_init__(self) -> None:
         for where, value, low, high, limit in (

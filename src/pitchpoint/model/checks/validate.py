@@ -9,6 +9,7 @@ from pitchpoint.model.checks.bevel_gears import check_bevel_gears, check_bevel_n
 from pitchpoint.model.checks.choices import check_given
 from pitchpoint.model.checks.contacts import check_contacts
 from pitchpoint.model.checks.elastic_bodies import add_elastic_bodies, check_elastic_bodies
+from pitchpoint.model.checks.flank_contact import check_flank_contacts
 from pitchpoint.model.checks.forces import check_forces, check_loads, check_unbalances
 from pitchpoint.model.checks.gear_pairs import check_phasing
 from pitchpoint.model.checks.gears import check_choices
@@ -53,6 +54,7 @@ CHECKS = (
     check_positions,
     resolve,
     check_fault_laws,
+    check_flank_contacts,
     check_shaft_places,
     check_mechanism,
     check_signal_places,

@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.model.checks.references import ends_of
+from pitchpoint.model.components.flank_contact import FlexibleContact, PrecomputedContact, RigidContact
 from pitchpoint.model.components.joint import FUNCTIONS
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy, Hertz
 from pitchpoint.model.frames import ALONG, GROUND, body_frame, split
 from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.mechanism import coordinate
+from pitchpoint.model.remarks.flank_contact import contact_keys
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.model.signals import signals_without_effect
 
@@ -69,6 +71,7 @@ def keys_without_effect(model: Model) -> tuple[Message, ...]:
     return (
         *_frictions(model),
         *_width_integrals(model),
+        *contact_keys(model),
         *_laws(model),
         *_blanks(model),
         *_inertias(model),
@@ -108,6 +111,8 @@ def _frictions(model: Model) -> Iterator[Message]:
 def _width_integrals(model: Model) -> Iterator[Message]:
     """Slices that are not used, and slices of a law that is uniform over the face width."""
     for name, mesh in model.meshes.items():
+        if mesh.contact is not None:
+            continue  # contact planes
         law = mesh.law.law
         follows = mesh.law.of_pairs and any(model.gears[g].is_modified for g in mesh.gears)
         if mesh.width == "exact" and mesh.slices != defaults_of(type(mesh))["slices"] and not follows:
@@ -172,6 +177,8 @@ def _blanks(model: Model) -> Iterator[Message]:
         where = f"gears.{name}.{' and '.join(keys)}"
         weighs = _blank_weighs(model, name)
         energy = [n for n, law in laws.items() if isinstance(law, Energy)]
+        if any(map(_elastic_blank, laws.values())):
+            continue
         if keys == ["rim_thickness"] and gear.type == "external":
             yield remark(
                 where, "has no effect without web_thickness: a web of the face width makes a solid gear"
@@ -193,7 +200,16 @@ def _blanks(model: Model) -> Iterator[Message]:
 
 def _by_formula(law: StiffnessLaw) -> bool:
     """Whether a law computes the single tooth stiffness by the standard, including the blank factor."""
+    if isinstance(law, RigidContact):
+        return law.stiffness is None
     return isinstance(law, Din3990) and law.single_stiffness is None
+
+
+def _elastic_blank(law: StiffnessLaw) -> bool:
+    """Whether the blank is a part of the compliance of flexible teeth."""
+    if isinstance(law, FlexibleContact):
+        return law.body != "rigid" or law.teeth == "finite_elements"
+    return isinstance(law, PrecomputedContact)
 
 
 def _blank_weighs(model: Model, gear: str) -> bool:

@@ -132,7 +132,7 @@ def solve_contact_on_shafts(
     data.attrs |= contact_attributes(
         FlankStates(model, name, flank), roll.status, time.perf_counter() - began, **options
     )
-    data.attrs["notes"] = "; ".join(roll.notes)
+    data.attrs["notes"] = "; ".join([*roll.notes, *filter(None, [data.attrs["notes"]])])
     if roll.status != OK:
         raise SolverError(roll.sentence, roll.status, data)
     return data

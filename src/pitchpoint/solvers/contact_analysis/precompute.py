@@ -107,8 +107,8 @@ class PotentialEvaluator:
             status = int(placed["status"][bad])
             place = ", ".join(f"{v:.6g}" for v in states[bad])
             raise SolverError(
-                f"mesh {self.flanks.mesh}: no contact state at {place} (phase, approach, misalignment, centre "
-                f"distance): {sentence(status)}",
+                f"mesh {self.flanks.mesh}: no contact state at {place} (phase, approach, misalignment, "
+                f"centre distance): {sentence(status)}",
                 status,
             )
         r_1, r_2 = self.radii

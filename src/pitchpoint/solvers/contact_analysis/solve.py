@@ -18,7 +18,8 @@ from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
-from pitchpoint.solvers.contact_analysis.stepped_flanks import step_pressures
+from pitchpoint.solvers.contact_analysis.notes import contact_notes
+from pitchpoint.solvers.contact_analysis.stepped_flanks import edge_turns, step_pressures
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -86,6 +87,8 @@ def solve_contact(
     torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
     if not np.all(np.isfinite(torques)) or np.any(torques == 0.0):
         raise SolverError(f"torque {torque} is not a load; give torques other than 0", INCONSISTENT)
+    if not math.isfinite(misalignment):
+        raise SolverError(f"misalignment {misalignment} is not an angle; give a finite number", INCONSISTENT)
     began = time.perf_counter()
     flanks = FlankStates(model, name, flank)
     phase = np.arange(positions) / positions
@@ -215,7 +218,8 @@ def contact_dataset(
         ),
         "plane": (("plane",), flanks.widths, {"units": "m", "long_name": "position over the face width"}),
     }
-    return xr.Dataset(variables | geometry, coords=coords | axes)
+    notes = {"notes": "; ".join(contact_notes(flanks, found))}
+    return xr.Dataset(variables | geometry, coords=coords | axes, attrs=notes)
 
 
 def _pairs(found: list[tuple[NDArray[np.void], NDArray[np.void]]]) -> range:
@@ -246,6 +250,7 @@ def _node_fields(
     materials = [flanks.model.gears[g].material_data for g in flanks.model.meshes[flanks.mesh].gears]
     soft = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
     fields = {name: np.full((*size, len(numbers), planes), np.nan) for name in NODE_FIELDS}
+    turns = np.zeros((*size, len(numbers), planes))
     for t, (states, nodes) in enumerate(found):
         at, node = _loaded(states, nodes)
         where = (t, at, -node["pair"] - numbers.start, node["plane"])
@@ -253,14 +258,16 @@ def _node_fields(
         load = node["force"] / width
         on_path = node["place"] == ON_PATH
         with np.errstate(divide="ignore", invalid="ignore"):
-            radius = np.where(on_path, one * two / (one + two), np.nan) / cos_b
+            radius = one * two / (one + two) / cos_b
+            radius[~on_path | ~(radius > 0.0)] = np.nan  # a tip edge; inside a base circle
             edge = np.where(on_path, np.nan, _edge_radius(record, node))
         fields["plane_force"][where] = node["force"]
         fields["line_load"][where] = load
         fields["pressure"][where] = peak_pressure(load, half_width(load, radius, *soft))
         fields["edge_pressure"][where] = peak_pressure(load, half_width(load, edge, *soft))
         fields["roll_1"][where], fields["roll_2"][where] = np.abs(one), np.abs(two)
-    step_pressures(flanks, fields)
+        turns[where] = edge_turns(record, node)
+    step_pressures(flanks, fields, turns)
     return fields
 
 

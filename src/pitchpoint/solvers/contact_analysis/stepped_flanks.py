@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.strip_pressure import RANGE, stepped_pressure
+from pitchpoint.contact.tip_contact import tip_gap
+from pitchpoint.elements.mesh.surface.nodes import TIP_1, TIP_2
 from pitchpoint.geometry.modifications import Relief, flank_range, roll_length
 
 if TYPE_CHECKING:
@@ -27,6 +29,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+SAME = 1e-9
+"""Relative difference of lengths of roll of a tip edge."""
 _DIGITS = 7
 """Digits of loads and places to which equal contacts share their pressure."""
 
@@ -60,7 +64,7 @@ class Bend:
 
 def bends_of(flanks: FlankStates) -> list[Bend]:
     """Changes of curvature of both flanks in contact."""
-    found = []
+    found: list[Bend] = []
     names = flanks.model.meshes[flanks.mesh].gears
     for k, name in enumerate(names):
         gear = flanks.model.gears[name]
@@ -95,43 +99,94 @@ def _of_modifications(k: int, gear: CylindricalGear, made: object) -> Iterator[B
         yield Bend(k, start, towards_tip, by_roll=2.0 * relief.amount / extent**2, centre=start)
 
 
-def step_pressures(flanks: FlankStates, fields: dict[str, Array]) -> None:
-    """Replace pressures of the flanks where the curvature differs from that of the involutes.
+def edge_turns(record: np.void, node: NDArray[np.void]) -> Array:
+    """Angle on the rounding of a tip edge between its start and the contact [rad], 0 for other contacts.
+
+    Parameters
+    ----------
+    record
+        Record of the mesh; its line of action is that of the last state.
+    node
+        Contact nodes, shape (n,).
+    """
+    now = record["now"]
+    end = float(now["xi_A"] + now["eps"] * record["p_bt"])
+    r_b = float(record["r_b1"]), float(record["r_b2"])
+    tips = float(record["rho_a1"]), float(record["rho_a2"])
+    found = np.zeros(node.size)
+    rounded = [
+        edge for edge, r in ((TIP_1, record["rounding"][0]), (TIP_2, record["rounding"][1])) if r > 0.0
+    ]
+    for n in np.flatnonzero(np.isin(node["place"], rounded)):
+        edge = int(node["place"][n]) - 1
+        eta = float(node["xi"][n]) - end if edge == 0 else float(now["xi_A"] - node["xi"][n])
+        centre = tips[edge] - float(record["rounding"][edge])
+        found[n] = abs(tip_gap(eta, r_b[edge], r_b[1 - edge], centre, float(now["tan_a"]))[7])
+    return found
+
+
+def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) -> None:
+    """Replace pressures where the curvature differs from that of the involutes, or changes in the contact.
 
     Parameters
     ----------
     flanks
         The mesh.
     fields
-        Fields of the contact nodes, as in the dataset of `solve_contact`; `pressure` is changed.
+        Fields of the contact nodes, as in the dataset of `solve_contact`; `pressure` and `edge_pressure` are
+        changed.
+    turns
+        Angles of `edge_turns`, shape of the fields.
     """
     bends = bends_of(flanks)
-    there = np.isfinite(fields["pressure"]) & (fields["line_load"] > 0.0)
-    if not bends or not there.any():
+    if not bends:
         return
     gears = [flanks.model.gears[name] for name in flanks.model.meshes[flanks.mesh].gears]
-    materials = [gear.material_data for gear in gears]
-    soft = sum(plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials)
-    load = fields["line_load"][there]
-    rolls = [fields[f"roll_{k + 1}"][there] for k in (0, 1)]
-    curvature = math.pi * soft * fields["pressure"][there] ** 2 / load
-    places, steps = np.empty((len(bends), load.size)), np.empty((len(bends), load.size))
-    for row, bend in enumerate(bends):
-        inside, places[row], steps[row] = _seen(bend, gears[bend.gear].geometry, rolls[bend.gear])
-        curvature = curvature + inside
-    b_H = np.sqrt(4.0 * load * soft / (math.pi * curvature))
+    soft = sum(
+        plane_strain_compliance(g.material_data.youngs_modulus, g.material_data.poisson_ratio) for g in gears
+    )
+    for name in ("pressure", "edge_pressure"):
+        there = np.isfinite(fields[name]) & (fields["line_load"] > 0.0)
+        load = fields["line_load"][there]
+        rolls = [fields[f"roll_{k + 1}"][there] for k in (0, 1)]
+        curvature = math.pi * soft * fields[name][there] ** 2 / load
+        places, steps = np.zeros((len(bends), load.size)), np.zeros((len(bends), load.size))
+        for row, bend in enumerate(bends):
+            gear = gears[bend.gear].geometry
+            if name == "pressure":
+                inside, places[row], steps[row] = _seen(bend, gear, rolls[bend.gear])
+                curvature = curvature + inside
+            elif bend.radius > 0.0:
+                own = np.abs(rolls[bend.gear] - bend.start) < SAME * bend.start
+                # contact on the rounding: its own involute begins behind it
+                places[row] = -bend.radius * turns[there] / math.cos(gear.beta_b)
+                steps[row] = np.where(own, _rounded(bend, gear, bend.start), 0.0) * -1.0
+        fields[name][there] = _pressures(load, curvature, places, steps, soft)
+
+
+def _pressures(load: Array, curvature: Array, places: Array, steps: Array, soft: float) -> Array:
+    """Maximum pressures of contacts with a base curvature, and steps of it, shape (n_step, n)."""
     pressure = np.sqrt(load * curvature / (math.pi * soft))
-    near = (np.abs(places) < RANGE * b_H).any(axis=0)
+    # the contact extends towards the smaller curvature
+    least = np.minimum(curvature, curvature + steps)
+    with np.errstate(divide="ignore"):
+        reach = RANGE * np.sqrt(4.0 * load * soft / (math.pi * np.maximum(least, 0.0)))
+    near = (steps != 0.0) & (np.abs(places) < reach)
     known: dict[tuple[float, ...], float] = {}
-    for n in np.flatnonzero(near):
-        row = (curvature[n], load[n], *places[:, n], *steps[:, n])
-        key = tuple(float(f"{value:.{_DIGITS}g}") for value in row)
+    for n in np.flatnonzero(near.any(axis=0)):
+        kept = near[:, n]
+        values = (curvature[n], load[n], *places[kept, n], *steps[kept, n])
+        key = tuple(float(f"{value:.{_DIGITS}g}") for value in values)
         if key not in known:
-            kept = np.abs(places[:, n]) < RANGE * b_H[n]
             listed = list(zip(places[kept, n].tolist(), steps[kept, n].tolist(), strict=True))
             known[key] = stepped_pressure(float(curvature[n]), listed, float(load[n]), soft).maximum
         pressure[n] = known[key]
-    fields["pressure"][there] = pressure
+    return pressure
+
+
+def _rounded(bend: Bend, gear: CylindricalGear, roll: Array | float) -> Array:
+    """Additional curvature of a tip rounding over the involute, normal to the contact line."""
+    return np.asarray((1.0 / bend.radius - 1.0 / np.asarray(roll)) * math.cos(gear.beta_b) ** 2)
 
 
 def _seen(bend: Bend, gear: CylindricalGear, roll: Array) -> tuple[Array, Array, Array]:
@@ -142,11 +197,11 @@ def _seen(bend: Bend, gear: CylindricalGear, roll: Array) -> tuple[Array, Array,
     towards the tip of gear 1.
     """
     r_b, cos_b = abs(gear.r_b), math.cos(gear.beta_b)
-    with np.errstate(divide="ignore"):
-        added = bend.by_roll * (r_b / roll) ** 2 * bend.centre / roll
+    with np.errstate(divide="ignore", invalid="ignore"):
+        added = bend.by_roll * (r_b / roll) ** 2 * bend.centre / roll * cos_b**2
         if bend.radius > 0.0:
-            added = 1.0 / bend.radius - 1.0 / roll
-    added = np.where(np.isfinite(added), added, 0.0) * cos_b**2
+            added = _rounded(bend, gear, roll)
+    added = np.where(np.isfinite(added), added, 0.0)
     # positive before the start, seen in the direction in which the bend applies
     outwards = gear.sign if bend.towards_tip else -gear.sign
     ahead = outwards * (bend.start**2 - roll**2) / (2.0 * r_b) / cos_b

@@ -52,6 +52,7 @@ from pitchpoint.solvers.equilibrium.unknowns import (
 )
 from pitchpoint.solvers.gear_trains import complete, exchange, exchange_all, free_spins, is_independent
 from pitchpoint.system import evaluate
+from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.source import coordinate_source
 from pitchpoint.system.system import State, System
@@ -365,6 +366,7 @@ def solve_equilibrium(
     """
     from pitchpoint.solvers.dataset import point_dataset
 
+    forget_contacts(system)
     start = system.initial_state()
     held = free_spins(system)
     for name, angle in (angles or {}).items():

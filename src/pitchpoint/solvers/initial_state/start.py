@@ -34,6 +34,7 @@ from pitchpoint.solvers.initial_state.clutches import settle_clutches
 from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of_inputs
 from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
 from pitchpoint.solvers.model_damping import with_damping
+from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
 
@@ -216,6 +217,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
     SolverError
         If there is no equilibrium to start from.
     """
+    forget_contacts(system)
     speeds = speeds_of(system, scenario)
     state = system.initial_state()
     for name, speed in speeds.items():

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -208,18 +209,24 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
     It is the reference for damping ratios, time steps and the mesh cycle; the forces follow from the contact
     problem.
     """
-    place = np.linspace(pair.T1A, pair.T1E, _ON_PATH)
+    # a path that reaches a base circle has finite radii of curvature in the local contact, too
+    least = LEAST_ROLL * pair.p_et
+    end = math.inf if pair.is_internal else pair.T1T2 - least
+    place = np.clip(np.linspace(pair.T1A, pair.T1E, _ON_PATH), least, end)
     found = pair_slice(pair, place, LINE_LOAD, _slices(contact, gears))
     stiffness = contact.correction * found.stiffness
     top = float(stiffness.max())
     return PairShape(c_prime=top, S_R=float(stiffness.min()) / top, table=stiffness / top)
 
 
+_kept_compliance = lru_cache(maxsize=32)(flank_compliance)
+
+
 def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, float]) -> FlankCompliance:
     """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face."""
     if contact.teeth == "analytic":
-        return flank_compliance(
-            gear.geometry,
+        return _kept_compliance(
+            gear.geometry.replace(outline=None),  # the generated tooth
             planes=contact.planes,
             width=width,
             material=gear.material_data,
@@ -353,6 +360,7 @@ def set_surfaces(row: Any, pair: GearPair, contact: SurfaceContact, keep: Callab
     row["is_rigid"] = contact.elastic is None
     row["reach"] = REACH * row["p_bt"]
     row["tip_share"] = -1.0
+    row["rounding"] = [gear.tip_rounding or 0.0 for gear in (pair.gear1, pair.gear2)]
     row["max_nodes"] = contact.planes * pairs_in_reach(pair)
     row["nodes"] = keep(np.zeros(int(row["max_nodes"]) * NODE.itemsize // 8))
     cos_b = math.cos(pair.gear1.beta_b)

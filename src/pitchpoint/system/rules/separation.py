@@ -62,7 +62,7 @@ def separation_grids(
 
 
 def flank_terms(gear: Gear, mate: bool) -> Array:
-    """Rows of the modifications of front and back flanks (`geometry.modification_terms`), shape (2, N_TERM)."""
+    """Rows of `geometry.modification_terms` of front and back flanks, shape (2, N_TERM)."""
     from pitchpoint.geometry.modification_terms import N_TERM, modification_terms
 
     rows = np.zeros((2, N_TERM))

@@ -185,7 +185,8 @@ def chosen_torques(torques: Array) -> list[int]:
 def _about(data: xr.Dataset) -> str:
     options = options_of(data)
     side = "back flanks" if options.get("flank") == -1 else "front flanks"
-    angle = float(options.get("misalignment", 0.0))
+    angle = float(data["misalignment"].mean() if "misalignment" in data else options.get("misalignment", 0.0))
+    side += ", shafts in equilibrium" if options.get("shafts") else ""
     more = "".join(f", {words}" for words in operation_words(options))
     tilted = (f", misalignment {amount(angle, 'rad')}" if angle else "") + more
     return (

@@ -86,6 +86,9 @@ def _recall(b, nodes, n, slots, kept, state, on, v):
     Forces are kept by tooth pair and plane, in whose order `slots` has the nodes of the last solution.
     """
     planes = b["slices"]
+    if b["n_slots"] < 0:
+        for k in range(kept.size):
+            kept[k] = 0.0
     same = b["n_slots"] == n
     for i in range(n):
         slot = (nodes[i]["pair"] % b["n_slot_pairs"]) * planes + nodes[i]["plane"]

@@ -29,7 +29,6 @@ from pitchpoint.solvers.contact_analysis.relief.flexible_phases import (
     FlexiblePhases,
     pressure_of_unit_force,
 )
-from pitchpoint.system.link import link
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -93,7 +92,7 @@ class Analyses:
     Raises
     ------
     SolverError
-        If the mesh has no contact of tooth surfaces, or the start has no solution.
+        If the mesh has no contact of tooth surfaces or a pre-computed one, or the start has no solution.
     """
 
     def __init__(
@@ -107,6 +106,12 @@ class Analyses:
     ) -> None:
         self.conditions, self.jobs = conditions, jobs or os.cpu_count() or 1
         self._flanks = FlankStates(model, mesh, conditions.flank)
+        if self._flanks.record["is_tabulated"] == 1:
+            raise SolverError(
+                f"mesh {mesh}: a pre-computed contact has its modifications in the table; "
+                "use level: flexible for relief design",
+                INCONSISTENT,
+            )
         self._loads = np.array([self._flanks.force_of(torque) for torque in conditions.torques])
         self._phases: FlexiblePhases | None = None
         if self._flanks.record["is_flexible"] == 1:
@@ -184,12 +189,8 @@ class _General:
     """Any level: states of the mesh with its modifications replaced."""
 
     def __init__(self, flanks: FlankStates, conditions: Conditions, loads: Array) -> None:
-        self.flanks = flanks = copy.copy(flanks)
-        flanks.records, flanks.pool = flanks.records.copy(), flanks.pool.copy()
-        link({"gear_mesh": flanks.records}, {"gear_mesh": flanks.pool}, {})
+        self.flanks = flanks = flanks.copy()
         record = flanks.record
-        if record["n_sep"] == 0:
-            raise SolverError("neither gear of the mesh has modifications", INCONSISTENT)
         record["modified"] = 1
         record["sep_min"] = -record["p_bt"]  # below any modifications
         phase = conditions.phases

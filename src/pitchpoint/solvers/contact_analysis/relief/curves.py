@@ -31,8 +31,9 @@ def kinks(values: Array, slopes: Array) -> Array:
 
     Notes
     -----
-    Where a relief begins or a pair leaves contact the curve has a kink; of piecewise linear curves it is exact.
-    A parabola exceeds its maximum by a quarter of its sag between positions at most.
+    Where a relief begins or a pair leaves contact the curve has a kink; for piecewise linear curves it is
+    exact. At a smooth maximum the intersection exceeds it by at most c h²/4, with half the second
+    derivative c and the distance h of the positions.
 
     Examples
     --------

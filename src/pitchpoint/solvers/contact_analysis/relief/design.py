@@ -61,10 +61,10 @@ def design_relief(
     Returns
     -------
     xarray.Dataset
-        Over `design` (start, optimum, rounded): value by `variable` [m], objective [m], peak_to_peak by
-        `misalignment` and `torque` [m], its minimum and maximum over tolerances and misalignments,
-        pressure [Pa] and edge_share by torque, transmission_error over the mesh phase [m], and peak-to-peak
-        errors over `map_torque` (Harris map). Over `evaluation`: all designs of the search.
+        Over `design` (start, optimum, rounded): value by `variable` [m] (NaN: not in the model), objective
+        [m], peak_to_peak by `misalignment` and `torque` [m], its minimum and maximum over tolerances and
+        misalignments, pressure [Pa] and edge_share by torque, transmission_error over the mesh phase [m],
+        and peak-to-peak errors over `map_torque` (Harris map). Over `evaluation`: all designs of the search.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def design_relief(
     maps = Analyses(complete, name, plan.conditions(over), rows, deepest, jobs)
     status, text = OK, sentence(OK)
     with maps.pool() as pool:
-        search = Search(plan, flanks, maps.with_torques(torques), pool, progress)
+        search = Search(plan, flanks, maps.with_torques(torques.tolist()), pool, progress)
         try:
             search.run(np.clip((flanks.start[: search.n] - search.low) / search.span, 0.0, 1.0))
         except (KeyboardInterrupt, SolverError) as stopped:
@@ -97,6 +97,8 @@ def design_relief(
         optimum = search.low + search.best.at * search.span
         designs = [flanks.start[: search.n], optimum, search.rounded()]
         data = _dataset(search, designs, torques, maps, over)
+    absent = [number_at(model, v.path) is None for v in plan.vary]
+    data["value"][0, absent] = np.nan
     data.attrs |= _attributes(model, name, plan, status, time.perf_counter() - began, search.count)
     if status != OK:
         raise SolverError(text, status, data)
@@ -106,23 +108,22 @@ def design_relief(
 def start_model(model: Model, plan: ReliefPlan) -> Model:
     """Model that has all modifications of a plan.
 
-    Missing amounts are the lower bounds, or zero where only a tolerance is given; missing lengths are in the
-    middle of the bounds.
+    Missing amounts are zero, missing lengths in the middle of the bounds.
 
     Raises
     ------
     ModelError
         If a path does not exist, or a bound does not fit the gear.
     """
-    missing: dict[str, float] = {}
     bounds = {v.path: v for v in plan.vary}
+    missing: dict[str, float] = {}
     for path in plan.paths:
         if number_at(model, path) is None:
             variable = bounds.get(path)
-            at = 0.0 if variable is None else variable.low
-            if variable is not None and variable.step > AMOUNT_STEP:
-                at = 0.5 * (variable.low + variable.high)
-            missing[path] = at
+            is_length = variable is not None and variable.step > AMOUNT_STEP
+            missing[path] = (
+                0.5 * (variable.low + variable.high) if variable is not None and is_length else 0.0
+            )
     complete = with_values(model, missing)
     for end in ("low", "high"):
         with_values(complete, {path: getattr(variable, end) for path, variable in bounds.items()})
@@ -286,4 +287,10 @@ def _attributes(
     found = provenance(
         model_hash=content_hash(model), solver="relief", options=options, status=status, wall_s=wall_s
     )
-    return {"title": model.title, "model_text": model_text(model), "mesh": mesh, **found}
+    return {
+        "title": model.title,
+        "model_text": model_text(model),
+        "mesh": mesh,
+        "analyses": analyses,
+        **found,
+    }

@@ -142,9 +142,9 @@ def _programme(
     found = linprog(
         cost, A_ub=block_array(blocks).tocsr(), b_ub=np.concatenate(right), bounds=bounds, method="highs"
     )
-    if found.status != 0:
+    if found.status != 0 or found.x is None:
         return np.zeros(n), best.score
-    return np.asarray(found.x[:n]), float(found.fun)
+    return np.asarray(found.x[:n]), float(cost @ found.x)
 
 
 def _groups(shape: tuple[int, int, int], target: Target) -> tuple[NDArray[np.int64], Array]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +34,7 @@ _ROUNDING = 0.15
 """Share of the analyses up to which all roundings are compared."""
 
 
-class Exhausted(Exception):
+class ExhaustedError(Exception):
     """The permitted number of analyses is used up."""
 
 
@@ -90,12 +91,12 @@ class Search:
 
         Raises
         ------
-        Exhausted
+        ExhaustedError
             If these need more analyses than are left.
         """
         size = len(self.deviations)
         if self.count + size * len(points) > self.plan.analyses:
-            raise Exhausted
+            raise ExhaustedError
         values = [self.low + point * self.span for point in points]
         designs = [self.rows(one, deviation) for one in values for deviation in self.deviations]
         curves = self.analyses.curves_of(designs, self.pool, self._count)
@@ -121,13 +122,13 @@ class Search:
         try:
             self._evolve(start)
             for start in self._starts():
-                polish(self.evaluate, *self.evaluate([start]), self.target)
-        except Exhausted:
+                polish(self.evaluate, self.evaluate([start])[0], self.target)
+        except ExhaustedError:
             pass
 
     def _evolve(self, start: Array) -> None:
         """Differential evolution; the first generation is a Sobol sequence and the start."""
-        from scipy.optimize import differential_evolution
+        from scipy.optimize import Bounds, differential_evolution
         from scipy.stats import qmc
 
         count = int(min(max(_POPULATION * self.n, _SMALLEST), _LARGEST))
@@ -140,13 +141,13 @@ class Search:
             self.evaluate(list(first))
             return
 
-        def scores(x: Array) -> Array:
+        def scores(x: Array, /) -> Any:
             """Scores of a generation, shape (variables, designs)."""
             return np.array([point.score for point in self.evaluate(list(x.T))])
 
         differential_evolution(
             scores,
-            [(0.0, 1.0)] * self.n,
+            Bounds(np.zeros(self.n), np.ones(self.n)),
             init=first,
             maxiter=generations,
             tol=_SETTLED,
@@ -176,7 +177,7 @@ class Search:
             below = variable.step * np.floor(value / variable.step + 1e-9)
             near = [round(k, 12) for k in (below, below + variable.step)]
             inside = [k for k in near if variable.low - 1e-12 <= k <= variable.high + 1e-12] or [value]
-            choices.append(sorted(inside, key=lambda k, v=value: abs(k - v)))
+            choices.append([inside[k] for k in np.argsort(np.abs(np.array(inside) - value), kind="stable")])
         nearest = np.array([one[0] for one in choices])
         if 2**self.n * len(self.deviations) > _ROUNDING * self.plan.analyses:
             return nearest

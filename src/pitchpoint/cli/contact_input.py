@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Input of `pitchpoint contact`: mesh, torques, misalignment and operating conditions from its options."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from pitchpoint.cli.options import one_of
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
+MOST = 500
+"""Maximum number of torques."""
+
+
+def mesh_with_contact(model: Model, name: str | None) -> str:
+    """Name of the mesh: the given one, or the only one with contact of tooth surfaces."""
+    touching = [key for key, mesh in model.meshes.items() if mesh.contact is not None]
+    if name is None and len(touching) == 1:
+        return touching[0]
+    if name is None and not touching:
+        raise click.UsageError(f"no mesh has a contact of tooth surfaces; {NEEDED}")
+    chosen = one_of(name, touching if name is None else list(model.meshes), "mesh")
+    if chosen not in touching:
+        raise click.BadParameter(f"{chosen} has a stiffness law; {NEEDED}", param_hint="--mesh")
+    return chosen
+
+
+def refuse_fixed(model: Model, options: dict[str, Any]) -> None:
+    """Reject options of fixed axes for shafts in equilibrium, and unknown scenarios."""
+    from pitchpoint.cli.results import known_scenario, refuse_without_effect
+
+    given = {f"--{name}": options[name] for name in ("misalignment", "flank")}
+    refuse_without_effect("with --shafts", {"--torque": options["torques"] or None, **given})
+    if options["scenario"] is not None:
+        known_scenario(model, options["scenario"])
+
+
+def loads_of(model: Model, mesh: str, texts: tuple[str, ...], side: str | None) -> tuple[list[float], int]:
+    """Torques [N m] and flank, 1 or -1."""
+    if texts:
+        torques = [value for text in texts for value in torques_of(text)]
+        if len(torques) > MOST:
+            raise click.BadParameter(f"{len(torques)} torques (limit {MOST})", param_hint="--torque")
+        return torques, -1 if side == "back" else 1
+    found = default_torque(model, mesh)
+    if found is None:
+        raise click.UsageError(
+            f"gear 1 of {mesh} ({model.meshes[mesh].gears[0]}) has no constant torque in loads:; "
+            "give --torque, such as --torque '200 N m'"
+        )
+    sign = 1 if found > 0.0 else -1
+    return [abs(found)], {"front": 1, "back": -1, None: sign}[side]
+
+
+def torques_of(text: str) -> list[float]:
+    """Torques of one option [N m]: a quantity, or a range with first, last and count.
+
+    Examples
+    --------
+    >>> torques_of("0.2 kN m"), torques_of("50 N m:200:4")
+    ([200.0], [50.0, 100.0, 150.0, 200.0])
+    """
+    parts = [part.strip() for part in text.split(":")]
+    if len(parts) == 1:
+        return [_quantity(text, "torque", "--torque")]
+    if len(parts) != 3 or not parts[2].isdigit() or int(parts[2]) < 2:
+        raise click.BadParameter(
+            f"{text!r} is not a range FIRST:LAST:COUNT with a count of 2 or more, such as '50 N m:400 N m:8'",
+            param_hint="--torque",
+        )
+    first, last = (_quantity(part, "torque", "--torque") for part in parts[:2])
+    count = int(parts[2])
+    if count > MOST:
+        raise click.BadParameter(f"{count} torques (limit {MOST})", param_hint="--torque")
+    return [first + (last - first) * k / (count - 1) for k in range(count)]
+
+
+def _quantity(text: str, dimension: str, option: str) -> float:
+    """Positive SI value of the text of an option; a number without unit is in SI."""
+    from pitchpoint.core.errors import UnitError
+    from pitchpoint.core.units import parse_quantity
+
+    try:
+        value: str | float = float(text)
+    except ValueError:
+        value = text
+    try:
+        return parse_quantity(value, dimension, positive=True)
+    except UnitError as error:
+        raise click.BadParameter(str(error), param_hint=option) from None
+
+
+def default_torque(model: Model, mesh: str) -> float | None:
+    """Sum of the constant torques of the loads on the body of gear 1 [N m]; None without any."""
+    from pitchpoint.model.components.law import Constant
+
+    body = model.body_of(model.meshes[mesh].gears[0])
+    laws = [load.torque for load in model.loads.values() if load.body == body and load.torque is not None]
+    values = [law.value for law in laws if isinstance(law, Constant)]
+    return sum(values) if values and len(values) == len(laws) and sum(values) != 0.0 else None
+
+
+def misalignment_of(text: str | None, model: Model, mesh: str) -> float:
+    """Misalignment in the plane of action [rad] from a length over the common face width, or an angle."""
+    from pitchpoint.core.errors import UnitError
+    from pitchpoint.core.units import parse_quantity
+
+    if text is None:
+        return 0.0
+    hint = "--misalignment"
+    try:
+        float(text)
+    except ValueError:
+        pass
+    else:
+        raise click.BadParameter(f"{text} has no unit; write '{text} um' or '{text} deg'", param_hint=hint)
+    try:
+        return parse_quantity(text, "length") / model.pairs[mesh].b_w
+    except UnitError:
+        pass
+    try:
+        return parse_quantity(text, "angle")
+    except UnitError:
+        raise click.BadParameter(
+            f"{text!r} is neither a length nor an angle; write '20 um' or '0.05 deg'", param_hint=hint
+        ) from None
+
+
+def operation_of(model: Model, mesh: str, options: dict[str, Any]) -> dict[str, Any]:
+    """Operating conditions; friction from the mesh if it is not given."""
+    for name in ("viscosity", "pressure_viscosity"):
+        needed = "speed" if name == "viscosity" else "viscosity"
+        if options[name] is not None and options[needed] is None:
+            raise click.UsageError(f"--{name.replace('_', '-')} requires --{needed}")
+    own = model.meshes[mesh].friction
+    friction = options["friction"] if options["friction"] is not None or own is None else own.mu
+    found = {"friction": friction, **{n: options[n] for n in ("speed", "viscosity", "pressure_viscosity")}}
+    return {name: value for name, value in found.items() if value is not None}
