@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The example `misaligned-helical`: face load factor, pressure, contact pattern, with and without crowning."""
+"""The example `misaligned-helical`: face load factor, pressure and pattern, with and without crowning."""
 
 from __future__ import annotations
 
