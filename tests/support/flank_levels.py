@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Laws of a mesh with contact of tooth surfaces, for a pair without a model."""
 
-import math
-
 import numpy as np
 
 from pitchpoint.contact.compliance.gear import flank_compliance

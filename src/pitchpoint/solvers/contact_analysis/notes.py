@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes on a contact analysis: contacts below the root form circle, and at the end of the range of tip edges."""
+"""Notes on a contact analysis: contacts below the root form circle, and far beyond the path of contact."""
 
 from __future__ import annotations
 
@@ -59,7 +59,9 @@ def _interference(flanks: FlankStates, node: NDArray[np.void]) -> list[Message]:
         r_b = 0.5 * abs(shape.d_b)
         deepest = float(node["roll"][int(below.argmax()), k])
         inside = deepest * (1.0 if shape.z > 0 else -1.0) < 0.0
-        place = "inside its base circle" if inside else f"at the diameter {2e3 * math.hypot(r_b, deepest):.6g} mm"
+        place = (
+            "inside its base circle" if inside else f"at the diameter {2e3 * math.hypot(r_b, deepest):.6g} mm"
+        )
         found.append(
             note(
                 f"mesh {flanks.mesh}: interference, {name} touches {place}, beyond its root form circle of "
