@@ -84,14 +84,15 @@ class TimeSummary:
 
 def channel_statistics(channels: Sequence[Channel], found: Statistics) -> dict[str, dict[str, Any]]:
     """Statistics by name of the channel, see `TimeSummary`."""
-    return {
-        channel.name: {
+    rows: dict[str, dict[str, Any]] = {}
+    for k, channel in enumerate(channels):
+        row = rows[channel.name] = {
             "unit": channel.unit,
             "mean": float(found.mean[k]),
             "rms": float(found.rms[k]),
             "min": float(found.least[k]),
             "max": float(found.most[k]),
-            **({"share_zero": float(found.share_zero[k])} if channel.name.startswith("contact_state[") else {}),
         }
-        for k, channel in enumerate(channels)
-    }
+        if channel.name.startswith("contact_state["):
+            row["share_zero"] = float(found.share_zero[k])
+    return rows
