@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -119,7 +119,7 @@ class ReliefPlan:
         weights = weights[self.order()]
         return Target(weights / weights.max(), self.mean, self.max_pressure, self.no_edge_contact)
 
-    def conditions(self, torques: Sequence[float], positions: int) -> Conditions:
+    def conditions(self, torques: Iterable[float], positions: int) -> Conditions:
         """Conditions of the analyses at given torques and a number of positions."""
         return Conditions(tuple(torques), positions, tuple(self.misalignments), self.flank)
 
