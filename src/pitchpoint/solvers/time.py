@@ -25,7 +25,7 @@ from pitchpoint.solvers.initial_state.start import UNBALANCED, Start, prepare_st
 from pitchpoint.solvers.mean_balance import drift_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
-from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
+from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_statistics
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.flank_remarks import contact_counters
@@ -306,17 +306,7 @@ class _Loop:
     def summary(self, status: int, wall_s: float) -> TimeSummary:
         """Summary of the run: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
-        channels = {
-            c.name: {
-                "unit": c.unit,
-                "mean": float(found.mean[k]),
-                "rms": float(found.rms[k]),
-                "min": float(found.least[k]),
-                "max": float(found.most[k]),
-                **({"share_zero": float(found.share_zero[k])} if c.name.startswith("contact_state[") else {}),
-            }
-            for k, c in enumerate(self.system.layout.channels)
-        }
+        channels = channel_statistics(self.system.layout.channels, found)
         remarks = run_remarks(self.system, channels)
         if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
             remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))

@@ -32,14 +32,15 @@ def plot_relief(data: xr.Dataset) -> go.Figure:
     plotly.graph_objects.Figure
         Left and middle: transmission error over the mesh phase for each torque (Harris map) of the model and
         of the rounded design. Right: peak-to-peak error over the torque of both, with the band of tolerances
-        and misalignments; the torques of the search are marked.
+        and misalignments of the rounded design; the torques of the search are marked.
     """
     curves = data["transmission_error"].isel(misalignment=0)
     error = scale("m", curves.values)
     torque = scale("N m", data["map_torque"].values)
     figure = theme.figure("mesh phase [base pitches]", error.title("transmission error"), height=420)
     figure.update_layout(
-        margin={"t": 64},
+        margin={"t": 84},
+        legend={"y": 1.1},
         xaxis={"domain": [0.0, 0.27]},
         xaxis2=theme.axis("mesh phase [base pitches]", domain=[0.32, 0.59], anchor="y2"),
         yaxis2=theme.axis("", matches="y", anchor="x2", showticklabels=False),
@@ -87,7 +88,7 @@ def _add_map(figure: go.Figure, data: xr.Dataset, look: tuple[str, str], scales:
     low, high = (data[f"map_{end}"].values * error.factor for end in ("min", "max"))
     axes = {"xaxis": "x3", "yaxis": "y3"}
     name = str(data["design"].values)
-    if np.any(high > low):
+    if name == AFTER and np.any(high > low):
         figure.add_scatter(
             x=np.concatenate([x, x[::-1]]),
             y=np.concatenate([high, low[::-1]]),

@@ -104,7 +104,7 @@ class Analyses:
         deepest: float,
         jobs: int | None = None,
     ) -> None:
-        self.conditions, self.jobs = conditions, jobs or os.cpu_count() or 1
+        self.jobs = jobs or os.cpu_count() or 1
         self._flanks = FlankStates(model, mesh, conditions.flank)
         if self._flanks.record["is_tabulated"] == 1:
             raise SolverError(
@@ -112,21 +112,32 @@ class Analyses:
                 "use level: flexible for relief design",
                 INCONSISTENT,
             )
-        self._loads = np.array([self._flanks.force_of(torque) for torque in conditions.torques])
+        self._rows = rows
+        self._approach = 0.0
         self._phases: FlexiblePhases | None = None
+        self._set(conditions)
         if self._flanks.record["is_flexible"] == 1:
-            kappa = np.array(conditions.misalignments)
-            approach = float(self._own().curves(rows).approach.max()) + deepest
-            self._phases = FlexiblePhases(self._flanks, rows, conditions.phases, kappa, approach)
+            self._approach = float(self._own().curves(rows).approach.max()) + deepest
+            self._place()
+
+    def under(self, conditions: Conditions) -> Analyses:
+        """Analyses under other conditions, at torques not above those of this object."""
+        before, other = self.conditions, copy.copy(self)
+        other._set(conditions)
+        if self._phases is not None and replace(conditions, torques=before.torques) != before:
+            other._place()
+        return other
+
+    def _set(self, conditions: Conditions) -> None:
+        """Set the conditions."""
+        self.conditions = conditions
+        self._loads = np.array([self._flanks.force_of(torque) for torque in conditions.torques])
         self._own_of = threading.local()
 
-    def with_torques(self, torques: Sequence[float]) -> Analyses:
-        """Analyses at other torques, not above those of this object."""
-        other = copy.copy(self)
-        other.conditions = replace(self.conditions, torques=tuple(torques))
-        other._loads = np.array([self._flanks.force_of(torque) for torque in torques])
-        other._own_of = threading.local()
-        return other
+    def _place(self) -> None:
+        """Compute the mesh phases of flexible teeth."""
+        kappa = np.array(self.conditions.misalignments)
+        self._phases = FlexiblePhases(self._flanks, self._rows, self.conditions.phases, kappa, self._approach)
 
     def _own(self) -> _Solver:
         """Solver for one thread."""
@@ -180,6 +191,7 @@ class _Flexible:
         self.solver = solver
 
     def curves(self, rows: Array) -> Curves:
+        """Analyse one design, rows of shape (2, N_TERM)."""
         found = self.solver.solve(rows)
         _check(found["status"])
         return Curves.of(found["approach"], found["pressure"], found["edge"])
@@ -200,6 +212,7 @@ class _General:
         self.states["force"] = np.tile(np.repeat(loads, phase.size), self.shape[0])
 
     def curves(self, rows: Array) -> Curves:
+        """Analyse one design, rows of shape (2, N_TERM)."""
         flanks, record = self.flanks, self.flanks.record
         for gear in range(2):
             at = int(record["terms"][gear])

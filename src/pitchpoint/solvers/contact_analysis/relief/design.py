@@ -16,7 +16,7 @@ from pitchpoint.core.status import INTERRUPTED, OK, sentence
 from pitchpoint.model.numbers import number_at
 from pitchpoint.solvers.contact_analysis.relief.analyses import Analyses
 from pitchpoint.solvers.contact_analysis.relief.curves import Curves
-from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
+from pitchpoint.solvers.contact_analysis.relief.plan import FINER, ReliefPlan
 from pitchpoint.solvers.contact_analysis.relief.search import Search
 from pitchpoint.solvers.contact_analysis.relief.target import MICRO
 from pitchpoint.solvers.contact_analysis.relief.variables import AMOUNT_STEP, Flanks, with_values
@@ -78,14 +78,14 @@ def design_relief(
     began = time.perf_counter()
     complete = start_model(model, plan)
     flanks = Flanks(complete, name, plan.flank, plan.paths)
-    torques = np.sort(np.abs(np.asarray(plan.torques, dtype=np.float64)))
-    over = np.linspace(0.05, MAP_END, MAP_TORQUES) * torques[-1]
+    over = np.linspace(0.05, MAP_END, MAP_TORQUES) * plan.loads[-1]
     rows = flanks.rows(flanks.start)
     deepest = _deepest(plan, flanks)
-    maps = Analyses(complete, name, plan.conditions(over), rows, deepest, jobs)
+    every = Analyses(complete, name, plan.conditions(over, plan.positions), rows, deepest, jobs)
     status, text = OK, sentence(OK)
-    with maps.pool() as pool:
-        search = Search(plan, flanks, maps.with_torques(torques.tolist()), pool, progress)
+    with every.pool() as pool:
+        coarse = every.under(plan.conditions(plan.loads, plan.positions))
+        search = Search(plan, flanks, coarse, pool, progress)
         try:
             search.run(np.clip((flanks.start[: search.n] - search.low) / search.span, 0.0, 1.0))
         except (KeyboardInterrupt, SolverError) as stopped:
@@ -95,8 +95,9 @@ def design_relief(
             text = str(stopped) if isinstance(stopped, SolverError) else sentence(INTERRUPTED)
         assert search.best is not None
         optimum = search.low + search.best.at * search.span
+        search.refine()
         designs = [flanks.start[: search.n], optimum, search.rounded()]
-        data = _dataset(search, designs, torques, maps, over)
+        data = _dataset(search, designs, every.under(plan.conditions(over, FINER * plan.positions)))
     absent = [number_at(model, v.path) is None for v in plan.vary]
     data["value"][0, absent] = np.nan
     data.attrs |= _attributes(model, name, plan, status, time.perf_counter() - began, search.count)
@@ -145,16 +146,16 @@ def _deepest(plan: ReliefPlan, flanks: Flanks) -> float:
     )
 
 
-def _dataset(
-    search: Search, designs: Sequence[Array], torques: Array, maps: Analyses, over: Array
-) -> xr.Dataset:
+def _dataset(search: Search, designs: Sequence[Array], maps: Analyses) -> xr.Dataset:
     import xarray as xr
 
-    plan = search.plan
+    plan, positions = search.plan, maps.conditions.positions
+    over = np.array(maps.conditions.torques)
     found = [search.curves(values) for values in designs]
     nominal = [samples[0] for samples in found]
     peaks = np.array([[c.peak_to_peak for c in samples] for samples in found])
     harris = np.array([_map(search, maps, values) for values in designs])
+    positions_of, samples_of = np.array(search.effort).T
     by_torque, by_map = ("design", "torque"), ("design", "map_torque")
     variables: dict[str, tuple[tuple[str, ...], Any, str, str]] = {
         "value": (("design", "variable"), np.array(designs), "m", "values of the variables"),
@@ -202,6 +203,12 @@ def _dataset(
             "Pa",
             "maximum Hertzian pressure on the path of contact",
         ),
+        "excess": (
+            ("design",),
+            [max(float(search.target.excess(c).max(initial=0.0)) for c in samples) for samples in found],
+            "1",
+            "largest violation of a limit, relative",
+        ),
         "edge_share": (
             by_torque,
             np.array([c.edge.max(axis=(0, 2)) for c in nominal]),
@@ -229,22 +236,18 @@ def _dataset(
             "m",
             "objective, with a penalty for violated limits",
         ),
-        "best_score": (
-            ("evaluation",),
-            MICRO * np.minimum.accumulate(search.scores),
-            "m",
-            "best so far",
-        ),
+        "evaluated_positions": (("evaluation",), positions_of, "1", "number of mesh phases"),
+        "evaluated_deviations": (("evaluation",), samples_of, "1", "number of deviations, nominal included"),
     }
     coords = {
         "design": list(DESIGNS),
         "variable": [v.path for v in plan.vary],
-        "torque": (("torque",), torques, {"units": "N m", "long_name": "torque on gear 1"}),
+        "torque": (("torque",), plan.loads, {"units": "N m", "long_name": "torque on gear 1"}),
         "map_torque": (("map_torque",), over, {"units": "N m", "long_name": "torque on gear 1"}),
         "misalignment": (("misalignment",), np.array(plan.misalignments), {"units": "rad"}),
         "mesh_phase_position": (
             ("mesh_phase_position",),
-            (np.arange(plan.positions) + 0.5) / plan.positions,
+            (np.arange(positions) + 0.5) / positions,
             {"units": "1", "long_name": "mesh phase, 0 when a pair reaches A at mid-face"},
         ),
     }

@@ -78,7 +78,7 @@ class FlexiblePhases:
         placed["press"] = np.where(
             node["place"] == ON_PATH, pressure_of_unit_force(flanks, node["roll"]), 0.0
         )
-        _, _, local, C, *_ = flexible_arrays(record, n)
+        _, local, C, *_ = flexible_arrays(record, n)
         kept = [placed, C.copy(), local.copy()]
         self._kept += kept
         phase["n"] = n

@@ -25,8 +25,10 @@ Array = NDArray[np.float64]
 _DIFFERENCES = (2e-2, -2e-2, 1e-3, -1e-3, 1e-5, -1e-5)
 """Steps of differences, relative to the bounds. Where the start of a relief passes a contact node, the curves
 themselves have kinks: long steps average over them, both signs see both sides."""
-_FIRST, _LEAST = 0.1, 1e-7
-"""First and smallest size of the trust region, relative to the bounds."""
+_FIRST, _LEAST = 5.0, 0.05
+"""First and smallest size of the trust region over the difference."""
+_WIDEST = 0.01
+"""Smallest first size of the trust region, relative to the bounds."""
 _GAIN = 1e-7
 """Expected gain of a step [µm] below which a series of steps ends."""
 _ENOUGH = 1e-4
@@ -71,9 +73,9 @@ def polish(evaluate: Evaluate, start: Point, target: Target) -> Point:
 
 def _descend(evaluate: Evaluate, start: Point, target: Target, difference: float) -> Point:
     """Steps of linear programmes with slopes from one kind of difference."""
-    best, radius = start, max(_FIRST * abs(difference) / _DIFFERENCES[0], 10.0 * abs(difference))
+    best, radius = start, max(_FIRST * abs(difference), _WIDEST)
     slopes: Sequence[Point] | None = None
-    while radius > _LEAST:
+    while radius > _LEAST * abs(difference):
         ends = best.at + difference
         steps = np.where((ends > 1.0) | (ends < 0.0), -difference, difference)
         if slopes is None:

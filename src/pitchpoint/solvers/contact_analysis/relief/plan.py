@@ -16,7 +16,9 @@ from pitchpoint.solvers.contact_analysis.relief.target import Target
 from pitchpoint.solvers.contact_analysis.relief.variables import Variable
 
 LEAST_ANALYSES = 20
-"""Smallest number of analyses of a design."""
+"""Smallest number of analyses of a search."""
+FINER = 4
+"""Factor of the positions at the end of a search."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -42,11 +44,13 @@ class ReliefPlan:
     no_edge_contact
         Tip edges must not carry load at the highest torque.
     positions
-        Mesh phases over one base pitch.
+        Mesh phases over one base pitch during the search; its end and all results have `FINER` times as
+        many.
     flank
         1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
     analyses
-        Maximum number of analyses of the search, each at all torques for one deviation.
+        Maximum number of analyses of the search, each at all torques for one deviation; those with more
+        positions count several times.
     samples
         Random deviations with more than four tolerances.
     seed
@@ -115,9 +119,14 @@ class ReliefPlan:
         weights = weights[self.order()]
         return Target(weights / weights.max(), self.mean, self.max_pressure, self.no_edge_contact)
 
-    def conditions(self, torques: Sequence[float]) -> Conditions:
-        """Conditions of the analyses at given torques."""
-        return Conditions(tuple(torques), self.positions, tuple(self.misalignments), self.flank)
+    def conditions(self, torques: Sequence[float], positions: int) -> Conditions:
+        """Conditions of the analyses at given torques and a number of positions."""
+        return Conditions(tuple(torques), positions, tuple(self.misalignments), self.flank)
+
+    @property
+    def loads(self) -> list[float]:
+        """Magnitudes of the torques, increasing [N m]."""
+        return [abs(self.torques[k]) for k in self.order()]
 
     @property
     def paths(self) -> list[str]:

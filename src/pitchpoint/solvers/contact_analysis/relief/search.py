@@ -6,30 +6,35 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress
+from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.contact_analysis.relief.analyses import Analyses
 from pitchpoint.solvers.contact_analysis.relief.curves import Curves
 from pitchpoint.solvers.contact_analysis.relief.minimax import Point, polish
-from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
+from pitchpoint.solvers.contact_analysis.relief.plan import FINER, LEAST_ANALYSES, ReliefPlan
 from pitchpoint.solvers.contact_analysis.relief.target import tolerance_samples
 from pitchpoint.solvers.contact_analysis.relief.variables import Flanks
 
 Array = NDArray[np.float64]
 
-_EVOLUTION = 0.6
-"""Share of the analyses for differential evolution."""
+_NOMINAL, _EVOLUTION, _COARSE = 0.25, 0.5, 0.75
+"""Shares of the analyses up to the end of the search without tolerances, of differential evolution, and of
+linear programmes without more positions."""
 _POPULATION = 10
 """Designs of a generation per variable, between the two limits."""
-_SMALLEST, _LARGEST = 16, 64
+_SMALLEST, _LARGEST, _FEWEST = 16, 64, 5
 _SETTLED = 1e-4
 """Spread of a generation, relative, at which the evolution ends."""
-_STARTS, _APART = 4, 0.1
-"""Designs from which linear programmes start, and their distance relative to the bounds."""
+_STARTS, _FINAL, _APART = 4, 2, 0.05
+"""Designs from which linear programmes start, those with more positions, and their distance relative to the
+bounds."""
 _ROUNDING = 0.15
 """Share of the analyses up to which all roundings are compared."""
 
@@ -70,11 +75,32 @@ class Search:
         self.low = np.array([v.low for v in plan.vary])
         self.span = np.array([v.high for v in plan.vary]) - self.low
         wide = [plan.tolerances.get(path, 0.0) for path in plan.paths]
-        self.deviations = tolerance_samples(wide, plan.samples, plan.seed)
-        self.count = 0
+        self.every = tolerance_samples(wide, plan.samples, plan.seed)
+        least = LEAST_ANALYSES * len(self.every)
+        if plan.analyses < least:
+            raise SolverError(
+                f"relief design: {plan.analyses} analyses are too few for {len(self.every)} deviations "
+                f"within the tolerances; give at least {least}",
+                INCONSISTENT,
+            )
+        self.count, self.weight, self.limit = 0, 1, 0.0
+        self.deviations, self.first = self.every, 0
         self.values: list[Array] = []
         self.scores: list[float] = []
+        self.effort: list[tuple[int, int]] = []
         self.best: Point | None = None
+
+    def _begin(self, deviations: Array, share: float) -> None:
+        """Begin a stage up to a share of the analyses; its scores are not comparable with those before."""
+        self.deviations, self.limit = deviations, share * self.plan.analyses
+        self.first = len(self.values)
+
+    def refine(self) -> None:
+        """Begin the last stage, with more positions."""
+        if self.weight < FINER:
+            conditions = self.plan.conditions(self.plan.loads, FINER * self.plan.positions)
+            self.analyses, self.weight = self.analyses.under(conditions), FINER
+        self._begin(self.every, 1.0)
 
     def rows(self, values: Array, deviation: Array) -> Array:
         """Rows of a design, values of the variables [m], with a deviation of all paths."""
@@ -95,7 +121,7 @@ class Search:
             If these need more analyses than are left.
         """
         size = len(self.deviations)
-        if self.count + size * len(points) > self.plan.analyses:
+        if self.count + self.weight * size * len(points) > self.limit:
             raise ExhaustedError
         values = [self.low + point * self.span for point in points]
         designs = [self.rows(one, deviation) for one in values for deviation in self.deviations]
@@ -106,6 +132,7 @@ class Search:
             new = Point(np.asarray(point), samples, self.target.score(samples))
             self.values.append(values[k])
             self.scores.append(new.score)
+            self.effort.append((self.analyses.conditions.positions, size))
             if self.best is None or new.score < self.best.score:
                 self.best = new
             found.append(new)
@@ -113,31 +140,52 @@ class Search:
 
     def _count(self) -> None:
         """Count one analysis."""
-        self.count += 1
+        self.count += self.weight
         note = "" if self.best is None else f"best {self.best.score:.4g} µm"
         self.progress(self.count, self.plan.analyses, note)
 
     def run(self, start: Array) -> None:
         """Search from a start, values of the variables relative to the bounds; the result is `best`."""
+        first = [start]
+        if len(self.every) > 1:
+            self._begin(self.every[:1], _NOMINAL)
+            self._explore(first, 0.5 * _NOMINAL)
+            first += self._leading(_STARTS)
+        self.best = None
+        self._begin(self.every, _COARSE)
+        self._explore(first, _EVOLUTION)
+        leading, coarse = self._leading(_FINAL), self.best
+        self.refine()
+        self.best = None
         try:
-            self._evolve(start)
-            for start in self._starts():
-                polish(self.evaluate, self.evaluate([start])[0], self.target)
-        except ExhaustedError:
-            pass
+            self._polish(leading)
+        finally:
+            self.best = self.best or coarse
 
-    def _evolve(self, start: Array) -> None:
-        """Differential evolution; the first generation is a Sobol sequence and the start."""
+    def _explore(self, first: Sequence[Array], share: float) -> None:
+        """Differential evolution up to a share of the analyses, then linear programmes."""
+        with suppress(ExhaustedError):
+            self._evolve(first, int(share * self.plan.analyses - self.count) // len(self.deviations))
+        self._polish(self._leading(_STARTS))
+
+    def _polish(self, designs: Sequence[Array]) -> None:
+        """Linear programmes from several designs, the best one first."""
+        with suppress(ExhaustedError):
+            points = [self.evaluate([at])[0] for at in designs]
+            for point in sorted(points, key=lambda point: point.score):
+                polish(self.evaluate, point, self.target)
+
+    def _evolve(self, given: Sequence[Array], designs: int) -> None:
+        """Differential evolution; the first generation is a Sobol sequence and the given designs."""
         from scipy.optimize import Bounds, differential_evolution
         from scipy.stats import qmc
 
         count = int(min(max(_POPULATION * self.n, _SMALLEST), _LARGEST))
-        designs = int(_EVOLUTION * self.plan.analyses) // len(self.deviations)
-        count = min(count, designs)
+        count = max(min(count, designs), len(given))
         sobol = qmc.Sobol(self.n, seed=self.plan.seed).random(1 << (count - 1).bit_length())
-        first = np.concatenate([start[None, :], sobol[: count - 1]])
+        first = np.concatenate([np.array(given), sobol[: count - len(given)]])
         generations = designs // count - 1
-        if generations < 1 or count < 5:
+        if generations < 1 or count < _FEWEST:
             self.evaluate(list(first))
             return
 
@@ -157,14 +205,14 @@ class Search:
             seed=self.plan.seed,
         )
 
-    def _starts(self) -> list[Array]:
-        """Best designs that differ from each other."""
+    def _leading(self, count: int) -> list[Array]:
+        """Best designs of this stage that differ from each other."""
         chosen: list[Array] = []
-        for k in np.argsort(self.scores, kind="stable"):
+        for k in self.first + np.argsort(self.scores[self.first :], kind="stable"):
             at = (self.values[k] - self.low) / self.span
             if all(np.abs(at - other).max() > _APART for other in chosen):
                 chosen.append(at)
-            if len(chosen) == _STARTS:
+            if len(chosen) == count:
                 break
         return chosen
 
@@ -179,7 +227,7 @@ class Search:
             inside = [k for k in near if variable.low - 1e-12 <= k <= variable.high + 1e-12] or [value]
             choices.append([inside[k] for k in np.argsort(np.abs(np.array(inside) - value), kind="stable")])
         nearest = np.array([one[0] for one in choices])
-        if 2**self.n * len(self.deviations) > _ROUNDING * self.plan.analyses:
+        if 2**self.n * len(self.deviations) * self.weight > _ROUNDING * self.plan.analyses:
             return nearest
         every = [np.array(one) for one in itertools.product(*choices)]
         scores = [self.target.score(self.curves(values)) for values in every]
