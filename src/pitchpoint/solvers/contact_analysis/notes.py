@@ -34,9 +34,9 @@ def contact_notes(
         States, shape (m,), and nodes, shape (m, max_nodes), for each torque.
     """
     loaded = [nodes[_held(states, nodes)] for states, nodes in found]
-    node = np.concatenate(loaded) if loaded else np.zeros(0)
-    if not node.size:
+    if not any(each.size for each in loaded):
         return ()
+    node = np.concatenate(loaded)
     return (*_interference(flanks, node), *_far_edges(flanks, node))
 
 
