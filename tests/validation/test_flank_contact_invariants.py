@@ -60,7 +60,7 @@ def test_no_jump_from_spur_to_helical_gears():
 
 
 def test_centre_distance_changes_results_in_proportion():
-    """Differences over the change: equal from 1e-9 to 1e-5, without a jump; beyond, the curvature adds to them."""
+    """Differences over the change: equal from 1e-9 to 1e-5, no jump; beyond, the curvature adds to them."""
     base = spur(a=30.02).analysed(TORQUE, positions=8)
     slopes = {}
     for share in (1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3):
