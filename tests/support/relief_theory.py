@@ -24,7 +24,7 @@ class Relief:
         return self.amount * max(0.0, 1.0 - distance / self.length) if self.length > 0.0 else 0.0
 
 
-def deflection(phase, force, k, eps, start=Relief(), end=Relief()):  # noqa: B008 - frozen
+def deflection(phase, force, k, eps, start=Relief(), end=Relief()):
     """Approach of the flanks at a mesh phase [base pitches]: sum of k max(0, x - gap) = force."""
     places = phase % 1.0 + np.arange(int(eps - phase % 1.0) + 1)
     gaps = sorted(start(p) + end(eps - p) for p in places)

@@ -29,6 +29,7 @@ from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_s
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.flank_remarks import contact_counters
+from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.remarks import run_remarks
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import REJECTED
@@ -102,6 +103,7 @@ def run_time(
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", NOT_FINITE)
     begun = time.perf_counter()
     begin = prepare_start(system, chosen) if start is None else start
+    forget_contacts(begin.system)  # trial states of the start do not count
     loop = _Loop(begin, chosen, sink, channels)
     status = loop.run(progress)
     return loop.summary(status, time.perf_counter() - begun)
