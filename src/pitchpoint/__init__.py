@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell import solve_campbell
+    from pitchpoint.solvers.contact_analysis.relief.design import design_relief
+    from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
     from pitchpoint.solvers.contact_analysis.solve import solve_contact
     from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
     from pitchpoint.solvers.frequency_response import solve_frequency_response
@@ -49,6 +51,7 @@ __all__ = [
     "Model",
     "ModelError",
     "PitchpointError",
+    "ReliefPlan",
     "SolverError",
     "UnitError",
     "ValidityWarning",
@@ -56,6 +59,7 @@ __all__ = [
     "analyse",
     "cases_dataset",
     "compile_model",
+    "design_relief",
     "load_model",
     "open_result",
     "read_measured",
@@ -93,6 +97,8 @@ _HOMES = {
     "report.write": ("write_report",),
     "solvers.campbell": ("solve_campbell",),
     "solvers.contact_analysis.solve": ("solve_contact",),
+    "solvers.contact_analysis.relief.design": ("design_relief",),
+    "solvers.contact_analysis.relief.plan": ("ReliefPlan",),
     "solvers.equilibrium.solve": ("solve_equilibrium",),
     "solvers.frequency_response": ("solve_frequency_response",),
     "solvers.modal": ("solve_modal",),

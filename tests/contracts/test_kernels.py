@@ -7,6 +7,8 @@ import ast
 
 import pytest
 
+from pitchpoint.core import kernel
+from pitchpoint.elements import registry
 from tests.contracts.source import PACKAGE, functions, is_kernel, name_of, python_files, tree
 
 FORBIDDEN = {
@@ -172,3 +174,16 @@ def test_elements_leave_the_control_record_alone(name: str) -> None:
             base = target.value.value if isinstance(target.value, ast.Subscript) else target.value
             if isinstance(base, ast.Name) and base.id in {"c", "ctl", "control"}:
                 assert target.slice.value not in fields, f"{name}, line {target.lineno}"
+
+
+@pytest.mark.parametrize("name", registry.names())
+def test_machine_code_of_elements_is_stored(name):
+    """Every process would compile code again that could raise exceptions, such as an index of a tuple."""
+    if not kernel.COMPILING:
+        pytest.skip("no compiler")
+    from pitchpoint.core.compiler import machine_code
+
+    found = registry.find(name)
+    for entry in (found.entry, *(entry for entry, _ in found.some.values())):
+        kernel.address(entry)
+        assert not machine_code.is_refused(entry.py_func), entry.py_func.__name__

@@ -47,6 +47,8 @@ OTHERWISE = {
     "report/scene/spectra.py": {"torque": "quantity"},
     "report/scene/supports.py": {"bearing": "class of a solid in the scene"},
     "solvers/contact_analysis/lubrication.py": {"torque": "dimension"},
+    "solvers/contact_analysis/mesh_path.py": {"torque": "quantity"},
+    "solvers/contact_analysis/relief/design.py": {"torque": "quantity"},
     "solvers/contact_analysis/solve.py": {"torque": "quantity"},
     "system/source.py": {"drive": "key of a scenario"},
 }

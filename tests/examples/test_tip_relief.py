@@ -15,7 +15,6 @@ import pytest
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.contact_analysis.relief.design import design_relief
 from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
-from pitchpoint.solvers.contact_analysis.relief.variables import Variable
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from tests.support.relief_models import TIP, reliefs
 
@@ -59,11 +58,11 @@ def test_flexible_teeth(name, printed):
 def test_tolerances():
     """The worst of the drawing values: a plan whose bounds are these, and their start."""
     model = load_model(FOLDER / "relieved.yaml")
-    vary = [
-        Variable(TIP.format(gear, key), value, value + 1e-9)
+    vary = {
+        TIP.format(gear, key): (value, value + 1e-9)
         for gear, values in (("pinion", (13.5e-6, 4.5e-3)), ("wheel", (13.5e-6, 4.2e-3)))
         for key, value in zip(("amount", "length"), values, strict=True)
-    ]
+    }
     tolerances = {TIP.format(gear, "amount"): 2e-6 for gear in ("pinion", "wheel")}
     given = ReliefPlan(vary=vary, torques=TORQUES, tolerances=tolerances, analyses=100)
     data = design_relief(model, None, given)

@@ -63,18 +63,19 @@ MODIFIED = (
     "lead_crowning: 6 um}}"
 )
 GEARS = {
+    "plain": ("", ""),
     "modifications": (MODIFIED, MODIFIED),
     "pitch errors": (
         f"deviations: {{pitch: [{', '.join(f'{(-1) ** k * (k % 5)} um' for k in range(25))}]}}",
         "",
     ),
     "pits": (
-        "faults: {pit: {type: pitting, patches: [{position: 2 mm, diameter: 75 mm, length: 4 mm, "
-        "height: 1 mm, depth: 50 um}], tooth: 2}}",
+        "faults: {pit: {type: pitting, flank: both, tooth: 2, patches: [{position: 2 mm, diameter: 75 mm, "
+        "length: 4 mm, height: 1 mm, depth: 50 um}]}}",
         "",
     ),
     "broken": ("faults: {gone: {type: broken_tooth, tooth: 2, width: 12 mm, height: 3 mm}}", ""),
-    "crack": ("faults: {crack: {type: root_crack, tooth: 2, depth: 2 mm}}", ""),
+    "crack": ("faults: {crack: {type: root_crack, flank: left, tooth: 2, depth: 2 mm}}", ""),
 }
 
 
@@ -95,7 +96,7 @@ def machine(kind, level):
     return compile_model(loads_model(text))
 
 
-@pytest.mark.parametrize("kind", GEARS)
+@pytest.mark.parametrize("kind", [kind for kind in GEARS if kind != "plain"])
 @every_level
 def test_gears_of_a_model_file(kind, level):
     """At rolls over three base pitches, so that the faulty tooth is in contact; the bearings are all but
@@ -107,13 +108,16 @@ def test_gears_of_a_model_file(kind, level):
     pair = system.records["gear_mesh"][0]
     r_b = float(pair["r_b1"]), float(pair["r_b2"])
     u, energy = (system.layout.channel(f"{name}[stage]") for name in ("deflection", "elastic_energy"))
-    start, differing = state.q.copy(), 0
-    for roll in np.linspace(0.02, 0.9, 7):
+    plain, differing = machine("plain", level), 0.0
+    start = state.q.copy()
+    for roll in np.linspace(-0.8, -0.05, 9):
         state.q[:] = start
         state.q[spins] += [roll, -roll * r_b[0] / r_b[1]]
         row = evaluate.observe(system, state)
         state.q[spins[0]] += (35e-6 - row[u]) / r_b[0]
         force = evaluate.residual(system, state)
+        ours, theirs = (evaluate.observe(each, state)[energy] for each in (system, plain))
+        differing = max(differing, abs(ours / theirs - 1.0))
         slope = np.zeros(state.q.size)
         for k in range(state.q.size):
             h, values = (1e-8 if k in spins else 1e-9), []
@@ -125,5 +129,5 @@ def test_gears_of_a_model_file(kind, level):
         size = np.array([r_b[0] if k in spins else 1.0 for k in range(state.q.size)])
         scale = abs(slope / size).max()
         assert scale > 100.0
-        differing += abs(np.abs(force) - np.abs(slope)).max() / size.min() > 1.0
         assert (abs(np.abs(force) - np.abs(slope)) / size).max() < 1e-5 * scale
+    assert differing > 0.01

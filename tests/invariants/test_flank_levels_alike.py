@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Rules of the contact of tooth surfaces that compare two meshes or need losses: swap, size, never pulling."""
+"""Rules of the contact of tooth surfaces for two meshes or with losses: swap, size, never pulling."""
 
 import functools
 import math
@@ -70,7 +70,7 @@ def test_swapping_the_gears_changes_nothing(level, flank):
 @every_level
 @both_flanks
 def test_size(level, flank):
-    """All lengths doubled at the same material: forces by 4, moments by 8. The overlap of a table is a share of
+    """All lengths doubled, same material: forces by 4, moments by 8. The overlap of a table is a share of
     the compliance at a given line load, which the contact width changes by 2 %: 1e-4 of the force."""
     laws = {"rigid": rigid, "flexible": flexible, "precomputed": precomputed}[level]
     wrench = []

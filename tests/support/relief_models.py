@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
-from pitchpoint.solvers.contact_analysis.relief.variables import Variable
 
 K = 3e8
 TIP = "gears.{}.modifications.both.tip_relief.{}"
@@ -46,12 +45,12 @@ def torque(model, force):
 
 
 def reliefs(amount=(0.0, 40e-6), length=None):
-    """Variables of the tip reliefs of both gears."""
-    found = []
+    """Bounds of the tip reliefs of both gears by path."""
+    found = {}
     for gear in ("pinion", "wheel"):
-        found.append(Variable(TIP.format(gear, "amount"), *amount))
+        found[TIP.format(gear, "amount")] = amount
         if length is not None:
-            found.append(Variable(TIP.format(gear, "length"), *length))
+            found[TIP.format(gear, "length")] = length
     return found
 
 

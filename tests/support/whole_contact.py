@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -24,7 +24,6 @@ class Pair:
     keys: tuple[str, str] = ("", "")
     contact: str = ""
     mesh: str = ""
-    materials: str = field(default="")
 
     def model(self):
         """Model of the pair."""
@@ -37,7 +36,7 @@ class Pair:
             )
         distance = "" if self.a is None else f", center_distance: {self.a!r} mm"
         return loads_model(
-            f"{self.materials}gears:\n  g1: {gears[0]}\n  g2: {gears[1]}\n"
+            f"gears:\n  g1: {gears[0]}\n  g2: {gears[1]}\n"
             f"meshes:\n  stage: {{gears: [g1, g2]{distance}, "
             f"contact: {{level: flexible{self.contact}}}{self.mesh}}}\n"
         )

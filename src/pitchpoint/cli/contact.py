@@ -15,7 +15,7 @@ from pitchpoint.cli.contact_input import (
     operation_of,
     refuse_fixed,
 )
-from pitchpoint.cli.options import common, model_file, output, quantity, writes
+from pitchpoint.cli.options import common, model_file, quantity, writes
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 
 if TYPE_CHECKING:
@@ -86,7 +86,9 @@ UNDER_LOAD = ("misalignment", "center_distance")
     "Pressure-viscosity coefficient; default: 20 1/GPa, typical of mineral oils.",
 )
 @writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
-@output("Result file (netCDF-4/HDF5); default: none.")
+@writes(
+    "-o", "--output", "--out", help="Result file (netCDF-4/HDF5), or page with plots (.html); default: none."
+)
 @common
 def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Analyse the loaded tooth contact of a mesh of FILE, which has `contact`.
@@ -110,6 +112,8 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
             raise click.UsageError("--scenario requires --shafts; on fixed axes only --torque acts")
         options["torques"], options["flank"] = loads_of(model, mesh, options["torques"], options["flank"])
         options["misalignment"] = misalignment_of(options["misalignment"], model, mesh)
+    if options["picture"] is None and (options["output"] or "").lower().endswith(".html"):
+        options["picture"], options["output"] = options["output"], None
     target = result_path(options["output"], file, "") if options["output"] is not None else None
     if options["picture"] is not None:
         options["picture"] = check_target(options["picture"], "page", [file])
@@ -151,7 +155,7 @@ def compute(
     if target is not None:
         store(target, model, file, data, status=status, sentence=sentence, code=code)
     if options["picture"] is not None:
-        _draw(options["picture"], data, model)
+        _draw(options["picture"], data, model, "" if failure is None else f"{status}: {sentence}")
     summary = {
         "status": status,
         "sentence": sentence,
@@ -228,13 +232,13 @@ def active_flanks_of(data: xr.Dataset) -> list[list[dict[str, Any]] | None]:
     return found
 
 
-def _draw(path: Path, data: xr.Dataset, model: Model) -> None:
-    """Write a page with plots."""
+def _draw(path: Path, data: xr.Dataset, model: Model, note: str) -> None:
+    """Write a page with plots, and a note on an incomplete analysis."""
     from pitchpoint.io.target import write_file
     from pitchpoint.viz.contact_page import contact_page
 
     gears = {name: model.gears[name].geometry for name in model.meshes[str(data.attrs["mesh"])].gears}
-    write_file(path, contact_page(data, gears=gears))
+    write_file(path, contact_page(data, note, gears=gears))
 
 
 def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:

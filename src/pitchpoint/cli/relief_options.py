@@ -11,7 +11,6 @@ import click
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
-    from pitchpoint.solvers.contact_analysis.relief.variables import Variable
 
 _NUMBER = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*")
 
@@ -67,17 +66,15 @@ def _split(text: str, model: Model, option: str, form: str) -> tuple[str, str]:
     return path, value
 
 
-def variables_of(texts: tuple[str, ...], model: Model) -> list[Variable]:
-    """Variables of all `--vary`."""
-    from pitchpoint.solvers.contact_analysis.relief.variables import Variable
-
-    found: dict[str, Variable] = {}
+def variables_of(texts: tuple[str, ...], model: Model) -> dict[str, tuple[float, float]]:
+    """Bounds of all `--vary` by path [m]."""
+    found: dict[str, tuple[float, float]] = {}
     for text in texts:
         path, value = _split(text, model, "--vary", "PATH=LOW:HIGH")
         if path in found:
             raise click.BadParameter(f"{path} is varied twice", param_hint="--vary")
-        found[path] = Variable(path, *bounds_of(value))
-    return list(found.values())
+        found[path] = bounds_of(value)
+    return found
 
 
 def tolerances_of(texts: tuple[str, ...], model: Model) -> dict[str, float]:

@@ -79,8 +79,8 @@ def potential(table, s, x, kappa, a):
             row = int(table[VALUES]) + (((i_s + i) * n_k + i_k + j) * n_a + i_a) * n_x + i_x
             p0 = p1 = p2 = p3 = q0 = q1 = q2 = q3 = 0.0  # contracted over a: value, slope
             for m in range(width_a):
-                b = b_a[m]
-                d = d_a[m]
+                b = _entry(b_a, m)
+                d = _entry(d_a, m)
                 p0 += b * table[row]
                 p1 += b * table[row + 1]
                 p2 += b * table[row + 2]
@@ -92,21 +92,24 @@ def potential(table, s, x, kappa, a):
                 row += n_x
             w = b_x[0] * p0 + b_x[1] * p1 + b_x[2] * p2 + b_x[3] * p3
             w_x = d_x[0] * p0 + d_x[1] * p1 + d_x[2] * p2 + d_x[3] * p3
-            v += b_k[j] * w
-            v_k += d_k[j] * w
-            v_kk += e_k[j] * w
-            v_x += b_k[j] * w_x
-            v_xk += d_k[j] * w_x
-            v_xx += b_k[j] * (e_x[0] * p0 + e_x[1] * p1 + e_x[2] * p2 + e_x[3] * p3)
-            v_a += b_k[j] * (b_x[0] * q0 + b_x[1] * q1 + b_x[2] * q2 + b_x[3] * q3)
-        V += b_s[i] * v
-        V_s += d_s[i] * v
-        V_x += b_s[i] * v_x
-        V_k += b_s[i] * v_k
-        V_a += b_s[i] * v_a
-        V_xx += b_s[i] * v_xx
-        V_xk += b_s[i] * v_xk
-        V_kk += b_s[i] * v_kk
+            b = _entry(b_k, j)
+            d = _entry(d_k, j)
+            v += b * w
+            v_k += d * w
+            v_kk += _entry(e_k, j) * w
+            v_x += b * w_x
+            v_xk += d * w_x
+            v_xx += b * (e_x[0] * p0 + e_x[1] * p1 + e_x[2] * p2 + e_x[3] * p3)
+            v_a += b * (b_x[0] * q0 + b_x[1] * q1 + b_x[2] * q2 + b_x[3] * q3)
+        b = _entry(b_s, i)
+        V += b * v
+        V_s += _entry(d_s, i) * v
+        V_x += b * v_x
+        V_k += b * v_k
+        V_a += b * v_a
+        V_xx += b * v_xx
+        V_xk += b * v_xk
+        V_kk += b * v_kk
     if V <= 0.0:
         return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, beyond
     xx = V_x * V_x + V * V_xx
@@ -153,6 +156,16 @@ def force_ratios(table, s, x, kappa, a, out):
         first = int(table[RATIOS]) + row * n
         for q in range(n):
             out[q] += weight * table[first + q]
+
+
+@kernel(inline=True)
+def _entry(four, k):
+    """Entry k of four numbers. Indices of tuples could raise exceptions, which need the interpreter."""
+    if k == 0:
+        return four[0]
+    if k == 1:
+        return four[1]
+    return four[2] if k == 2 else four[3]
 
 
 @kernel(inline=True)

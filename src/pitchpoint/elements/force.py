@@ -25,7 +25,7 @@ from pitchpoint.elements.torsion import (
 )
 from pitchpoint.elements.wrench import origin, push, put, spin_axis
 from pitchpoint.multibody.channels import frame_args
-from pitchpoint.multibody.vectors import add, cross, less, times, triple, unit
+from pitchpoint.multibody.vectors import add, cross, dot, less, times, triple, unit
 
 WORLD, BODY = 0, 1
 
@@ -88,7 +88,7 @@ def _tangents(b, f, g, kk, ctl, sense, place, load, slopes):
             if k > 2 and (by_angle != 0.0 or by_speed != 0.0):
                 angle, speed, swing = turn_column(f, g, sense, m, side, k - 3, exact)
                 s = ck * (by_angle * angle + by_speed * speed)
-                s += c["cd"] * by_speed * (m[k - 3] if side == 0 else -m[k - 3])
+                s += c["cd"] * by_speed * (dot(w, m) if side == 0 else -dot(w, m))
                 df = add(df, times(s, force))
                 dm = add(dm, times(s, couple))
             held = times(ck * scale, force)

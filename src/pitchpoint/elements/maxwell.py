@@ -19,7 +19,7 @@ from pitchpoint.elements.kind import FRAME, FREE, WITH_STATE, Kind
 from pitchpoint.elements.line import line_between, line_column, pull, tension_tangent
 from pitchpoint.elements.wrench import put, spin_axis
 from pitchpoint.multibody.channels import frame_args, observations
-from pitchpoint.multibody.vectors import cross, times
+from pitchpoint.multibody.vectors import cross, dot, times, unit
 
 RECORD = np.dtype(
     [(n, "i8") for n in ("i", "j", "ii", "ij", "ji", "jj", "k", "ik", "ki", "jk", "kj", "kk")]
@@ -44,7 +44,7 @@ def _state_tangent(b, f, g, kk, ctl, line, n):
     k = b["stiffness"]
     nothing = (0.0, 0.0, 0.0)
     for h in range(3):  # dT = n . (angular velocity of body k)
-        s = c["cd"] * n[h]
+        s = c["cd"] * dot(unit(h), n)
         put(kk[b["ik"]], 3 + h, s, e, cross(arm_i, e))
         put(kk[b["jk"]], 3 + h, -s, e, cross(arm_j, e))
         put(kk[b["kk"]], 3 + h, s * k / b["damping"], nothing, n)

@@ -100,7 +100,19 @@ def _relief(row: FloatArray, at: int, u: FloatArray) -> FloatArray:
 
 
 def profile_gap(row: FloatArray, t: ArrayLike) -> FloatArray:
-    """Gap along the base tangent over the relative height t [m], shape of t.
+    """Gap along the base tangent over the relative height.
+
+    Parameters
+    ----------
+    row
+        As from `modification_terms`.
+    t
+        Relative height, 0 to 1 [-].
+
+    Returns
+    -------
+    ndarray, shape of t
+        Gap [m].
 
     Examples
     --------
@@ -114,7 +126,19 @@ def profile_gap(row: FloatArray, t: ArrayLike) -> FloatArray:
 
 
 def lead_gap(row: FloatArray, zeta: ArrayLike) -> FloatArray:
-    """Gap along the base tangent over the relative width ζ, −1 to 1 [m], shape of ζ.
+    """Gap along the base tangent over the relative width.
+
+    Parameters
+    ----------
+    row
+        As from `modification_terms`.
+    zeta
+        Relative width ζ, −1 to 1 [-].
+
+    Returns
+    -------
+    ndarray, shape of zeta
+        Gap [m].
 
     Examples
     --------

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError, note
+from pitchpoint.core.errors import Message, SolverError, note
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
@@ -25,11 +25,12 @@ from pitchpoint.solvers.initial_state.start import UNBALANCED, Start, prepare_st
 from pitchpoint.solvers.mean_balance import drift_notes
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
-from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary
+from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_statistics
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
-from pitchpoint.system.flank_remarks import contact_counters, counter_notes, table_remarks
-from pitchpoint.system.remarks import deep_contacts, weak_damping
+from pitchpoint.system.flank_remarks import contact_counters
+from pitchpoint.system.meshes import forget_contacts
+from pitchpoint.system.remarks import run_remarks
 from pitchpoint.system.system import System
 from pitchpoint.system.workspace import REJECTED
 
@@ -102,6 +103,7 @@ def run_time(
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", NOT_FINITE)
     begun = time.perf_counter()
     begin = prepare_start(system, chosen) if start is None else start
+    forget_contacts(begin.system)  # trial states of the start do not count
     loop = _Loop(begin, chosen, sink, channels)
     status = loop.run(progress)
     return loop.summary(status, time.perf_counter() - begun)
@@ -289,6 +291,11 @@ class _Loop:
             return self.sampler.follow(self.run_)
         return int(chunk.status)
 
+    def _divisions(self) -> tuple[Message, ...]:
+        """Note on divided steps."""
+        n = int(self.system.workspace.clock[REJECTED]) if isinstance(self.run_, generalized_alpha.Run) else 0
+        return (note(f"{n} of {self.steps} steps were divided where Newton's method failed"),) * (n > 0)
+
     def _sentence(self, status: int) -> str:
         """Sentence on how the run ended: what diverged and when, and whether a smaller step may help."""
         found = f": {self.diverged}" if self.diverged else ""
@@ -301,27 +308,13 @@ class _Loop:
     def summary(self, status: int, wall_s: float) -> TimeSummary:
         """Summary of the run: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
-        channels = {
-            c.name: {
-                "unit": c.unit,
-                "mean": float(found.mean[k]),
-                "rms": float(found.rms[k]),
-                "min": float(found.least[k]),
-                "max": float(found.most[k]),
-                **({"share_zero": float(found.share_zero[k])} if c.name.startswith("contact_state[") else {}),
-            }
-            for k, c in enumerate(self.system.layout.channels)
-        }
-        remarks = (*deep_contacts(self.system.model, [channels]), *weak_damping(self.system, channels))
-        remarks = (*remarks, *table_remarks(self.system), *counter_notes(self.system))
+        channels = channel_statistics(self.system.layout.channels, found)
+        remarks = run_remarks(self.system, channels)
         if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
             remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
-        divided = int(self.system.workspace.clock[REJECTED])
-        if isinstance(self.run_, generalized_alpha.Run) and divided:
-            divisions = f"{divided} of {self.steps} steps were divided where Newton's method failed"
-            remarks = (*remarks, note(divisions))
+        remarks = (*remarks, *self._divisions())
         t = float(self.run_.t)
         return TimeSummary(
             status=status,
@@ -390,9 +383,8 @@ def solve_time(
     memory, stored = Memory(), chosen_channels(system, chosen.channels)
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
-    attrs |= {"steps": done.steps, "notes": "; ".join(done.notes)}
-    if done.contact_solver:
-        attrs["contact_solver"] = json.dumps(done.contact_solver)
+    solver = json.dumps(done.contact_solver)
+    attrs |= {"steps": done.steps, "notes": "; ".join(done.notes), "contact_solver": solver}
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     data = channel_dataset(system, "time", times, rows, attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}

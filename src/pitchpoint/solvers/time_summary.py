@@ -3,13 +3,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.system.system import State
+
+if TYPE_CHECKING:
+    from pitchpoint.solvers.sampling import Statistics
+    from pitchpoint.system.layout import Channel
 
 
 class Sink(Protocol):
@@ -75,3 +80,19 @@ class TimeSummary:
     notes: tuple[str, ...]
     state: State
     contact_solver: dict[str, dict[str, int]]
+
+
+def channel_statistics(channels: Sequence[Channel], found: Statistics) -> dict[str, dict[str, Any]]:
+    """Statistics by name of the channel, see `TimeSummary`."""
+    rows: dict[str, dict[str, Any]] = {}
+    for k, channel in enumerate(channels):
+        row = rows[channel.name] = {
+            "unit": channel.unit,
+            "mean": float(found.mean[k]),
+            "rms": float(found.rms[k]),
+            "min": float(found.least[k]),
+            "max": float(found.most[k]),
+        }
+        if channel.name.startswith("contact_state["):
+            row["share_zero"] = float(found.share_zero[k])
+    return rows

@@ -28,7 +28,7 @@ AXES = {
 
 
 def solver_counters(record: np.void, pool: NDArray[np.float64]) -> dict[str, int]:
-    """Counters of one mesh with flexible contact; empty for all others.
+    """Counters of one mesh whose flexible contact is solved in the run; empty for all others.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ def solver_counters(record: np.void, pool: NDArray[np.float64]) -> dict[str, int
     pool
         Pool of its kind, shape (n,).
     """
-    if is_bevel(record) or not record["is_flexible"]:
+    if is_bevel(record) or not record["is_flexible"] or record["is_tabulated"]:
         return {}
     first = state_offset(record)
     state = pool[first : first + CONTACT_STATE.itemsize // 8].view(CONTACT_STATE)[0]
@@ -82,3 +82,8 @@ def table_remarks(system: System) -> tuple[Message, ...]:
             )
         )
     return tuple(found)
+
+
+def flank_remarks(system: System) -> tuple[Message, ...]:
+    """All notes on the contact of tooth surfaces after a time response."""
+    return (*table_remarks(system), *counter_notes(system))

@@ -12,6 +12,7 @@ from pitchpoint.core.errors import Message
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.gear import Gear
+from pitchpoint.system.flank_remarks import flank_remarks
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
@@ -22,6 +23,20 @@ DEEPEST = 0.1
 """Maximum penetration in normal modules for teeth as springs on the undeformed line of action."""
 FULL_DAMPING = 0.9
 """Fraction of the contact damping above which it is considered complete."""
+
+
+def run_remarks(system: System, statistics: Mapping[str, Mapping[str, Any]]) -> tuple[Message | str, ...]:
+    """All notes of this module and of `flank_remarks` after a time response.
+
+    Parameters
+    ----------
+    system
+        The computed system.
+    statistics
+        Table of channels with `mean`, `min` and `max`.
+    """
+    deep = deep_contacts(system.model, [statistics])
+    return (*deep, *weak_damping(system, statistics), *flank_remarks(system))
 
 
 def deep_contacts(

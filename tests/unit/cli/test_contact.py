@@ -121,6 +121,12 @@ def test_a_result_file_holds_the_dataset(
     assert "FZG type C: tooth contact" in text
 
 
+def test_a_page_by_its_extension(file: str, tmp_path: Path) -> None:
+    page = tmp_path / "c.html"
+    assert run_command(["contact", file, "--positions", "8", "--out", str(page), "-q"]) == 0
+    assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
 def test_operating_conditions(file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target, page = tmp_path / "c.h5", tmp_path / "c.html"
     oil = ["--speed", "2000 rpm", "--friction", "0.05", "--viscosity", "20 mPa s"]
@@ -179,14 +185,16 @@ def test_torques_before_a_failure_are_kept(
         return nodes
 
     monkeypatch.setattr(FlankStates, "solve", failing)
-    target = tmp_path / "c.h5"
+    target, page = tmp_path / "c.h5", tmp_path / "c.html"
     options = ["-t", "100", "-t", "200", "-t", "300", "--positions", "8", "-o", str(target)]
+    options += ["--picture", str(page)]
     assert run_command(["contact", file, *options]) == 3
     captured = capsys.readouterr()
     assert "no contact state at 200 N m, mesh phase 0.3750" in captured.err
     assert f"partial results are in {target}" in captured.err
     assert "100 N m" in captured.out
     assert read_header(target)["status"] == "failed"
+    assert 'role="note">failed: mesh stage: no contact state' in page.read_text(encoding="utf-8")
     with open_result(target) as data:
         assert data["torque"].values.tolist() == [100.0, 200.0]
 

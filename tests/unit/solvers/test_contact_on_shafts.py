@@ -24,8 +24,8 @@ def test_forces_are_those_of_the_roll(level, torque):
 
 
 def test_stiff_bearings_give_the_result_on_fixed_axes():
-    """Bearings 1e4 times stiffer have no effect. The positions of both analyses are at other phases: means over
-    48 of them differ by less than one part in 48 of the variation over the phase (5 %)."""
+    """Bearings 1e4 times stiffer have no effect. The positions of both analyses are at other phases: means
+    over 48 of them differ by less than one part in 48 of the variation over the phase (5 %)."""
     text = pair_text().replace("3e8 N/m", "3e12 N/m").replace("5e8 N/m", "5e12 N/m")
     text = text.replace("1e8 N/m", "1e12 N/m").replace("1e6 N m/rad", "1e10 N m/rad")
     model = loads_model(text)

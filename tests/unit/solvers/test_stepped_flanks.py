@@ -9,9 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pitchpoint.analysis.flank_contact.teeth import mesh_teeth, pair_positions
 from pitchpoint.contact.hertz import half_width, plane_strain_compliance
 from pitchpoint.contact.strip_pressure import stepped_pressure
 from pitchpoint.geometry.modifications import deviation
+from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from pitchpoint.solvers.contact_analysis.stepped_flanks import bends_of, step_pressures
@@ -93,8 +95,6 @@ def test_equal_gears_have_mirrored_pressures(tmp_path: Path) -> None:
     )
     lines = lines.replace("0.1715", "0.1817").replace("91.5", "91.6")
     path.write_text(lines, encoding="utf-8")
-    from pitchpoint.io.yaml_model import load_model
-
     model = load_model(path)
     pair = model.pairs["stage"]
     roll, _, pressure = contacts(model, positions=400)
@@ -123,3 +123,23 @@ def test_tip_rounding_within_the_contact(tmp_path: Path) -> None:
         strips = stepped_pressure(curvature[k], [(0.0, 1.0 / 1e-4 - 1.0 / own)], 1e5, 2.0 * STEEL)
         assert fields["pressure"][k] == pytest.approx(strips.maximum, rel=1e-4)
         assert fields["pressure"][k] > 1.5 * before[k]
+
+
+def test_pressure_continues_from_the_flank_to_the_rounding(tmp_path: Path) -> None:
+    """Contact passes E and A: 3 % per thousandth of a base pitch, as the contact moves to the rounding, where
+    the pressure is higher although the load decreases."""
+    rounded = "tip_rounding: 0.3 mm"
+    model = fzg(tmp_path, gears=(rounded, rounded), planes=1)
+    data = solve_contact(model, torque=302.0, positions=1000)
+    flank, edge = (data[name].values[0, :, :, 0] for name in ("pressure", "edge_pressure"))
+    assert np.nanmax(edge) > np.nanmax(flank)
+    teeth = mesh_teeth(data)
+    place, pressure = pair_positions(data), np.fmax(flank, edge)
+    for end in (0.0, teeth.eps_alpha):
+        near = np.abs(place - end) < 0.004
+        order = np.argsort(place[near])
+        assert order.size > 5
+        steps = np.diff(pressure[near][order]) / pressure[near].max()
+        # the steps are equal to a fifth, over the end of the path too
+        assert np.abs(steps).max() < 0.04
+        assert np.ptp(steps) < 0.2 * np.abs(steps).max() + 0.004

@@ -199,10 +199,14 @@ def on_flank(pattern: ContactPattern, name: str, gear: int = 1, points: int = PO
     sign = 1.0 if ends[1] > ends[0] else -1.0
     roll = np.where(np.isfinite(roll), roll, ends[0] + sign * teeth.base_pitch * along)
     before, beyond = along < 0.0, along > teeth.eps_alpha
+    inside = ~(before | beyond)
+    # tip edges begin where the contact on the line of action ends
+    before[1:] |= before[:-1] & inside[1:]
+    beyond[:-1] |= beyond[1:] & inside[:-1]
     step = _step(pattern) * teeth.base_pitch
     found = np.full((points, pattern.z.size), np.nan)
     for plane in range(pattern.z.size):
-        for part in (before[:, plane], ~(before | beyond)[:, plane], beyond[:, plane]):
+        for part in (before[:, plane], inside[:, plane], beyond[:, plane]):
             one = _interpolated(grid, roll[part, plane], values[part, plane], step)
             found[:, plane] = np.fmax(found[:, plane], one)
     return ContactField(place=grid, z=pattern.z, values=found)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Flank deviations from the involute: modifications, and grids interpolated at the contact point.
 
-Modifications are closed form (`mesh.flank_modifications`). Beside them each gear has two stacks of grids over
+Modifications are closed form (`mesh.flank_modifications`). Each gear also has two stacks of grids over
 face width and length of roll. The first holds gaps along the base tangent and additional compliances; the
 second, with a finer grid where necessary, level functions: material broken out of or worn off the flank is
 the positive part of a level, and its zero line is the edge of the damage. A table per gear gives the grids

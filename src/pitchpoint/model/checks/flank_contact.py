@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the contact of tooth surfaces: no stiffness law beside it, gear body and clamp within range."""
+"""Checks of the contact of tooth surfaces: no stiffness law with it, gear body and clamp within range."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FITTED = ("sainsot", "half_plane")
 
 
 def check_flank_contacts(parts: Parts, report: Reader) -> None:
-    """Report a stiffness law beside a contact, and flexible contacts whose teeth have no such body."""
+    """Report a stiffness law with a contact, and flexible contacts whose teeth have no such body."""
     for name, mesh in parts.meshes.items():
         if mesh.contact is None:
             continue

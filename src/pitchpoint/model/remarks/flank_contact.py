@@ -35,7 +35,7 @@ def contact_keys(model: Model) -> Iterator[Message]:
 
 
 def _analytic_keys(contact: FlexibleContact, at: str) -> Iterator[Message]:
-    """Keys of analytic teeth beside teeth from finite elements."""
+    """Keys of analytic teeth given for teeth from finite elements."""
     if contact.teeth == "analytic":
         return
     usual = defaults_of(FlexibleContact)

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import address, call, invoke, kernel, view
 from pitchpoint.core.status import DIVERGED, OK, sentence
-from pitchpoint.elements.gear_mesh import entry
+from pitchpoint.elements import registry
 from pitchpoint.multibody.channels import CTL, F8, FRAME
 from pitchpoint.system.link import link
 from pitchpoint.system.rules.gear_mesh import mesh_alone
@@ -115,7 +115,7 @@ class MeshPath:
         self._run = np.zeros(1, RUN)
         self._run["record"], self._run["ctl"] = self._records.ctypes.data, ctl.ctypes.data
         self._run["frames"], self._run["tangents"] = self._frames.ctypes.data, self._kk.ctypes.data
-        self._run["entry"] = address(entry)
+        self._run["entry"] = address(registry.find(bank.kind).entry)
 
     def forces(self, phase: ArrayLike, approach: ArrayLike) -> tuple[Array, Array]:
         """Forces [N] and tangent stiffness [N/m] along the base tangent at mesh phases and approaches.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes on a contact analysis: contact below the root form circle, or at the end of the range of tip edges."""
+"""Notes on a contact analysis: contact below the root form circle, and beyond the range of tip edges."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _held(states: NDArray[np.void], nodes: NDArray[np.void]) -> NDArray[np.bool_
 
 
 def _interference(flanks: FlankStates, node: NDArray[np.void]) -> list[Message]:
-    """Contacts between the root form circle and the root, where the flank is no involute."""
+    """Contacts between the root form circle and the root, where the flank is not an involute."""
     pair = flanks.model.pairs[flanks.mesh]
     found = []
     for k, name in enumerate(flanks.model.meshes[flanks.mesh].gears):

@@ -183,6 +183,8 @@ def contact_dataset(
     states = np.array([s for s, _ in found]).reshape(size)
     first, force = states["first"], states["force"]
     error = states["x_0"] - first.min(axis=1, keepdims=True)
+    with np.errstate(divide="ignore", invalid="ignore"):  # states without a solution
+        secant = force / (states["x_0"] - first)
     curves = {
         "transmission_error": (error, "m", "approach of the flanks along the base tangent"),
         "unloaded_transmission_error": (
@@ -192,7 +194,7 @@ def contact_dataset(
         ),
         "mesh_force": (force, "N", "force along the base tangent"),
         "mesh_stiffness": (states["stiffness"], "N/m", "derivative of the force by the approach"),
-        "secant_stiffness": (force / (states["x_0"] - first), "N/m", "force over the approach from contact"),
+        "secant_stiffness": (secant, "N/m", "force over the approach from contact"),
         "elastic_energy": (states["energy"], "J", "energy stored in teeth and contacts"),
     }
     variables: dict[str, Any] = {

@@ -183,6 +183,9 @@ def set_node(b, node, xi, z, place, eta, deviating):
     node["soft"] = 0.0
     node["by_z"][0] = 0.0
     node["by_z"][1] = 0.0
+    for gear in range(2):
+        node["soft_by_roll"][gear] = 0.0
+        node["soft_by_z"][gear] = 0.0
     if not deviating:
         return
     for gear in range(2):

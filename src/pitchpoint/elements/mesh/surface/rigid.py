@@ -47,7 +47,6 @@ def _store(b, node, k, u, soft):
     by_xi = of_roll[0] * node["roll_by_xi"][0] + of_roll[1] * node["roll_by_xi"][1]
     by_tan = of_roll[0] * node["roll_by_tan"][0] + of_roll[1] * node["roll_by_tan"][1]
     add_slopes(b, node, 0.0, slope * by_xi, slope * by_tan, (slope * of_z[0], slope * of_z[1]))
-    now["by_dz"] -= by_soft * soft * now["growth"]
 
 
 @kernel

@@ -59,7 +59,7 @@ def _add_slopes(b, s_slope, force, by_distance, middle):
     place = now["place_slope"][0] + now["place_slope"][1] * middle
     now["by_travel"] += now["flank"] * per_xi
     now["by_tan"] += (now["xi_slope"] - b["r_b2"]) * per_xi
-    now["by_tan"] += by_distance * (b["r_b1"] + b["r_b2"]) * now["sin_a"]
+    now["by_tan"] += by_distance * abs(b["r_b1"] + b["r_b2"]) * now["sin_a"]
     now["by_dz"] += now["flank"] * b["tan_b"] * (b["w1"] - 0.5 + place) * per_xi
     now["by_dz"] -= force * now["kappa"] * (place - b["w_z"])
 
@@ -80,7 +80,7 @@ def tabulated_flank(record, watch, _):
     middle = 0.5 * (now["z_lo"] + now["z_hi"])
     s = now["psi"] + now["lam"] * middle
     x = now["x_0"] - kappa * middle
-    found = potential(table, s, x, kappa, now["a"])
+    found = potential(table, s, x, kappa, abs(now["a"]))
     energy, by_s, force, by_kappa, by_distance, xx, xk, kk, beyond = found
     if watch == 1:
         sums["nearest"] = max(sums["nearest"], x if force > 0.0 else APART)
@@ -110,7 +110,7 @@ def tabulated_flank(record, watch, _):
     sums["pushed"] += total
     ratios = b["gcp_ratios"]
     if b["contact"]["mu"] > 0.0 or watch == 1:
-        force_ratios(table, s, x, kappa, now["a"], ratios)
+        force_ratios(table, s, x, kappa, abs(now["a"]), ratios)
     if b["contact"]["mu"] > 0.0:
         _add_friction(b, total, middle, ratios)
     if watch == 1:

@@ -191,6 +191,7 @@ class _Flexible:
         self.solver = solver
 
     def curves(self, rows: Array) -> Curves:
+        """Analyse one design, rows of shape (2, N_TERM)."""
         found = self.solver.solve(rows)
         _check(found["status"])
         return Curves.of(found["approach"], found["pressure"], found["edge"])
@@ -211,6 +212,7 @@ class _General:
         self.states["force"] = np.tile(np.repeat(loads, phase.size), self.shape[0])
 
     def curves(self, rows: Array) -> Curves:
+        """Analyse one design, rows of shape (2, N_TERM)."""
         flanks, record = self.flanks, self.flanks.record
         for gear in range(2):
             at = int(record["terms"][gear])

@@ -98,7 +98,7 @@ def design_relief(
         search.refine()
         designs = [flanks.start[: search.n], optimum, search.rounded()]
         data = _dataset(search, designs, every.under(plan.conditions(over, FINER * plan.positions)))
-    absent = [number_at(model, v.path) is None for v in plan.vary]
+    absent = [number_at(model, path) is None for path in plan.vary]
     data["value"][0, absent] = np.nan
     data.attrs |= _attributes(model, name, plan, status, time.perf_counter() - began, search.count)
     if status != OK:
@@ -116,7 +116,7 @@ def start_model(model: Model, plan: ReliefPlan) -> Model:
     ModelError
         If a path does not exist, or a bound does not fit the gear.
     """
-    bounds = {v.path: v for v in plan.vary}
+    bounds = {v.path: v for v in plan.variables}
     missing: dict[str, float] = {}
     for path in plan.paths:
         if number_at(model, path) is None:
@@ -138,7 +138,7 @@ def _deepest(plan: ReliefPlan, flanks: Flanks) -> float:
     amounts = [0, 1, 2, 3, TIP, ROOT, END]
     wide = np.array([plan.tolerances.get(path, 0.0) for path in plan.paths])
     most = np.abs(flanks.start) + wide
-    for k, variable in enumerate(plan.vary):
+    for k, variable in enumerate(plan.variables):
         most[k] = max(abs(variable.low), abs(variable.high)) + wide[k]
     base = np.abs(flanks.rows(flanks.start))[:, amounts].sum()
     return float(
@@ -163,7 +163,7 @@ def _dataset(search: Search, designs: Sequence[Array], maps: Analyses) -> xr.Dat
         "upper_bound": (("variable",), search.low + search.span, "m", "upper bound"),
         "tolerance": (
             ("variable",),
-            [plan.tolerances.get(v.path, 0.0) for v in plan.vary],
+            [plan.tolerances.get(path, 0.0) for path in plan.vary],
             "m",
             "tolerance of the variable, ±",
         ),
@@ -241,7 +241,7 @@ def _dataset(search: Search, designs: Sequence[Array], maps: Analyses) -> xr.Dat
     }
     coords = {
         "design": list(DESIGNS),
-        "variable": [v.path for v in plan.vary],
+        "variable": list(plan.vary),
         "torque": (("torque",), plan.loads, {"units": "N m", "long_name": "torque on gear 1"}),
         "map_torque": (("map_torque",), over, {"units": "N m", "long_name": "torque on gear 1"}),
         "misalignment": (("misalignment",), np.array(plan.misalignments), {"units": "rad"}),

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -28,7 +28,8 @@ class ReliefPlan:
     Parameters
     ----------
     vary
-        Variables with their bounds.
+        Lower and upper bound [m] of the variables by path, such as
+        gears.pinion.modifications.both.tip_relief.amount.
     torques
         Torques on gear 1 [N m]; only the magnitudes count.
     weights
@@ -57,7 +58,7 @@ class ReliefPlan:
         Seed of search and samples.
     """
 
-    vary: Sequence[Variable]
+    vary: Mapping[str, tuple[float, float]]
     torques: Sequence[float]
     weights: Sequence[float] | None = None
     mean: bool = False
@@ -78,13 +79,11 @@ class ReliefPlan:
 
     def _faults(self) -> list[tuple[bool, str]]:
         """Conditions that a plan must not meet, and what to do."""
-        paths = [v.path for v in self.vary]
-        bounds = [v.high > v.low and math.isfinite(v.high - v.low) for v in self.vary]
+        bounds = [v.high > v.low and math.isfinite(v.high - v.low) for v in self.variables]
         weights = np.ones(1) if self.weights is None else np.asarray(self.weights, dtype=np.float64)
         fitting = self.weights is None or len(self.weights) == len(self.torques)
         return [
-            (not paths, "give at least one variable"),
-            (len(set(paths)) < len(paths), "a path is varied twice; give each once"),
+            (not self.vary, "give at least one variable"),
             (not all(bounds), "the lower bound of a variable is not below its upper bound; exchange them"),
             (
                 not self.torques or not all(math.isfinite(t) and t != 0.0 for t in self.torques),
@@ -107,6 +106,11 @@ class ReliefPlan:
             (self.analyses < LEAST_ANALYSES, f"give at least {LEAST_ANALYSES} analyses"),
         ]
 
+    @property
+    def variables(self) -> list[Variable]:
+        """Variables in the order of `vary`."""
+        return [Variable(path, float(low), float(high)) for path, (low, high) in self.vary.items()]
+
     def order(self) -> list[int]:
         """Order of the torques from the smallest to the largest."""
         return sorted(range(len(self.torques)), key=lambda k: abs(self.torques[k]))
@@ -119,7 +123,7 @@ class ReliefPlan:
         weights = weights[self.order()]
         return Target(weights / weights.max(), self.mean, self.max_pressure, self.no_edge_contact)
 
-    def conditions(self, torques: Sequence[float], positions: int) -> Conditions:
+    def conditions(self, torques: Iterable[float], positions: int) -> Conditions:
         """Conditions of the analyses at given torques and a number of positions."""
         return Conditions(tuple(torques), positions, tuple(self.misalignments), self.flank)
 
@@ -131,5 +135,4 @@ class ReliefPlan:
     @property
     def paths(self) -> list[str]:
         """Paths of the variables, then of other modifications with tolerances."""
-        varied = [v.path for v in self.vary]
-        return varied + [path for path in self.tolerances if path not in varied]
+        return [*self.vary, *(path for path in self.tolerances if path not in self.vary)]

@@ -72,8 +72,8 @@ class Search:
         self.progress = progress
         self.target = plan.target()
         self.n = len(plan.vary)
-        self.low = np.array([v.low for v in plan.vary])
-        self.span = np.array([v.high for v in plan.vary]) - self.low
+        self.low = np.array([v.low for v in plan.variables])
+        self.span = np.array([v.high for v in plan.variables]) - self.low
         wide = [plan.tolerances.get(path, 0.0) for path in plan.paths]
         self.every = tolerance_samples(wide, plan.samples, plan.seed)
         least = LEAST_ANALYSES * len(self.every)
@@ -222,7 +222,7 @@ class Search:
         assert self.best is not None
         exact = self.low + self.best.at * self.span
         choices = []
-        for variable, value in zip(self.plan.vary, exact, strict=True):
+        for variable, value in zip(self.plan.variables, exact, strict=True):
             below = variable.step * np.floor(value / variable.step + 1e-9)
             near = [round(k, 12) for k in (below, below + variable.step)]
             inside = [k for k in near if variable.low - 1e-12 <= k <= variable.high + 1e-12] or [value]

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The example `advanced-contact`: one gear pair with rigid, flexible and pre-computed contact.
+
+Oracles: the brake torque over the base radius bounds the mean mesh force, friction with 0.06 being at most a
+few per cent; flexible contact for the table; `contact-levels` for the rigid stiffness.
+"""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import pytest
+
+from pitchpoint.io.contact_table import write_contact_table
+from pitchpoint.io.yaml_model import load_model
+from pitchpoint.model.contact_inputs import contact_inputs
+from pitchpoint.solvers.contact_analysis.law_fit import fit_analytic_law
+from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
+from pitchpoint.solvers.time import run_time
+from pitchpoint.system.compile import compile_model
+
+FOLDER = Path(__file__).parents[2] / "examples" / "advanced-contact"
+NUMBERS = {
+    "rigid": (18.6e-6, 3.72e-6, 5921.0),
+    "flexible": (17.8e-6, 2.04e-6, 5919.0),
+    "precomputed": (17.9e-6, 2.04e-6, 5913.0),
+}
+
+
+@pytest.fixture(scope="module")
+def channels(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("advanced")
+    for path in FOLDER.glob("*.yaml"):
+        shutil.copy(path, folder)
+    flexible = load_model(folder / "flexible.yaml")
+    tables = {
+        side: contact_table(flexible, "stage", TableRequest(torque=600.0), flank)
+        for side, flank in (("front", 1), ("back", -1))
+    }
+    inputs = contact_inputs(flexible, "stage", flexible.meshes["stage"].contact)
+    # dampings are not part of a table
+    write_contact_table(folder / "stage.gcp.h5", tables, inputs)
+    return {
+        name: run_time(compile_model(load_model(folder / f"{name}.yaml"), "steady")).channels
+        for name in NUMBERS
+    }
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_numbers_of_the_page(channels, name):
+    error, force = (channels[name][f"{what}[stage]"] for what in ("transmission_error", "mesh_force"))
+    mean, rms, load = NUMBERS[name]
+    assert error["mean"] == pytest.approx(mean, abs=0.051e-6)
+    assert error["rms"] == pytest.approx(rms, abs=0.0051e-6)
+    assert force["mean"] == pytest.approx(load, abs=1.0)
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_mean_mesh_force_is_the_brake_torque_over_the_base_radius(channels, name):
+    """Friction changes it by less than its coefficient times tan α_wt = 0.38."""
+    model = load_model(FOLDER / "flexible.yaml")
+    nominal = 300.0 / model.pairs["stage"].gear2.r_b
+    assert channels[name]["mesh_force[stage]"]["mean"] == pytest.approx(nominal, rel=0.06 * 0.38)
+
+
+def test_table_against_flexible_contact(channels):
+    mean = {name: channels[name]["transmission_error[stage]"]["mean"] for name in NUMBERS}
+    assert mean["precomputed"] == pytest.approx(mean["flexible"], rel=5e-3)
+
+
+def test_the_rigid_stiffness_is_that_of_the_fit():
+    model = load_model(FOLDER / "flexible.yaml")
+    fit = fit_analytic_law(model, torque=200.0)
+    rigid = load_model(FOLDER / "rigid.yaml").meshes["stage"].contact
+    assert rigid.stiffness == pytest.approx(fit.rigid_stiffness, rel=2e-3)
