@@ -120,6 +120,7 @@ def test_smooth_curves_hardly_change():
 @pytest.mark.parametrize(
     ("path", "words"),
     [
+        ("gears.other.modifications.both.lead_crowning", "is not a modification of a gear of mesh stage"),
         ("gears.wheel.face_width", "is not a modification of a gear of mesh stage"),
         ("gears.pinion.modifications.left.lead_crowning", "has no effect on the loaded flank"),
         ("gears.pinion.modifications.both.tip_relief.shape", "is not a length"),

@@ -19,7 +19,12 @@ from pitchpoint.solvers.contact_analysis.relief.curves import Curves
 from pitchpoint.solvers.contact_analysis.relief.plan import FINER, ReliefPlan
 from pitchpoint.solvers.contact_analysis.relief.search import Search
 from pitchpoint.solvers.contact_analysis.relief.target import MICRO
-from pitchpoint.solvers.contact_analysis.relief.variables import AMOUNT_STEP, Flanks, with_values
+from pitchpoint.solvers.contact_analysis.relief.variables import (
+    AMOUNT_STEP,
+    Flanks,
+    check_paths,
+    with_values,
+)
 from pitchpoint.solvers.contact_analysis.solve import mesh_of
 
 if TYPE_CHECKING:
@@ -76,6 +81,7 @@ def design_relief(
     """
     name = mesh_of(model, mesh)
     began = time.perf_counter()
+    check_paths(model, name, plan.paths)
     complete = start_model(model, plan)
     flanks = Flanks(complete, name, plan.flank, plan.paths)
     over = np.linspace(0.05, MAP_END, MAP_TORQUES) * plan.loads[-1]

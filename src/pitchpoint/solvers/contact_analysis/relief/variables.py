@@ -103,6 +103,7 @@ class Flanks:
     """
 
     def __init__(self, model: Model, mesh: str, flank: int, paths: Sequence[str]) -> None:
+        check_paths(model, mesh, paths)
         self.paths = tuple(paths)
         self.gears = [model.gears[g] for g in model.meshes[mesh].gears]
         sides = [flank_sides(gear, k == 1)[0 if flank > 0 else 1] for k, gear in enumerate(self.gears)]
@@ -169,27 +170,40 @@ def _number(model: Model, path: str) -> float:
     return found[0]
 
 
+def check_paths(model: Model, mesh: str, paths: Sequence[str]) -> None:
+    """Check that paths have the form of modifications of the gears of a mesh.
+
+    Raises
+    ------
+    ModelError
+        With all others.
+    """
+    gears = model.meshes[mesh].gears
+    remedy = f"give a path such as {_FORM} with NAME {' or '.join(gears)}"
+    words = f"is not a modification of a gear of mesh {mesh}"
+    split = {path: path.split(".") for path in paths}
+    wrong = [
+        Message(path, words, remedy=remedy)
+        for path, names in split.items()
+        if len(names) < 5 or names[0] != "gears" or names[1] not in gears or names[2] != "modifications"
+    ]
+    if wrong:
+        raise ModelError(wrong)
+
+
 def _place_of(
     model: Model, mesh: str, sides: Sequence[str], path: str, problems: list[Message]
 ) -> tuple[int, tuple[str, ...]]:
     """Gear (0, 1) and key below its side of a path."""
-    names = path.split(".")
-    gears = model.meshes[mesh].gears
-    where = names[1] if len(names) > 1 else ""
-    if len(names) < 5 or names[0] != "gears" or names[2] != "modifications" or where not in gears:
-        remedy = f"give a path such as {_FORM} with NAME {' or '.join(gears)}"
-        problems.append(Message(path, f"is not a modification of a gear of mesh {mesh}", remedy=remedy))
-        return 0, ("",)
-    gear = list(gears).index(where)
-    side, parts = names[3], model.gears[where].modifications
-    loaded = sides[gear]
+    _, name, _, side, *key = path.split(".")
+    gear = list(model.meshes[mesh].gears).index(name)
+    loaded, parts = sides[gear], model.gears[name].modifications
     effective = "both" if parts is None or getattr(parts, loaded) is None else loaded
     number = number_at(model, path)
     if side != effective:
         remedy = f"vary {effective} instead, or analyse the other flank"
-        problems.append(
-            Message(path, f"has no effect on the loaded flank, which has {effective}", remedy=remedy)
-        )
+        words = f"has no effect on the loaded flank, which has {effective}"
+        problems.append(Message(path, words, remedy=remedy))
     elif number is None or number[1] != "m" or not math.isfinite(number[0]):
         problems.append(Message(path, "is not a length", remedy="vary an amount, a length or a diameter"))
-    return gear, tuple(names[4:])
+    return gear, tuple(key)
