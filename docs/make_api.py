@@ -21,6 +21,8 @@ GROUPS = {
         "solve_campbell",
         "solve_frequency_response",
         "solve_contact",
+        "design_relief",
+        "ReliefPlan",
         "solve_time",
         "reduce_system",
     ),
