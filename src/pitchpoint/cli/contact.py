@@ -10,10 +10,12 @@ import click
 
 from pitchpoint.cli.contact_input import (
     loads_of,
+    mesh_option,
     mesh_with_contact,
     misalignment_of,
     operation_of,
     refuse_fixed,
+    torques_option,
 )
 from pitchpoint.cli.options import common, model_file, quantity, writes
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
@@ -34,16 +36,8 @@ UNDER_LOAD = ("misalignment", "center_distance")
 
 @click.command()
 @model_file
-@click.option("--mesh", "-m", metavar="NAME", help="Mesh; default: the only one.")
-@click.option(
-    "--torque",
-    "-t",
-    "torques",
-    multiple=True,
-    metavar="QUANTITY",
-    help="Torque on gear 1, repeatable; or a range FIRST:LAST:COUNT, such as '50 N m:400 N m:8'. "
-    "Default: constant torque of the loads on the body of gear 1.",
-)
+@mesh_option
+@torques_option
 @click.option(
     "--positions",
     type=click.IntRange(4, 100_000),

@@ -12,6 +12,18 @@ from pitchpoint.cli.options import one_of
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
+mesh_option = click.option("--mesh", "-m", metavar="NAME", help="Mesh; default: the only one with contact.")
+"""Option of all commands of one mesh."""
+torques_option = click.option(
+    "--torque",
+    "-t",
+    "torques",
+    multiple=True,
+    metavar="QUANTITY",
+    help="Torque on gear 1, repeatable; or a range FIRST:LAST:COUNT, such as '50 N m:400 N m:8'. "
+    "Default: constant torque of the loads on the body of gear 1.",
+)
+"""Option of all commands for several torques."""
 NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
 MOST = 500
 """Maximum number of torques."""
@@ -47,12 +59,7 @@ def loads_of(model: Model, mesh: str, texts: tuple[str, ...], side: str | None) 
         if len(torques) > MOST:
             raise click.BadParameter(f"{len(torques)} torques (limit {MOST})", param_hint="--torque")
         return torques, -1 if side == "back" else 1
-    found = default_torque(model, mesh)
-    if found is None:
-        raise click.UsageError(
-            f"gear 1 of {mesh} ({model.meshes[mesh].gears[0]}) has no constant torque in loads:; "
-            "give --torque, such as --torque '200 N m'"
-        )
+    found = torque_of_loads(model, mesh)
     sign = 1 if found > 0.0 else -1
     return [abs(found)], {"front": 1, "back": -1, None: sign}[side]
 
@@ -95,14 +102,19 @@ def _quantity(text: str, dimension: str, option: str) -> float:
         raise click.BadParameter(str(error), param_hint=option) from None
 
 
-def default_torque(model: Model, mesh: str) -> float | None:
-    """Sum of the constant torques of the loads on the body of gear 1 [N m]; None without any."""
+def torque_of_loads(model: Model, mesh: str) -> float:
+    """Sum of the constant torques of the loads on the body of gear 1 [N m]."""
     from pitchpoint.model.components.law import Constant
 
     body = model.body_of(model.meshes[mesh].gears[0])
     laws = [load.torque for load in model.loads.values() if load.body == body and load.torque is not None]
     values = [law.value for law in laws if isinstance(law, Constant)]
-    return sum(values) if values and len(values) == len(laws) and sum(values) != 0.0 else None
+    if not values or len(values) != len(laws) or sum(values) == 0.0:
+        raise click.UsageError(
+            f"gear 1 of {mesh} ({model.meshes[mesh].gears[0]}) has no constant torque in loads:; "
+            "give --torque, such as --torque '200 N m'"
+        )
+    return sum(values)
 
 
 def misalignment_of(text: str | None, model: Model, mesh: str) -> float:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.contact_input import mesh_option, torque_of_loads
 from pitchpoint.cli.options import common, model_file, one_of, quantity
 from pitchpoint.cli.output import emit_json, show, shown, table
 
@@ -27,7 +28,7 @@ SMALL = (32, 12)
 
 @click.command("contact-levels")
 @model_file
-@click.option("--mesh", "-m", metavar="NAME", help="Mesh; default: the only one.")
+@mesh_option
 @quantity("--torque", "torque", "Torque on gear 1; default: constant torque of the loads on its body.")
 @click.option(
     "--table",
@@ -52,7 +53,6 @@ def contact_levels(
     Stiffness of the rigid contact and the law are fitted to flexible contact at the torque and printed for a
     model file. All errors refer to flexible contact.
     """
-    from pitchpoint.cli.contact_input import default_torque
     from pitchpoint.cli.failure import OK
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
@@ -63,12 +63,7 @@ def contact_levels(
     model = read_model(file, allow_code, quiet)
     names = list(model.meshes)
     name = names[0] if mesh is None and len(names) == 1 else one_of(mesh, names, "mesh")
-    load = default_torque(model, name) if torque is None else torque
-    if load is None:
-        raise click.UsageError(
-            f"gear 1 of {name} ({model.meshes[name].gears[0]}) has no constant torque in loads:; "
-            "give --torque, such as --torque '200 N m'"
-        )
+    load = torque_of_loads(model, name) if torque is None else torque
     small = TableSize(phase=SMALL[0], approach=SMALL[1]) if size == "small" else None
     with ProgressDisplay(name, "levels", quiet=quiet or as_json) as progress:
         found = compare_levels(model, name, torque=abs(load), size=small, run=on_all_cores, progress=progress)

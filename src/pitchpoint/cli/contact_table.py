@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.contact_input import mesh_option, misalignment_of
 from pitchpoint.cli.options import common, model_file, one_of, output, quantity
 from pitchpoint.cli.output import emit_json, show, shown, table
 
@@ -28,9 +29,14 @@ LISTED = {
 
 @click.command("contact-table")
 @model_file
-@click.option("--mesh", metavar="NAME", help="Mesh with flexible contact; may be omitted if there is one.")
+@mesh_option
 @quantity("--torque", "torque", "Highest torque on gear 1, such as '300 N m'.")
-@quantity("--misalignment", "angle", "Largest misalignment in the plane of action, either sign; default: 0.")
+@click.option(
+    "--misalignment",
+    metavar="QUANTITY",
+    help="Largest misalignment in the plane of action, either sign: length over the common face width, or "
+    "angle; default: 0.",
+)
 @quantity("--centre-distance", "length", "Largest change of the centre distance, either sign; default: 0.")
 @output("Contact table; default: MODEL-MESH.gcp.h5.")
 @common
@@ -79,7 +85,7 @@ def compute(model: Model, mesh: str, options: dict[str, Any], quiet: bool) -> di
 
     request = TableRequest(
         torque=options["torque"],
-        misalignment=options["misalignment"] or 0.0,
+        misalignment=abs(misalignment_of(options["misalignment"], model, mesh)),
         centre_distance=options["centre_distance"] or 0.0,
     )
     found = {}

@@ -5,10 +5,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import click
 import numpy as np
 import pytest
 
-from pitchpoint.cli.contact_input import default_torque
+from pitchpoint.cli.contact_input import torque_of_loads
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.status import DIVERGED
 from pitchpoint.io.reading import open_result, read_header
@@ -77,7 +78,8 @@ def test_default_torque_is_that_of_the_loads_on_gear_1(
     )
     formula = MODEL.replace("-202 N m", "10*t").replace("-100 N m", "balance")
     model = load_model(written(tmp_path, formula.replace("  more: {body: a, torque: 10*t}\n", ""), "b.yaml"))
-    assert default_torque(model, "stage") is None
+    with pytest.raises(click.UsageError, match="no constant torque"):
+        torque_of_loads(model, "stage")
 
 
 def test_json_holds_numbers_and_curves(file: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -25,6 +25,19 @@ signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
 resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv.pop(1)), resource.RLIM_INFINITY))
 main()
 """
+FLANKS = """
+gears:
+  g1: {number_of_teeth: 16, normal_module: 4.5 mm, face_width: 14 mm, profile_shift_coefficient: 0.1817}
+  g2: {number_of_teeth: 24, normal_module: 4.5 mm, face_width: 14 mm, profile_shift_coefficient: 0.1715}
+bodies:
+  a: {gears: [g1], motion: torsion}
+  b: {gears: [g2], motion: torsion}
+meshes:
+  stage: {gears: [g1, g2], center_distance: 91.5 mm, contact: {level: flexible, planes: 5}}
+loads:
+  input: {body: a, torque: 302 N m}
+  output: {body: b, torque: balance}
+"""
 COMMANDS = {
     "drawing": "gears {model} --gear g1 --export {out}.dxf",
     "profile": "gears {model} --gear g1 --export {out}.csv",
@@ -41,6 +54,10 @@ COMMANDS = {
     "diagnosis": "diagnose {record} --train 16/24 --speed 25Hz -o {out}.html",
     "scene": "view {result} -o {out}.html",
     "report": "report {model} {result} -o {out}.html",
+    "contact": "contact {flanks} --positions 8 -o {out}.h5 --picture {out}.html -q",
+    "contact table": "contact-table {flanks} --torque 300 -o {out}.gcp.h5 -q",
+    "relief": "relief {flanks} --vary gears.g1.modifications.both.profile_crowning=0:20um --analyses 20 "
+    "--positions 8 -o {out}.h5 --picture {out}.html --write {out}.yaml -q",
     "copies": "examples copy backlash-oscillator {out}",
 }
 
@@ -51,6 +68,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     folder = tmp_path_factory.mktemp("files")
     text = TORSION.replace("duration: 0.5 s", "duration: 50 ms").replace("points: 81", "points: 3")
     model = written(folder, text.replace("settle_periods: 200", "settle_periods: 5"))
+    flanks = written(folder, FLANKS, "flanks.yaml")
     result, record = str(folder / "result.h5"), folder / "record.csv"
     assert run_command(["run", model, "-s", "steady", "-o", result, "-q"]) == 0
     t = np.arange(20_000) / 10_000.0
@@ -58,7 +76,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     np.savetxt(
         record, np.column_stack([t, np.sin(2513.3 * t) + noise]), "%.6g", ",", header="time,acc", comments=""
     )
-    return {"model": model, "result": result, "record": str(record)}
+    return {"model": model, "flanks": flanks, "result": result, "record": str(record)}
 
 
 def limited(command: str, names: dict[str, str], limit: int) -> subprocess.CompletedProcess[str]:
