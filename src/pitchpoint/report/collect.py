@@ -86,6 +86,7 @@ class _Found:
     cases: dict[str, CaseTable] = field(default_factory=dict)
     rolls: dict[str, RollData] = field(default_factory=dict)
     contacts: dict[str, ContactData] = field(default_factory=dict)
+    reliefs: dict[str, xr.Dataset] = field(default_factory=dict)
     sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
@@ -126,6 +127,7 @@ def collect(
         sweeps=found.sweeps,
         cases=found.cases,
         contacts=found.contacts,
+        reliefs=found.reliefs,
         powers=power_part(model, found.runs),
         scene=scene_part(model, found.runs),
         sources=found.sources,
@@ -168,6 +170,10 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
                 ]
                 key = _free(f"{name}: {words}", own, found.sweeps)
                 found.sweeps[key] = {"points": case["points"], "jumps": jumps}
+    elif header["kind"] == "relief":
+        name = str(header["options"].get("mesh", name))
+        with open_result(file) as data:
+            found.reliefs[take(found.reliefs)] = data.load()
     elif header["kind"] in ("time", "quasi_static", "contact"):
         whole = header["status"] == "finished"
         note = "" if whole else f"This run is not complete: {header['status']}. {header['sentence']}"
@@ -203,7 +209,7 @@ def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:
 
 
 def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
-    """Add a time response, a speed sweep, a slow roll or a contact analysis to the data of the report."""
+    """Add a time response, sweep, slow roll, contact analysis or relief design to the data of the report."""
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.report.provenance import source_of
 
@@ -217,6 +223,10 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
+    elif {"design", "map_torque"} <= dimensions:
+        mesh = str(data.attrs.get("mesh", "relief"))
+        kind, name = "relief", _free(mesh, str(len(found.reliefs) + 1), found.reliefs)
+        found.reliefs[name] = data
     elif "tooth_pair" in dimensions:
         mesh = str(data.attrs.get("mesh", "contact"))
         kind, name = "contact", _free(mesh, str(len(found.contacts) + 1), found.contacts)
@@ -228,8 +238,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         what = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
-            "give a dataset of solve_time, solve_quasistatic, solve_contact or sweep_speed, or the name of a "
-            "result file"
+            "give a dataset of solve_time, solve_quasistatic, solve_contact, design_relief or sweep_speed, or "
+            "the name of a result file"
         )
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
 

@@ -76,6 +76,7 @@ def test_penetration_of_nodes(internal: bool, beta: int, flank: int) -> None:
     assert node["x"] == pytest.approx(200e-6 - gaps, abs=1e-15)
 
 
+@pytest.mark.nojit
 @pytest.mark.parametrize("internal", [False, True])
 def test_slopes(internal: bool) -> None:
     """Slopes over width and signed length of roll against central differences of a smooth region."""

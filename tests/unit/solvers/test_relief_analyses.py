@@ -67,6 +67,7 @@ def test_pressure_is_that_of_the_contact_analysis():
     assert found.pressure[0] == pytest.approx(pressure, rel=1e-8)
 
 
+@pytest.mark.nojit
 def test_a_helix_slope_balances_a_misalignment():
     """kappa b of helix slope on one gear: the same as aligned flanks, shifted by half of it."""
     model = pair(START, START, contact=FLEXIBLE)

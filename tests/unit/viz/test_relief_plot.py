@@ -6,8 +6,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.report.write import write_report
 from pitchpoint.solvers.contact_analysis.relief.design import design_relief
 from pitchpoint.viz.relief_plot import plot_relief
+from pitchpoint.viz.report.relief import relief_section
 from tests.support.relief_models import TIP, pair, plan, reliefs
 
 FORCES = (1500.0, 2200.0, 3000.0)
@@ -33,6 +35,17 @@ def test_curves_and_map():
     assert np.asarray(band.y).max() == pytest.approx(1e6 * float(data["map_max"].sel(design="rounded").max()))
     assert figure.layout.yaxis.title.text == "transmission error [µm]"
     assert figure.layout.xaxis3.title.text == "torque [N m]"
+
+
+def test_section_of_a_report(tmp_path):
+    """Modifications and errors in tables, and the picture."""
+    data = result()
+    section = relief_section({"stage": data})
+    html = "".join(section.parts)
+    assert "pinion.modifications.both.tip_relief.amount" in html
+    assert html.count("<tr>") == 2 + 4 + len(FORCES)
+    page = write_report(pair(), tmp_path / "page.html", data)
+    assert "Relief design" in page.read_text("utf-8")
 
 
 def test_no_band_without_tolerances():

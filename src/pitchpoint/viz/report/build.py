@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
@@ -21,9 +21,13 @@ from pitchpoint.viz.report.extremes import extreme_section
 from pitchpoint.viz.report.overview import provenance_section, scene_section, summary_section
 from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
+from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.spectra import spectrum_section
 from pitchpoint.viz.report.tables import case_section, mode_section, signal_section
 from pitchpoint.viz.scene.content import Scene
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -266,6 +270,8 @@ class ReportResults:
         Independent cases by the name of the scenario.
     contacts
         Contact analyses by the name of the mesh.
+    reliefs
+        Relief designs by the name of the mesh: datasets of `design_relief`.
     powers
         Power flow by name of the time response, or a sentence with the reason why there is none.
     scene
@@ -282,6 +288,7 @@ class ReportResults:
     modes: ModeData | None = None
     cases: Mapping[str, CaseTable] = field(default_factory=dict)
     contacts: Mapping[str, ContactData] = field(default_factory=dict)
+    reliefs: Mapping[str, xr.Dataset] = field(default_factory=dict)
     powers: Mapping[str, PowerFlow | str] = field(default_factory=dict)
     scene: SceneData = field(default_factory=SceneData)
     sources: Sequence[SourceData] = ()
@@ -304,6 +311,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         mesh_cycle_section(results.mesh_cycles),
         roll_section(results.rolls),
         contact_section(results.contacts),
+        relief_section(results.reliefs),
         mode_section(results.modes),
         parts.campbell_section(results.campbell),
         parts.sweep_section(results.sweeps),
