@@ -196,6 +196,7 @@ def test_run_up_agrees_with_the_oscillator_by_hand(run_up, backlash):
     assert contact.loss_share == pytest.approx(np.mean(np.abs(place) < 0.5 * gap), abs=2e-3)
 
 
+@pytest.mark.study
 def test_other_readings_of_the_run_up():
     """More damping takes the back contact away; the duty of the contact ratio leaves little of it."""
     own = script("readings")

@@ -23,6 +23,8 @@ from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
+from pitchpoint.io.yaml_edit import changed_text
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.viz.report.page import page
 
 GEAR = CylindricalGear(z=17, m_n=1e-3, b=0.01)
@@ -36,6 +38,9 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "contact":
         table = PotentialTable.of_spring(2e8, 0.0, 3e-5)
         write_contact_table(path, {"front": table, "back": table}, {})
+    elif kind == "model":
+        text = "gears: {a: {number_of_teeth: 17, normal_module: 1 mm, face_width: 10 mm}}\n"
+        path.write_text(changed_text(text, loads_model(text), {}, str(path)), encoding="utf-8")
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
     elif kind == "index":
