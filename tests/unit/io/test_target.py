@@ -39,7 +39,7 @@ def own_file(kind: str, path: Path) -> Path:
         table = PotentialTable.of_spring(2e8, 0.0, 3e-5)
         write_contact_table(path, {"front": table, "back": table}, {})
     elif kind == "model":
-        text = "gears: {a: {number_of_teeth: 17, normal_module: 1 mm, face_width: 10 mm, profile_shift_coefficient: 0}}\n"
+        text = "bodies: {a: {inertia: 1 kg m^2}}\n"
         path.write_text(changed_text(text, loads_model(text), {}, str(path)), encoding="utf-8")
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
