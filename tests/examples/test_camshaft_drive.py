@@ -79,6 +79,7 @@ def test_without_backlash_contact_is_never_lost():
     assert np.mean(channel("contact_state[gap_043]")[t > 0.1] == 0.0) > 0.35
 
 
+@pytest.mark.study
 def test_contact_loss_over_backlash_and_torque(monkeypatch):
     own = script("study")
     monkeypatch.setattr(own, "BACKLASHES", (0.05e-3, 0.43e-3))

@@ -60,6 +60,7 @@ def rig(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Found]:
     return {row["fault"]: found_in(table.parent / row["file"], **options) for row in rows}
 
 
+@pytest.mark.study
 def test_the_healthy_rig_is_not_accused(rig: dict[str, Found]) -> None:
     assert rig["healthy"] == []
 

@@ -89,6 +89,7 @@ FOREIGN = {
     "csv": b"x,y\n1,2\n",
     "index": b"case,file\n1,a\n",
     "analysis": b"# analysis\nx,y\n1,2\n",
+    "model": b"gears: {}\n",
     "stl": b"solid mine\nendsolid mine\n",
 }
 

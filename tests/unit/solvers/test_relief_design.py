@@ -160,6 +160,7 @@ def test_tolerances():
     assert objective(nominal) < float(robust["nominal_objective"].sel(design="optimum"))
 
 
+@pytest.mark.study
 def test_a_tolerance_of_another_modification():
     """Of a helix slope that is not varied: corners on both sides, worse than without."""
     model = pair(contact=FLEXIBLE)
