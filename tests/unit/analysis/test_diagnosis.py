@@ -95,7 +95,7 @@ def test_a_bearing_shows_in_the_envelope_also_when_its_elements_slip(part: str) 
     assert _kinds(x, machine) == [("bearing", part, ("left",))]
 
 
-@pytest.mark.parametrize("machine", [PAIR, SHOVEL])
+@pytest.mark.parametrize("machine", [PAIR, pytest.param(SHOVEL, marks=pytest.mark.study)])
 def test_healthy_signals_raise_no_more_alarms_than_allowed(machine: tuple) -> None:
     # 1 % allowed: of 100 seeds, five or more alarms have the probability 0.3 %
     alarms = sum(bool(_kinds(_signal(machine, seed, noise=1.0)[1], machine)) for seed in range(100))

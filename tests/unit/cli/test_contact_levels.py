@@ -32,6 +32,7 @@ def file(tmp_path: Path) -> str:
     return written(tmp_path, MODEL)
 
 
+@pytest.mark.study
 def test_printed_lines_are_parts_of_a_model_file(
     file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

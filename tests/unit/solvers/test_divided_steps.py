@@ -42,6 +42,7 @@ def started(tmp_path, h):
 
 
 @pytest.mark.nojit
+@pytest.mark.study
 def test_a_divided_step_is_the_same_way_in_shorter_steps(tmp_path):
     """Four parts of a step against four steps of a quarter: the same to round-off, and so is what follows;
     against the whole step the difference is its own error, of third order in h."""
