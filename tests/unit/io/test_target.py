@@ -23,6 +23,8 @@ from pitchpoint.io.gear_export import FORMATS, export_gear
 from pitchpoint.io.mode_animation import write_mode_animation
 from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
+from pitchpoint.io.yaml_edit import changed_text
+from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.viz.report.page import page
 
 GEAR = CylindricalGear(z=17, m_n=1e-3, b=0.01)
@@ -45,6 +47,10 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "analysis":
         record = xr.Dataset({"force": ("time", np.ones(8), {"units": "N"})}, {"time": np.arange(8.0)})
         path.write_text(table_text(analyse(record, "signal_statistics")), encoding="utf-8")
+    elif kind == "model":
+        text = "bodies: {a: {mass: 1 kg}}\n"
+        model = loads_model(text).replace("bodies.a.mass", 2.0)
+        path.write_text(changed_text(text, model, {"bodies.a.mass": "2 kg"}, str(path)), encoding="utf-8")
     elif kind == "animation":
         named = path.with_suffix(".json")
         at = {"place": np.zeros((1, 3)), "axes": np.eye(3)[None], "body_shape": np.ones((1, 1, 6))}
@@ -84,6 +90,7 @@ FOREIGN = {
     "csv": b"x,y\n1,2\n",
     "index": b"case,file\n1,a\n",
     "analysis": b"# analysis\nx,y\n1,2\n",
+    "model": b"gears: {}\n",
     "stl": b"solid mine\nendsolid mine\n",
 }
 
