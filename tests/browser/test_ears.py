@@ -25,6 +25,7 @@ NOISE = {
 DEAD = """<p id=said>0</p><button onclick="said.textContent++">more</button><button>dead</button>"""
 
 
+@pytest.mark.study
 def test_pages_are_overheard(browsers: Browsers, tmp_path: Path) -> None:
     for words, text in NOISE.items():
         with pytest.raises(AssertionError, match=words), opening(browsers, tmp_path) as open_page:

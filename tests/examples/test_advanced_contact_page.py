@@ -103,6 +103,7 @@ def test_profile_file_round_trip(tmp_path):
     assert te[1].mean() == pytest.approx(te[0].mean(), abs=0.3e-6)
 
 
+@pytest.mark.study
 def test_comparison_of_the_levels():
     found = compare_levels(load_model(EXAMPLE), torque=200.0).numbers
     rows = dict(re.findall(r"^\| (rigid|flexible|pre-computed|law `din3990`) \| (.* µm) \|$", PAGE, re.M))

@@ -30,7 +30,9 @@ CASES = {  # file: natural frequency, jumps, maximum rms, maximum force, longest
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.study] if name == "tip-relief" else []) for name in CASES]
+)
 def test_sweep_as_on_the_page(name):
     natural, jumps, rms, force, apart = CASES[name]
     system = compile_model(load_model(FOLDER / f"{name}.yaml"), "sweep")

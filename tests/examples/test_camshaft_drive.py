@@ -79,6 +79,7 @@ def test_without_backlash_contact_is_never_lost():
     assert np.mean(channel("contact_state[gap_043]")[t > 0.1] == 0.0) > 0.35
 
 
+@pytest.mark.study
 def test_contact_loss_over_backlash_and_torque(monkeypatch):
     own = script("study")
     monkeypatch.setattr(own, "BACKLASHES", (0.05e-3, 0.43e-3))
@@ -196,6 +197,7 @@ def test_run_up_agrees_with_the_oscillator_by_hand(run_up, backlash):
     assert contact.loss_share == pytest.approx(np.mean(np.abs(place) < 0.5 * gap), abs=2e-3)
 
 
+@pytest.mark.study
 def test_other_readings_of_the_run_up():
     """More damping takes the back contact away; the duty of the contact ratio leaves little of it."""
     own = script("readings")

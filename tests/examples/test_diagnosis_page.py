@@ -81,6 +81,7 @@ def test_spectra(folder: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.study
 def test_run_ups(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for command in commands("Run-ups")[:2]:
         assert run_command(command) == 0

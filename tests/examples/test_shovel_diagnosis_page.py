@@ -14,6 +14,7 @@ from pitchpoint.cli.main import run_command
 FILE = Path(__file__).parents[2] / "examples" / "shovel-gearbox" / "paper.yaml"
 
 
+@pytest.mark.study
 def test_the_page_names_the_third_shaft_and_its_gears(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -102,6 +102,7 @@ def test_the_broken_tooth_moves_the_load_once_per_turn(forces):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("ratio", [pytest.param(0.0, marks=pytest.mark.study), -5.0])
+@pytest.mark.study
 def test_period_is_read_from_a5_for_twenty_of_twenty_seeds(modules, forces, ratio):
     """3.383 s within 0.5 %; the healthy gearbox shows no period: allowed is a chance of 0.1 % each."""
     found = modules["diagnosis"].readings(forces, ratio, seeds=20, healthy_seeds=20)
@@ -122,6 +123,7 @@ def test_the_comb_in_a5_outlasts_the_other_indicators(modules, forces):
 
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:profile shifts")  # x of stage 3 lies outside the polynomial of DIN 3990
+@pytest.mark.study
 def test_page_holds_the_numbers_and_where_they_come_from(modules, runs, frictionless, monkeypatch):
     """Few seeds, short runs of the laws and half of the run-up; the page is the same. Its other runs are
     those of the tests above."""

@@ -96,7 +96,14 @@ def under_hertzian_pressure(tooth, rho, b):
 
 @pytest.mark.parametrize(
     ("z", "radius"),
-    [(17, 8.5e-3), (17, 9.2e-3), (43, 20.9e-3), (43, 21.5e-3), (-60, 29.3e-3), (-60, 30.0e-3)],
+    [
+        (17, 8.5e-3),
+        (17, 9.2e-3),
+        pytest.param(43, 20.9e-3, marks=pytest.mark.study),
+        pytest.param(43, 21.5e-3, marks=pytest.mark.study),
+        (-60, 29.3e-3),
+        pytest.param(-60, 30.0e-3, marks=pytest.mark.study),
+    ],
 )
 def test_indentation_is_that_of_hertzian_pressure(z, radius):
     """Own oracle: pressure on a mesh with elements of the contact width, against the replaced indentation.

@@ -114,6 +114,7 @@ def test_load_shares_without_relief():
     assert all(0.60 < share_at(pair, 200.0, place) < 0.70 for place in (eps - 1.001, 1.001))
 
 
+@pytest.mark.study
 def test_load_shares_over_blanks():
     eps = spur().model().pairs["stage"].eps_alpha
     bores = [("", ""), ("10.357 mm", "28.93 mm"), ("13 mm", "36 mm"), ("4 mm", "8 mm")]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.contact_input import mesh_option, torques_option
 from pitchpoint.cli.options import common, model_file, output, quantity, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
 
@@ -27,16 +28,8 @@ _MET = 1e-6
 
 @click.command()
 @model_file
-@click.option("--mesh", "-m", metavar="NAME", help="Mesh; default: the only one with contact.")
-@click.option(
-    "--torque",
-    "-t",
-    "torques",
-    multiple=True,
-    metavar="QUANTITY",
-    help="Torque on gear 1, repeatable; or a range FIRST:LAST:COUNT, such as '50 N m:400 N m:4'. "
-    "Default: constant torque of the loads on the body of gear 1.",
-)
+@mesh_option
+@torques_option
 @click.option(
     "--vary",
     multiple=True,

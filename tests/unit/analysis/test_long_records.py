@@ -46,6 +46,7 @@ def long_text(rows: int) -> bytes:
     return "\r\n".join(lines).encode()
 
 
+@pytest.mark.study
 def test_a_text_file_is_never_in_memory_as_lines(monkeypatch: pytest.MonkeyPatch) -> None:
     """A list of its lines takes ten times the numbers; blocks of 64 kB take less than the numbers again."""
     monkeypatch.setattr(text, "_BLOCK", 1 << 16)

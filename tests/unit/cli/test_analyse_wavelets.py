@@ -158,6 +158,7 @@ def test_noise_is_written_as_a_record(rig: str, tmp_path: Path, capsys: pytest.C
     assert found["variables"]["rms"]["unit"] == "N"
 
 
+@pytest.mark.study
 def test_maps_are_thinned_as_json_and_whole_in_a_file(
     rig: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

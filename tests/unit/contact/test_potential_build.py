@@ -94,6 +94,7 @@ def test_errors_of_coupled_teeth_without_misalignment() -> None:
 @pytest.mark.parametrize(
     ("pair", "order"), [(SlicePair(slices=5), 1.4), (SlicePair(slices=5, eps_beta=1.2), 1.4)]
 )
+@pytest.mark.study
 def test_errors_decrease_with_the_size(pair: SlicePair, order: float) -> None:
     """Jumps of the stiffness along lines that cross the cells limit the order.
 

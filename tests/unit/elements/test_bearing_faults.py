@@ -195,6 +195,7 @@ def test_no_severity_is_healthy_to_round_off():
         np.testing.assert_allclose(found, wanted, rtol=1e-13, atol=1e-13 * np.abs(wanted).max())
 
 
+@pytest.mark.study
 def test_an_element_that_climbs_out_of_a_spall_brakes_the_shaft():
     """Static turn through an outer spall: work of the torque is the change of the stored energy."""
     bodies = [Body(motion=FREE, mass=1.0, polar_inertia=0.1, transverse_inertia=0.1)]

@@ -279,6 +279,7 @@ def test_spheres_of_triangles_converge_to_the_sphere():
     assert error[1] / error[2] == pytest.approx(4.0, abs=1.5)
 
 
+@pytest.mark.study
 def test_triangles_on_triangles_converge_to_a_layer_of_springs():
     """A ball of radius R pressed into a box by d: N = pi k R d^2 (1 - d/(3 R)) to first order in d/R.
 

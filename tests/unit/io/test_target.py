@@ -38,6 +38,9 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "contact":
         table = PotentialTable.of_spring(2e8, 0.0, 3e-5)
         write_contact_table(path, {"front": table, "back": table}, {})
+    elif kind == "model":
+        text = "bodies: {a: {inertia: 1 kg m^2}}\n"
+        path.write_text(changed_text(text, loads_model(text), {}, str(path)), encoding="utf-8")
     elif kind == "page":
         path.write_text(page("a", [], [], ""), encoding="utf-8")
     elif kind == "index":

@@ -125,6 +125,7 @@ def test_what_ffmpeg_says_is_told(tmp_path: Path) -> None:
 @pytest.mark.skipif(
     not CHROMIUM or not shutil.which("ffmpeg"), reason="no Chromium or no ffmpeg; install both to run it"
 )
+@pytest.mark.study
 def test_a_film_has_a_picture_for_every_instant(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     page, target, done = tmp_path / "page.html", tmp_path / "film.mp4", []
     page.write_text(page_of(texts_of(*gears())), encoding="utf-8")

@@ -59,6 +59,7 @@ def test_best_amount_of_a_range():
     assert objective(data, "start") == pytest.approx(0.5 * 3000.0 / K, rel=1e-9)
 
 
+@pytest.mark.study
 def test_amounts_and_lengths():
     """Four variables: no less than the closed form, and that is reached."""
     model = rigid()
@@ -70,6 +71,7 @@ def test_amounts_and_lengths():
     assert data["evaluated_score"].values[fine].min() == pytest.approx(objective(data), rel=1e-12)
 
 
+@pytest.mark.study
 def test_mean_with_weights():
     """Of weights 3 and 1 the first torque has no error, and a quarter of that of the other is left."""
     model = long_relief()
@@ -128,6 +130,7 @@ def test_the_best_so_far_after_an_interruption():
     assert objective(data) <= objective(data, "start")
 
 
+@pytest.mark.study
 def test_tolerances():
     """The robust design is better at its worst than the nominal one, and worse without deviations."""
     model = pair(contact=FLEXIBLE)
@@ -157,6 +160,7 @@ def test_tolerances():
     assert objective(nominal) < float(robust["nominal_objective"].sel(design="optimum"))
 
 
+@pytest.mark.study
 def test_a_tolerance_of_another_modification():
     """Of a helix slope that is not varied: corners on both sides, worse than without."""
     model = pair(contact=FLEXIBLE)
@@ -179,6 +183,7 @@ def test_a_tolerance_of_another_modification():
     assert path not in data["variable"].values
 
 
+@pytest.mark.study
 def test_limits():
     """Without load on tip edges; below a pressure that the unlimited optimum exceeds."""
     model = pair(contact=FLEXIBLE)
