@@ -50,10 +50,6 @@ def own_file(kind: str, path: Path) -> Path:
     elif kind == "analysis":
         record = xr.Dataset({"force": ("time", np.ones(8), {"units": "N"})}, {"time": np.arange(8.0)})
         path.write_text(table_text(analyse(record, "signal_statistics")), encoding="utf-8")
-    elif kind == "model":
-        text = "bodies: {a: {mass: 1 kg}}\n"
-        model = loads_model(text).replace("bodies.a.mass", 2.0)
-        path.write_text(changed_text(text, model, {"bodies.a.mass": "2 kg"}, str(path)), encoding="utf-8")
     elif kind == "animation":
         named = path.with_suffix(".json")
         at = {"place": np.zeros((1, 3)), "axes": np.eye(3)[None], "body_shape": np.ones((1, 1, 6))}
