@@ -103,7 +103,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "page": ("an HTML page of pitchpoint", _marked(b"<!DOCTYPE html>", PAGE_MARK)),
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
-    "model": ("a model written by pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
+    "model": ("a model written by a command of pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
