@@ -14,7 +14,7 @@ import pytest
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.system import evaluate
 from pitchpoint.system.compile import compile_model
-from tests.invariants.test_flank_levels import along_spins, shaken, slope_of_energy
+from tests.support.energy_slopes import along_spins, shaken, slope_of_energy
 from tests.support.flank_levels import N_PAIR, flexible, rigid
 from tests.support.one_mesh import OneMesh, make_pair
 
@@ -55,7 +55,7 @@ def test_forces_of_uneven_teeth_are_the_slopes_of_one_potential(pair, level, fla
     m.frames["phi"] += [0.05, -0.05 * m.row["r_b1"] / m.row["r_b2"]]
     m.press(3e-5, flank)
     F = along_spins(m, m.evaluate())
-    assert abs(F - slope_of_energy(m)).max() < 3e-6 * abs(F).max()
+    assert abs(F - slope_of_energy(m, spins=True)).max() < 3e-6 * abs(F).max()
 
 
 MODIFIED = (

@@ -12,8 +12,9 @@ import math
 import numpy as np
 import pytest
 
+from tests.support.energy_slopes import along_spins, shaken, slope_of_energy
 from tests.support.flank_levels import N_PAIR, flexible, precomputed, rigid
-from tests.support.mesh_alone import moved, rotation
+from tests.support.mesh_alone import rotation
 from tests.support.one_mesh import OneMesh, make_pair
 
 PAIRS = {
@@ -47,40 +48,6 @@ def mesh(pair, level, roll=0.0, **widths):
     return m
 
 
-def shaken(m, tilt, seed=1):
-    """Both bodies displaced by random small amounts."""
-    rng = np.random.default_rng(seed)
-    size = np.array([1e-5, 1e-5, 5e-5, tilt, tilt, 0.0])
-    m.frames = moved(moved(m.frames, 0, size * rng.normal(size=6)), 1, size * rng.normal(size=6))
-    return m
-
-
-def along_spins(m, F):
-    """Wrenches with the torque about the spin axis in place of that about the z axis of the world."""
-    F = F.copy()
-    for body in range(2):
-        F[body, 5] = F[body, 3:] @ m.frames["R"][body][:, 2]
-    return F
-
-
-def slope_of_energy(m):
-    """Minus the derivative of the stored energy by all motions of both bodies; column 5: by the spin."""
-    slope = np.zeros((2, 6))
-    for body in range(2):
-        for k in range(6):
-            step = np.zeros(6)
-            step[k] = 2e-9 if k < 3 else 2e-8
-            energy = []
-            for sign in (1, -1):
-                frames = moved(m.frames, body, sign * step) if k < 5 else m.frames.copy()
-                if k == 5:
-                    frames["phi"][body] += sign * step[5]
-                m.evaluate(frames)
-                energy.append(m.get("elastic_energy"))
-            slope[body, k] = -(energy[0] - energy[1]) / (2 * step[k])
-    return slope
-
-
 @every_pair
 @every_level
 @both_flanks
@@ -92,7 +59,7 @@ def test_forces_are_the_slopes_of_one_potential(pair, level, flank, tilt):
         m = shaken(mesh(pair, level, roll), tilt)
         m.press(2e-5 + 0.03 * tilt, flank)
         F = along_spins(m, m.evaluate())
-        assert abs(F - slope_of_energy(m)).max() < 1e-6 * abs(F).max()
+        assert abs(F - slope_of_energy(m, spins=True)).max() < 1e-6 * abs(F).max()
 
 
 @every_level
@@ -104,7 +71,7 @@ def test_the_common_width_is_part_of_the_potential(level, widths):
     m = shaken(m, 1e-3)
     m.press(4e-5)
     F = along_spins(m, m.evaluate())
-    assert abs(F - slope_of_energy(m)).max() < 1e-6 * abs(F).max()
+    assert abs(F - slope_of_energy(m, spins=True)).max() < 1e-6 * abs(F).max()
 
 
 @every_pair

@@ -12,6 +12,7 @@ from pitchpoint.core.kernel import address
 from pitchpoint.elements.mesh.exact_tangent import turning
 from pitchpoint.geometry import CylindricalGear, GearPair
 from pitchpoint.system.rules.mesh_laws import MeshLaws
+from tests.support.energy_slopes import shaken, slope_of_energy
 from tests.support.mesh_alone import moved, rotation
 from tests.support.one_mesh import OneMesh, make_pair
 from tests.support.width_moments import table_width_moments, width_moments
@@ -38,29 +39,6 @@ both_flanks = pytest.mark.parametrize("flank", [1, -1])
 
 def mesh(pair, shape="constant", **laws):
     return OneMesh(make_pair(**PAIRS[pair]), MeshLaws(stiffness=SHAPES[shape], **laws))
-
-
-def shaken(m, tilt, seed=1):
-    """Both bodies displaced by random small amounts."""
-    rng = np.random.default_rng(seed)
-    size = np.array([1e-5, 1e-5, 5e-5, tilt, tilt, 0.0])
-    m.frames = moved(moved(m.frames, 0, size * rng.normal(size=6)), 1, size * rng.normal(size=6))
-    return m
-
-
-def slope_of_energy(m):
-    """Minus the derivative of the stored energy over world twists of both bodies, by differences."""
-    slope = np.zeros((2, 6))
-    for body in range(2):
-        for k in range(6):
-            step = np.zeros(6)
-            step[k] = 2e-9 if k < 3 else 2e-8
-            energy = []
-            for sign in (1, -1):
-                m.evaluate(moved(m.frames, body, sign * step))
-                energy.append(m.get("elastic_energy"))
-            slope[body, k] = -(energy[0] - energy[1]) / (2 * step[k])
-    return slope
 
 
 @every_pair
