@@ -29,6 +29,8 @@ def model_of(contact: str, planes: int = 11) -> Any:
     from pitchpoint.io.yaml_model import loads_model
 
     text = (HERE / "pair_12dof.yaml").read_text(encoding="utf-8")
+    if contact != LEVELS["law"]:
+        text = text.replace("    width: slices\n    slices: 11\n", "")
     if "rigid" in contact or "flexible" in contact:
         contact = contact.replace("}", f", planes: {planes}}}")
     return loads_model(text.replace(LEVELS["law"], contact), file=str(HERE / "pair_12dof.yaml"))
