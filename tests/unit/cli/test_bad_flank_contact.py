@@ -15,6 +15,7 @@ from pitchpoint.contact.potential_range import TableSize
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import NOT_FINITE
 from pitchpoint.io.contact_table import write_contact_table
+from pitchpoint.io.gear_export import export_gear
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.contact_inputs import contact_inputs
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
@@ -138,6 +139,28 @@ def test_contact_beyond_the_range_of_tip_edges_is_noted() -> None:
     data = solve_contact(loads_model(text_of()), torque=1e5, positions=16)
     assert "only contacts within 0.5 are calculated" in data.attrs["notes"]
     assert solve_contact(loads_model(text_of()), torque=100.0, positions=4).attrs["notes"] == ""
+
+
+@pytest.mark.parametrize("fault", ["exchanged", "repeated"])
+def test_profile_files_that_turn_back(fault: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Two points exchanged, or a piece run back and forth so that the profile touches itself: one problem."""
+    form = loads_model(text_of()).gears["g1"].geometry
+    export_gear(form, tmp_path / "all.csv", "csv", n_flank=20)
+    head, *lines = (tmp_path / "all.csv").read_text(encoding="utf-8").splitlines()
+    rows = [line for line in lines if line.split(",")[2] == "0"]
+    a = 3 + next(k for k, row in enumerate(rows) if row.endswith("involute"))
+    b = a + 5
+    if fault == "exchanged":
+        rows[a], rows[b] = rows[b], rows[a]
+    else:
+        rows = rows[:b] + rows[a:b][::-1] + rows[a:]
+    (tmp_path / "tooth.csv").write_text("\n".join([head, *rows]) + "\n", encoding="utf-8")
+    file = written(tmp_path, text_of(one=", tooth_profile: {tooth: tooth.csv}"))
+    assert run_command(["contact", file, "-t", "100"]) == 2
+    text = capsys.readouterr().err
+    assert "1 problem" in text
+    assert "gears.g1.tooth_profile.tooth (line 3): reverses towards the root on the flank" in text
+    assert "file 'tooth.csv', line" in text
 
 
 @pytest.mark.parametrize("angle", [float("nan"), float("inf")])

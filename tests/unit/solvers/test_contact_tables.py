@@ -6,6 +6,7 @@ import pytest
 
 from pitchpoint.contact.potential_range import TableSize
 from pitchpoint.core.errors import ModelError, SolverError
+from pitchpoint.core.status import OK
 from pitchpoint.io.contact_table import write_contact_table
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.contact_inputs import contact_inputs
@@ -74,6 +75,12 @@ def test_the_roll_agrees_within_the_errors_of_the_table(flexible, table_file):
 def test_a_run_outside_the_range_says_so(table_file):
     done = run_time(compile_model(precomputed(table_file, torque="1500 N m"), "run"))
     assert any("left the range of its contact table: approach" in str(n) for n in done.notes)
+
+
+def test_trial_states_of_the_start_are_not_part_of_the_run(table_file):
+    done = run_time(compile_model(precomputed(table_file), "run"))
+    assert done.status == OK
+    assert not any("contact" in str(n) for n in done.notes)
 
 
 def test_a_table_of_other_gears_is_refused(table_file):

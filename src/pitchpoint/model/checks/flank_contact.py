@@ -66,6 +66,8 @@ def _check_bodies(parts: Parts, name: str, mesh: Mesh, contact: FlexibleContact,
 def _report(found: Message, gear: str, contact: Place, report: Reader) -> None:
     """Report a problem of the teeth of a gear at its key in the gear, else at the contact."""
     key = found.where.removeprefix("compliance.")
+    if key.startswith("tooth_profile"):  # reported by the check of the gear
+        return
     if key in keys_of(Gear):
         report.hand_on(("gears", gear), found, taint=False)
         return
