@@ -11,6 +11,7 @@ import pytest
 from pitchpoint.analysis.flank_contact.load_factors import load_over_width
 from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers.contact_analysis.levels import compare_levels
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 
 FOLDER = Path(__file__).parents[2] / "examples" / "misaligned-helical"
@@ -19,6 +20,12 @@ NUMBERS = {
     ("plain", 40e-6): (3.07, 2.41, 1391e6, 1.69e-6),
     ("crowned", 0.0): (1.58, 1.66, 1163e6, 0.21e-6),
     ("crowned", 40e-6): (1.88, 1.57, 1318e6, 1.02e-6),
+}
+LEVELS = {
+    "rigid": (24.81e-6, 0.8571e-6, 1.396, 1066e6, 0.030),
+    "flexible": (25.63e-6, 0.9510e-6, 1.493, 1224e6, 0.0),
+    "precomputed": (25.63e-6, 0.9535e-6, 1.493, 1224e6, 0.00021),
+    "law": (25.18e-6, 0.7268e-6, None, None, 0.014),
 }
 KEYS = ("face_load_factor", "line_load_ratio", "flank_pressure", "transmission_error_pp")
 B = 40e-3
@@ -58,3 +65,18 @@ def test_crowning_moves_the_pattern_back(analyses):
     assert abs(centre["plain", 0.0]) < 0.01
     assert centre["plain", 40e-6] < -0.4
     assert centre["plain", 40e-6] < centre["crowned", 40e-6] < -0.1
+
+
+@pytest.mark.study
+def test_levels_side_by_side():
+    """The second table of the page, to its last digit."""
+    found = compare_levels(load_model(FOLDER / "relieved.yaml"), torque=400.0, misalignment=20e-6 / B)
+    for level, (mean, pp, factor, pressure, rms) in LEVELS.items():
+        one = found.numbers[level]
+        assert one.te_mean == pytest.approx(mean, abs=5.1e-9)
+        assert one.te_pp == pytest.approx(pp, abs=0.051e-9)
+        assert one.force_rms == pytest.approx(rms, rel=0.05)
+        if level in found.analyses:
+            main = contact_numbers(found.analyses[level])
+            assert main["face_load_factor"][0] == pytest.approx(factor, abs=5.1e-4)
+            assert main["flank_pressure"][0] == pytest.approx(pressure, abs=0.51e6)

@@ -12,6 +12,7 @@ from pitchpoint.cli.contact_input import (
     loads_of,
     mesh_option,
     mesh_with_contact,
+    misalignment_help,
     misalignment_of,
     operation_of,
     refuse_fixed,
@@ -45,12 +46,7 @@ UNDER_LOAD = ("misalignment", "center_distance")
     show_default=True,
     help="Number of mesh phases over one base pitch.",
 )
-@click.option(
-    "--misalignment",
-    metavar="QUANTITY",
-    help="Gap between the flanks in the plane of action, increasing towards +z: length over the common face "
-    "width, or angle.",
-)
+@click.option("--misalignment", metavar="QUANTITY", help=misalignment_help)
 @click.option(
     "--flank",
     type=click.Choice(["front", "back"]),
@@ -105,7 +101,8 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
         if options["scenario"] is not None:
             raise click.UsageError("--scenario requires --shafts; on fixed axes only --torque acts")
         options["torques"], options["flank"] = loads_of(model, mesh, options["torques"], options["flank"])
-        options["misalignment"] = misalignment_of(options["misalignment"], model, mesh)
+        if options["misalignment"] is not None:
+            options["misalignment"] = misalignment_of(options["misalignment"], model, mesh)
     if options["picture"] is None and (options["output"] or "").lower().endswith(".html"):
         options["picture"], options["output"] = options["output"], None
     target = result_path(options["output"], file, "") if options["output"] is not None else None

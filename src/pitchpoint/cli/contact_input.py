@@ -24,6 +24,11 @@ torques_option = click.option(
     "Default: constant torque of the loads on the body of gear 1.",
 )
 """Option of all commands for several torques."""
+misalignment_help = (
+    "Gap between the flanks in the plane of action, increasing towards +z: length over the common face "
+    "width, or angle; default: misalignment of the mesh."
+)
+"""Help of the misalignment of the flanks."""
 NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
 MOST = 500
 """Maximum number of torques."""
@@ -117,13 +122,11 @@ def torque_of_loads(model: Model, mesh: str) -> float:
     return sum(values)
 
 
-def misalignment_of(text: str | None, model: Model, mesh: str) -> float:
+def misalignment_of(text: str, model: Model, mesh: str) -> float:
     """Misalignment in the plane of action [rad] from a length over the common face width, or an angle."""
     from pitchpoint.core.errors import UnitError
     from pitchpoint.core.units import parse_quantity
 
-    if text is None:
-        return 0.0
     hint = "--misalignment"
     try:
         float(text)

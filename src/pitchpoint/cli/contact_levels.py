@@ -7,21 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.contact_input import mesh_option, torque_of_loads
-from pitchpoint.cli.options import common, model_file, one_of, quantity
+from pitchpoint.cli.contact_input import mesh_option, misalignment_help, misalignment_of, torque_of_loads
+from pitchpoint.cli.options import common, model_file, one_of, quantity, writes
 from pitchpoint.cli.output import emit_json, show, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.solvers.contact_analysis.law_fit import LawFit
     from pitchpoint.solvers.contact_analysis.levels import Levels
 
-NAMES = {
-    "rigid": "rigid",
-    "flexible": "flexible",
-    "precomputed": "pre-computed",
-    "law": "law din3990",
-}
-"""Levels as shown in the terminal."""
 SMALL = (32, 12)
 """Phases and approaches of a small table."""
 
@@ -38,12 +31,16 @@ SMALL = (32, 12)
     show_default=True,
     help="Size of the table, if the mesh has no pre-computed contact.",
 )
+@click.option("--misalignment", metavar="QUANTITY", help=misalignment_help)
+@writes("--picture", metavar="HTML", help="Write an HTML page with the patterns of all levels.")
 @common
 def contact_levels(
     file: str,
     mesh: str | None,
     torque: float | None,
     size: str,
+    misalignment: str | None,
+    picture: str | None,
     as_json: bool,
     allow_code: bool,
     quiet: bool,
@@ -57,6 +54,7 @@ def contact_levels(
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
     from pitchpoint.contact.potential_range import TableSize
+    from pitchpoint.io.target import check_target, write_file
     from pitchpoint.solvers.contact_analysis.levels import compare_levels
     from pitchpoint.sweep.threads import on_all_cores
 
@@ -64,9 +62,21 @@ def contact_levels(
     names = list(model.meshes)
     name = names[0] if mesh is None and len(names) == 1 else one_of(mesh, names, "mesh")
     load = torque_of_loads(model, name) if torque is None else torque
+    tilt = None if misalignment is None else misalignment_of(misalignment, model, name)
+    page = None if picture is None else check_target(picture, "page", [file])
     small = TableSize(phase=SMALL[0], approach=SMALL[1]) if size == "small" else None
     with ProgressDisplay(name, "levels", quiet=quiet or as_json) as progress:
-        found = compare_levels(model, name, torque=abs(load), size=small, run=on_all_cores, progress=progress)
+        found = compare_levels(
+            model,
+            name,
+            torque=abs(load),
+            misalignment=tilt,
+            size=small,
+            run=on_all_cores,
+            progress=progress,
+        )
+    if page is not None:
+        write_file(page, _page(found, model.title or file))
     if as_json:
         emit_json(summary(found))
         return OK
@@ -80,6 +90,7 @@ def summary(found: Levels) -> dict[str, Any]:
     return {
         "mesh": fit.mesh,
         "torque": fit.torque,
+        "misalignment": found.misalignment,
         "table": found.table,
         "levels": {level: vars(numbers) for level, numbers in found.numbers.items()},
         "law": fit.law,
@@ -92,25 +103,24 @@ def summary(found: Levels) -> dict[str, Any]:
     }
 
 
+def _page(found: Levels, title: str) -> str:
+    """Page with the patterns and curves of all levels."""
+    from pitchpoint.viz.contact_levels_page import contact_levels_page
+
+    facts = [("mesh", found.fit.mesh), ("torque on gear 1", shown(found.fit.torque, "torque", 5))]
+    if found.misalignment:
+        facts.append(("misalignment", shown(found.misalignment, "angle", 4)))
+    curves = found.phase, found.transmission_error
+    return contact_levels_page(title, facts, summary(found)["levels"], found.analyses, curves)
+
+
 def _print(found: Levels, *, quiet: bool) -> None:
     """Print the comparison, and both fits as parts of a model file."""
+    from pitchpoint.viz.contact_levels_page import HEAD, level_rows
+
     fit = found.fit
-    rows = []
-    for level, one in found.numbers.items():
-        exact = level == "flexible"
-        rows.append(
-            [
-                NAMES[level],
-                shown(one.setup_s, "time", 3),
-                shown(one.evaluation_s, "time", 3),
-                shown(one.te_mean, "length", 4),
-                shown(one.te_pp, "length", 4),
-                shown(one.stiffness, "stiffness", 4),
-                *("–" if exact else percent(v) for v in (one.force_rms, one.force_max)),
-            ]
-        )
-    head = ["level", "set-up", "evaluation", "TE mean", "TE p–p", "k tangent", "force, rms", "force, max"]
-    table(f"{fit.mesh} at {shown(fit.torque, 'torque', 5)}: levels of contact", head, rows)
+    rows = level_rows(summary(found)["levels"], found.analyses)
+    table(f"{fit.mesh} at {shown(fit.torque, 'torque', 5)}: levels of contact", list(HEAD), rows)
     if not quiet:
         origin = "computed for this comparison" if found.table == "computed" else found.table
         show("force: difference from flexible contact at random phases and approaches over the mesh force")
@@ -120,20 +130,10 @@ def _print(found: Levels, *, quiet: bool) -> None:
         show(line)
 
 
-def percent(value: float) -> str:
-    """A share in per cent.
-
-    Examples
-    --------
-    >>> percent(0.01234), percent(0.0)
-    ('1.23 %', '0 %')
-    """
-    return f"{100.0 * value:.3g} %"
-
-
 def blocks(fit: LawFit) -> list[str]:
     """Law and rigid contact as lines of a model file, with their errors as comments."""
     from pitchpoint.core.units import format_quantity
+    from pitchpoint.viz.contact_levels_page import percent
 
     single = format_quantity(fit.c_prime, "stiffness_per_width", 6)
     ratios = f"stiffness_ratio: {fit.S_R:.6g}, tip_relief_factor: {fit.T_R:.6g}"

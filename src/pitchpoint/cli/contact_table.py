@@ -35,7 +35,7 @@ LISTED = {
     "--misalignment",
     metavar="QUANTITY",
     help="Largest misalignment in the plane of action, either sign: length over the common face width, or "
-    "angle; default: 0.",
+    "angle; default: misalignment of the mesh.",
 )
 @quantity("--centre-distance", "length", "Largest change of the centre distance, either sign; default: 0.")
 @output("Contact table; default: MODEL-MESH.gcp.h5.")
@@ -83,9 +83,10 @@ def compute(model: Model, mesh: str, options: dict[str, Any], quiet: bool) -> di
     from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
     from pitchpoint.sweep.threads import on_all_cores
 
+    tilt = options["misalignment"]
     request = TableRequest(
         torque=options["torque"],
-        misalignment=abs(misalignment_of(options["misalignment"], model, mesh)),
+        misalignment=None if tilt is None else abs(misalignment_of(tilt, model, mesh)),
         centre_distance=options["centre_distance"] or 0.0,
     )
     found = {}

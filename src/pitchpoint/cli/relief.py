@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.contact_input import mesh_option, torques_option
+from pitchpoint.cli.contact_input import mesh_option, misalignment_help, torques_option
 from pitchpoint.cli.options import common, model_file, output, quantity, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
 
@@ -48,8 +48,7 @@ _MET = 1e-6
     "--misalignment",
     multiple=True,
     metavar="QUANTITY",
-    help="Gap between the flanks in the plane of action, increasing towards +z: length over the common face "
-    "width, or angle; repeatable, the worst counts.",
+    help=f"{misalignment_help} Repeatable; the worst counts.",
 )
 @click.option(
     "--objective",

@@ -107,7 +107,7 @@ def plan_of(model: Model, mesh: str, torques: list[float], flank: int, options: 
             weights=weights,
             mean=options["objective"] == "mean",
             tolerances=tolerances_of(options["tolerance"], model),
-            misalignments=[misalignment_of(text, model, mesh) for text in options["misalignment"]] or [0.0],
+            misalignments=[misalignment_of(text, model, mesh) for text in options["misalignment"]],
             max_pressure=options["max_pressure"],
             no_edge_contact=options["no_edge_contact"],
             positions=options["positions"],

@@ -193,8 +193,12 @@ class Model(Contents):
         allow_code
             As in `replace`.
 
-        Raises ------ ModelError With all paths that do not exist and values that cannot be read, or with the
-        problems of the changed model."""
+        Raises
+        ------
+        ModelError
+            With all paths that do not exist and values that cannot be read, or with the problems of the
+            changed model.
+        """
         code = self.allow_code if allow_code is None else allow_code
         report = Reader(allow_code=code, directory=str(Path(self.file).parent) if self.file else ".")
         tops: dict[str, Any] = {}

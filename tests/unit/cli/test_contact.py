@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import click
@@ -267,3 +268,15 @@ def test_misalignment_as_length_and_as_angle(file: str, capsys: pytest.CaptureFi
     ]
     assert found[0]["face_load_factor"] == found[1]["face_load_factor"]
     assert found[0]["face_load_factor"] == pytest.approx(found[2]["face_load_factor"], rel=1e-9)
+
+
+def test_misalignment_of_the_housing(file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A tilt θ of back flanks in the plane of action: θ sin α_wt in that of the axes, -θ cos α_wt across."""
+    alpha = load_model(file).pairs["stage"].alpha_wt
+    tilts = f"in_plane: {1e-3 * math.sin(alpha)} rad, out_of_plane: {-1e-3 * math.cos(alpha)} rad"
+    text = MODEL.replace("    contact:", f"    misalignment: {{{tilts}}}\n    contact:")
+    tilted = json_of(["contact", written(tmp_path, text, "tilted.yaml"), "--positions", "4"], capsys)
+    given = json_of(["contact", file, "--positions", "4", "--misalignment", "0.001 rad"], capsys)
+    assert tilted["options"]["misalignment"] == pytest.approx(1e-3, rel=1e-12)
+    factor = given["numbers"]["face_load_factor"]
+    assert tilted["numbers"]["face_load_factor"] == pytest.approx(factor, rel=1e-9)

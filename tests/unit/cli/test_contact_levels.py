@@ -36,8 +36,10 @@ def file(tmp_path: Path) -> str:
 def test_printed_lines_are_parts_of_a_model_file(
     file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    options = ["--torque", "302 N m", "--table", "small"]
-    assert run_command(["contact-levels", file, *options]) == 0
+    options = ["--torque", "302 N m", "--table", "small", "--misalignment", "5 um"]
+    page = tmp_path / "levels.html"
+    assert run_command(["contact-levels", file, *options, "--picture", str(page)]) == 0
+    assert page.read_text(encoding="utf-8").count('<div class="plot"') == 4
     text = capsys.readouterr().out
     for words in ("rigid", "flexible", "pre-computed", "law din3990", "computed for this comparison"):
         assert words in text
@@ -56,6 +58,7 @@ def test_printed_lines_are_parts_of_a_model_file(
     assert rigid_model.meshes["stage"].contact.stiffness == pytest.approx(
         found["rigid"]["stiffness"], rel=1e-5
     )
+    assert found["misalignment"] == pytest.approx(5e-6 / 14e-3)
     assert set(found["levels"]) == {"rigid", "flexible", "precomputed", "law"}
     assert found["levels"]["precomputed"]["force_max"] < 0.02
 

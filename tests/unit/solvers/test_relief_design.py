@@ -256,7 +256,7 @@ def test_weights_of_the_objective():
         ({"weights": [1.0]}, "one weight for each torque"),
         ({"weights": [-1.0, 1.0]}, "weights >= 0"),
         ({"tolerances": {"a": float("nan")}}, "tolerances >= 0"),
-        ({"misalignments": []}, "misalignments"),
+        ({"misalignments": [float("inf")]}, "misalignments"),
         ({"positions": 4}, "positions"),
         ({"analyses": 5}, "analyses"),
     ],

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from pitchpoint.model.components.flank_contact import LEVELS, FlankContact
@@ -161,6 +162,17 @@ class Misalignment:
     def skew(self) -> tuple[float, float]:
         """Tilt across the plane of the axes and in it [rad]."""
         return self.severity * self.out_of_plane, self.severity * self.in_plane
+
+    def of_flanks(self, pressure_angle: float, flank: int = 1) -> float:
+        """Misalignment of the front (1) or back (-1) flanks in their plane of action [rad]; gap towards +z.
+
+        Parameters
+        ----------
+        pressure_angle
+            Transverse working pressure angle α_wt [rad].
+        """
+        across, in_plane = self.skew
+        return flank * math.cos(pressure_angle) * across + math.sin(pressure_angle) * in_plane
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -25,6 +25,12 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
+def housing_misalignment(model: Model, mesh: str, flank: int) -> float:
+    """Misalignment of the flanks of a mesh by the housing of its model, in the plane of action [rad]."""
+    tilt = model.meshes[mesh].misalignment
+    return 0.0 if tilt is None else tilt.of_flanks(model.pairs[mesh].alpha_wt, flank)
+
+
 class FlankStates:
     """One mesh with contact of tooth surfaces, on fixed parallel axes.
 
@@ -77,17 +83,23 @@ class FlankStates:
         """Signed centre distance of the model [m]."""
         return self.model.pairs[self.mesh].a_w
 
-    def states(self, phase: ArrayLike) -> NDArray[np.void]:
-        """States at given mesh phases [base pitches], shape (n,), at the centre distance of the model.
+    @property
+    def misalignment(self) -> float:
+        """Misalignment of the flanks by the housing of the model, in the plane of action [rad]."""
+        return housing_misalignment(self.model, self.mesh, self.flank)
 
-        The phase is 0 when a pair starts contact at A in the middle of the common width.
+    def states(self, phase: ArrayLike) -> NDArray[np.void]:
+        """States at given mesh phases [base pitches], shape (n,), at the place of the gears in the model.
+
+        The phase is 0 when a pair starts contact at A in the middle of the common width. Centre distance,
+        axial offset and misalignment are those of the model.
         """
         phase = np.asarray(phase, dtype=np.float64).ravel()
         found = np.zeros(phase.size, STATE)
         whole = np.floor(phase)
         found["record"], found["flank"] = self.records.ctypes.data, self.flank
         found["pairs"], found["psi"] = whole, phase - whole
-        found["distance"], found["dz"] = self.distance, self.offset
+        found["distance"], found["dz"], found["kappa"] = self.distance, self.offset, self.misalignment
         return found
 
     def solve(self, states: NDArray[np.void], keep_nodes: bool = False) -> NDArray[np.void] | None:

@@ -7,6 +7,7 @@ Derivation: docs/theory/flank_contact.md, "Cheaper levels".
 from __future__ import annotations
 
 import copy
+import math
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -30,12 +31,15 @@ from pitchpoint.model.components.flank_contact import (
 from pitchpoint.model.write import plain_component
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.law_fit import LawFit, fit_analytic_law
+from pitchpoint.solvers.contact_analysis.mesh_data import contact_options
 from pitchpoint.solvers.contact_analysis.mesh_path import MeshPath
 from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
-from pitchpoint.solvers.contact_analysis.solve import mesh_of
+from pitchpoint.solvers.contact_analysis.solve import contact_dataset, mesh_of, solve_contact
 from pitchpoint.system.rules.flank_contact import flexible_options
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from pitchpoint.model.model import Model
 
 Array = NDArray[np.float64]
@@ -87,11 +91,22 @@ class Levels:
         Cost and results by level, `ROWS`.
     table
         Origin of the table: "computed", or the file of the model.
+    misalignment
+        Misalignment of the flanks in the plane of action [rad].
+    analyses
+        Contact analyses with surfaces by level, as from `solve_contact`: those of pre-computed contact are
+        recomputed from the states of the table.
+    phase, transmission_error
+        Mesh phases [base pitches] and transmission error under the torque by level [m], shape (n,) each.
     """
 
     fit: LawFit
     numbers: Mapping[str, LevelNumbers]
     table: str
+    misalignment: float
+    analyses: Mapping[str, xr.Dataset]
+    phase: Array
+    transmission_error: Mapping[str, Array]
 
 
 def compare_levels(
@@ -99,6 +114,7 @@ def compare_levels(
     mesh: str | None = None,
     *,
     torque: float,
+    misalignment: float | None = None,
     positions: int = 64,
     size: TableSize | None = None,
     run: Runner = one_after_another,
@@ -115,6 +131,8 @@ def compare_levels(
         Name of the mesh; may be omitted if there is only one.
     torque
         Torque on gear 1 [N m]; only the magnitude counts.
+    misalignment
+        Misalignment of the flanks in the plane of action [rad]; None: that of the housing.
     positions
         Mesh phases over one base pitch.
     size
@@ -132,6 +150,8 @@ def compare_levels(
     name = mesh_of(model, mesh)
     if not np.isfinite(torque) or torque == 0.0:
         raise SolverError(f"torque {torque} is not a load; give a torque other than 0", INCONSISTENT)
+    if misalignment is not None:
+        model = _misaligned(model, name, misalignment)
     flexible = model.replace(f"meshes.{name}.contact", _flexible(model.meshes[name].contact))
     fit = fit_analytic_law(flexible, name, torque)
     began = time.perf_counter()
@@ -151,16 +171,30 @@ def compare_levels(
     states.solve(first)
     reference = _Reference(phase, force, first["x_0"].copy(), float(first["first"].min()))
     found: dict[str, LevelNumbers] = {}
+    approach: dict[str, Array] = {}
+    analyses: dict[str, xr.Dataset] = {}
     exact: Array | None = None
     for k, (level, one) in enumerate(models.items()):
         path = MeshPath(one, name)
-        numbers, forces = _measured(path, reference, exact)
+        numbers, forces, approach[level] = _measured(path, reference, exact)
         exact = forces if exact is None else exact
         if level == "precomputed":
             numbers = replace(numbers, setup_s=numbers.setup_s + table_s)
         found[level] = numbers
+        if level == "precomputed":
+            analyses[level] = _recomputed(states, torque, phase, approach[level])
+        elif level != "law":
+            analyses[level] = solve_contact(one, name, torque=torque, positions=positions)
         progress(k + 1, len(models), f"{name}: {level}")
-    return Levels(fit=fit, numbers={level: found[level] for level in ROWS}, table=origin)
+    return Levels(
+        fit=fit,
+        numbers={level: found[level] for level in ROWS},
+        table=origin,
+        misalignment=states.misalignment,
+        analyses={level: analyses[level] for level in ROWS if level in analyses},
+        phase=phase,
+        transmission_error={level: approach[level] - reference.first for level in ROWS},
+    )
 
 
 @dataclass(frozen=True)
@@ -173,8 +207,30 @@ class _Reference:
     first: float
 
 
-def _measured(path: MeshPath, reference: _Reference, exact: Array | None) -> tuple[LevelNumbers, Array]:
-    """Numbers of one level, and its forces at the random states."""
+def _misaligned(model: Model, name: str, misalignment: float) -> Model:
+    """Model whose housing misaligns the flanks by an angle in their plane of action [rad]."""
+    if not np.isfinite(misalignment):
+        raise SolverError(f"misalignment {misalignment} is not an angle; give a finite number", INCONSISTENT)
+    alpha = model.pairs[name].alpha_wt
+    tilts = {"in_plane": misalignment * math.sin(alpha), "out_of_plane": misalignment * math.cos(alpha)}
+    return model.replace(f"meshes.{name}.misalignment", tilts)
+
+
+def _recomputed(flanks: FlankStates, torque: float, phase: Array, approach: Array) -> xr.Dataset:
+    """Contact analysis at given approaches of flexible contact."""
+    at = flanks.states(phase)
+    at["x_0"] = approach
+    nodes = flanks.solve(at, keep_nodes=True)
+    assert nodes is not None
+    data = contact_dataset(flanks, np.array([torque]), phase, [(at, nodes)])
+    data.attrs |= contact_options(flanks) | {"level": "precomputed", "mesh": flanks.mesh}
+    return data
+
+
+def _measured(
+    path: MeshPath, reference: _Reference, exact: Array | None
+) -> tuple[LevelNumbers, Array, Array]:
+    """Numbers of one level, its forces at the random states, and its approaches under the torque."""
     rng = np.random.default_rng(_SEED)
     psi = rng.random(SAMPLES)
     x = reference.first + (float(reference.approach.max()) - reference.first) * rng.random(SAMPLES)
@@ -191,7 +247,7 @@ def _measured(path: MeshPath, reference: _Reference, exact: Array | None) -> tup
         force_rms=float(np.sqrt(np.mean(error**2))),
         force_max=float(np.abs(error).max()),
     )
-    return numbers, forces
+    return numbers, forces, approach
 
 
 def _flexible(contact: FlankContact | None) -> FlexibleContact:

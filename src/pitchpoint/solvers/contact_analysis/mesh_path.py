@@ -81,7 +81,7 @@ def evaluate_positions(_, where, n):
 
 
 class MeshPath:
-    """Front flanks of one mesh on fixed parallel axes at the centre distance of the model, at rest.
+    """Front flanks of one mesh on fixed axes at the centre distance and misalignment of the model, at rest.
 
     Parameters
     ----------
@@ -104,6 +104,9 @@ class MeshPath:
             record[name] = value
         record["n_e"] = record["n_e1"] = record["n_e2"] = 0
         part, pair = model.meshes[mesh], model.pairs[mesh]
+        if part.misalignment is not None:
+            # the fast path of gears that only spin has no tilt
+            record["skew"], record["fixed"] = part.misalignment.skew, 0
         self.radii = float(record["r_b1"]), float(record["r_b2"])
         self._frames, self._ctl, self._kk = np.zeros(2, FRAME), np.zeros(1, CTL), np.zeros((4, 6, 6))
         self._frames["R"] = np.eye(3)

@@ -46,13 +46,13 @@ class TableRequest:
     torque
         Highest torque on gear 1 [N m].
     misalignment
-        Largest misalignment in the plane of action, either sign [rad].
+        Largest misalignment in the plane of action, either sign [rad]; None: that of the housing.
     centre_distance
         Largest deviation of the centre distance from that of the model, either sign [m].
     """
 
     torque: float
-    misalignment: float = 0.0
+    misalignment: float | None = None
     centre_distance: float = 0.0
 
 
@@ -153,8 +153,9 @@ def table_span(evaluator: PotentialEvaluator, request: TableRequest) -> TableRan
     phase = np.arange(_SCAN) / _SCAN
     low, high = math.inf, 0.0
     nominal = abs(flanks.distance)
+    tilt = abs(flanks.misalignment) if request.misalignment is None else request.misalignment
     for delta in _three(request.centre_distance):
-        for kappa in _three(request.misalignment):
+        for kappa in _three(tilt):
             rows = np.column_stack(
                 [phase, np.zeros(_SCAN), np.full(_SCAN, kappa), np.full(_SCAN, nominal + delta)]
             )
@@ -172,7 +173,7 @@ def table_span(evaluator: PotentialEvaluator, request: TableRequest) -> TableRan
             high = max(high, float(placed["x_0"].max()) - shift)
     return TableRange(
         approach=(low, low + _MARGIN * (high - low)),
-        misalignment=request.misalignment,
+        misalignment=tilt,
         centre_distance=(nominal - request.centre_distance, nominal + request.centre_distance),
         tolerances=(1e-6, 1e-6),
     )

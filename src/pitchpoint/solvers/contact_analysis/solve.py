@@ -45,7 +45,7 @@ def solve_contact(
     *,
     torque: float | Sequence[float],
     positions: int = 64,
-    misalignment: float = 0.0,
+    misalignment: float | None = None,
     flank: int = 1,
     progress: Progress = silent,
 ) -> xr.Dataset:
@@ -62,7 +62,8 @@ def solve_contact(
     positions
         Equidistant mesh phases over one base pitch.
     misalignment
-        Angle between the flanks in the plane of action [rad]: the gap increases by it towards +z.
+        Angle between the flanks in the plane of action [rad]: the gap increases by it towards +z. None: that
+        of the housing, `misalignment` of the mesh.
     flank
         1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
     progress
@@ -87,17 +88,18 @@ def solve_contact(
     torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
     if not np.all(np.isfinite(torques)) or np.any(torques == 0.0):
         raise SolverError(f"torque {torque} is not a load; give torques other than 0", INCONSISTENT)
-    if not math.isfinite(misalignment):
+    if misalignment is not None and not math.isfinite(misalignment):
         raise SolverError(f"misalignment {misalignment} is not an angle; give a finite number", INCONSISTENT)
     began = time.perf_counter()
     flanks = FlankStates(model, name, flank)
+    kappa = flanks.misalignment if misalignment is None else misalignment
     phase = np.arange(positions) / positions
     found: list[tuple[NDArray[np.void], NDArray[np.void]]] = []
     status, text = OK, sentence(OK)
     try:
         for n, one in enumerate(torques):
             states = flanks.states(phase)
-            states["kappa"], states["by_force"] = misalignment, 1
+            states["kappa"], states["by_force"] = kappa, 1
             states["force"] = flanks.force_of(float(one))
             nodes = flanks.solve(states, keep_nodes=True)
             assert nodes is not None
@@ -112,7 +114,7 @@ def solve_contact(
     if not found:
         raise SolverError(text, status)
     data = contact_dataset(flanks, torques[: len(found)], phase, found)
-    options = {"positions": positions, "misalignment": misalignment, "flank": flank}
+    options = {"positions": positions, "misalignment": kappa, "flank": flank}
     data.attrs |= contact_attributes(flanks, status, time.perf_counter() - began, **options)
     if status != OK:
         raise SolverError(text, status, data)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INTERRUPTED, OK, sentence
 from pitchpoint.model.numbers import number_at
+from pitchpoint.solvers.contact_analysis.flank_states import housing_misalignment
 from pitchpoint.solvers.contact_analysis.relief.analyses import Analyses
 from pitchpoint.solvers.contact_analysis.relief.curves import Curves
 from pitchpoint.solvers.contact_analysis.relief.plan import FINER, ReliefPlan
@@ -82,6 +84,8 @@ def design_relief(
     name = mesh_of(model, mesh)
     began = time.perf_counter()
     check_paths(model, name, plan.paths)
+    if not plan.misalignments:
+        plan = replace(plan, misalignments=(housing_misalignment(model, name, plan.flank),))
     complete = start_model(model, plan)
     flanks = Flanks(complete, name, plan.flank, plan.paths)
     over = np.linspace(0.05, MAP_END, MAP_TORQUES) * plan.loads[-1]

@@ -39,7 +39,7 @@ class ReliefPlan:
     tolerances
         Tolerance ± by path [m], of varied or other modifications; the worst deviations count.
     misalignments
-        Angles between the flanks in the plane of action [rad]; the worst counts.
+        Angles between the flanks in the plane of action [rad]; the worst counts. Empty: that of the housing.
     max_pressure
         Limit of the Hertzian pressure on the path of contact at the highest torque [Pa].
     no_edge_contact
@@ -63,7 +63,7 @@ class ReliefPlan:
     weights: Sequence[float] | None = None
     mean: bool = False
     tolerances: Mapping[str, float] = field(default_factory=dict)
-    misalignments: Sequence[float] = (0.0,)
+    misalignments: Sequence[float] = ()
     max_pressure: float | None = None
     no_edge_contact: bool = False
     positions: int = 64
@@ -99,7 +99,7 @@ class ReliefPlan:
                 "give tolerances >= 0",
             ),
             (
-                not self.misalignments or not all(math.isfinite(k) for k in self.misalignments),
+                not all(math.isfinite(k) for k in self.misalignments),
                 "give finite misalignments",
             ),
             (self.positions < 8, "give at least 8 positions"),
