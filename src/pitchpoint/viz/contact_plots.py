@@ -17,6 +17,7 @@ from pitchpoint.analysis.flank_contact.contact_pattern import (
 )
 from pitchpoint.analysis.flank_contact.teeth import MARKS, MeshTeeth
 from pitchpoint.viz import theme
+from pitchpoint.viz.mesh_cycle_plot import repeated
 from pitchpoint.viz.quantities import Array, Scale, number, scale
 
 if TYPE_CHECKING:
@@ -297,25 +298,3 @@ def plot_harris_map(torque: ArrayLike, error: ArrayLike, orders: ArrayLike) -> g
     figure.update_xaxes(rangemode="tozero")
     figure.update_yaxes(rangemode="tozero")
     return figure
-
-
-def repeated(phase: ArrayLike, values: ArrayLike, cycles: int = 2) -> tuple[Array, Array]:
-    """Curve over whole cycles from one without its repeated end.
-
-    Parameters
-    ----------
-    phase
-        Mesh phases over one cycle [base pitches], shape (n,).
-    values
-        Curve, shape (n,).
-    cycles
-        Number of cycles.
-
-    Examples
-    --------
-    >>> repeated([0.0, 0.5], [1.0, 2.0], 1)[0].tolist()
-    [0.0, 0.5, 1.0]
-    """
-    x, y = np.asarray(phase, dtype=np.float64), np.asarray(values, dtype=np.float64)
-    ways = np.concatenate([*(x + k for k in range(cycles)), [x[0] + cycles]])
-    return ways, np.concatenate([*(y for _ in range(cycles)), y[:1]])

@@ -44,7 +44,7 @@ def plot_mesh_stiffness(
     cycles
         Number of cycles drawn.
     """
-    phase, ratio = _repeated(cycle.phase, cycle.stiffness_ratio, cycles)
+    phase, ratio = repeated(cycle.phase, cycle.stiffness_ratio, cycles)
     figure = theme.figure("mesh phase ψ [base pitches]", f"mesh stiffness [{unit}]", height=340)
     figure.add_scatter(
         x=phase,
@@ -54,7 +54,7 @@ def plot_mesh_stiffness(
         line={"color": theme.SERIES[0], "width": 2, "simplify": False},
     )
     if loaded is not None:
-        x, y = _repeated(*loaded, cycles)
+        x, y = repeated(*loaded, cycles)
         figure.add_scatter(x=x, y=y, mode="lines", name="under load", line={"color": theme.RED, "width": 2})
     figure.add_hline(y=float(cycle.mean), line={"color": theme.GREY, "dash": "dash", "width": 1})
     figure.add_scatter(
@@ -103,7 +103,7 @@ def plot_transmission_error(
     shown = scale("m", np.concatenate([*sizes, [ROUND_OFF]]))
     figure = theme.figure(title, shown.title("transmission error − mean"), height=340)
     for index, (name, values) in enumerate(data.items()):
-        x, y = _repeated(phase, values - means[name], cycles)
+        x, y = repeated(phase, values - means[name], cycles)
         whole = scale("m", [means[name]]) if means[name] else shown
         figure.add_scatter(
             x=x,
@@ -145,12 +145,27 @@ def plot_load_sharing(way: ArrayLike, share: ArrayLike) -> go.Figure:
     return figure
 
 
-def _repeated(phase: ArrayLike, values: ArrayLike, cycles: int) -> tuple[np.ndarray, np.ndarray]:
-    """Single cycles repeated, so that their ends are visible; longer curves unchanged."""
-    x = np.asarray(phase, dtype=np.float64)
-    y = np.asarray(values, dtype=np.float64)
+def repeated(phase: ArrayLike, values: ArrayLike, cycles: int = 2) -> tuple[np.ndarray, np.ndarray]:
+    """Curve over whole cycles from one cycle, with its end; longer curves unchanged.
+
+    Parameters
+    ----------
+    phase
+        Mesh phases over one cycle [base pitches], shape (n,), with or without the repeated end.
+    values
+        Curve, shape (n,).
+    cycles
+        Number of cycles.
+
+    Examples
+    --------
+    >>> repeated([0.0, 0.5], [1.0, 2.0])[0].tolist()
+    [0.0, 0.5, 1.0, 1.5, 2.0]
+    """
+    x, y = np.asarray(phase, dtype=np.float64), np.asarray(values, dtype=np.float64)
     if x.size == 0 or x[-1] - x[0] > 1.5:
         return x, y
-    later = slice(1, None) if np.isclose(x[-1] - x[0], 1.0) and np.isclose(y[-1], y[0]) else slice(None)
-    more = range(1, cycles)
-    return np.concatenate([x, *(x[later] + k for k in more)]), np.concatenate([y, *(y[later] for _ in more)])
+    if x.size > 1 and np.isclose(x[-1] - x[0], 1.0):
+        x, y = x[:-1], y[:-1]
+    ways = [*(x + k for k in range(cycles)), x[:1] + cycles]
+    return np.concatenate(ways), np.concatenate([*([y] * cycles), y[:1]])
