@@ -106,7 +106,7 @@ class Flank:
         roll
             Lengths of roll [m], any shape.
         z
-            Positions along the face width [m], broadcast against `roll`.
+            Positions along the face width [m], broadcast against roll.
 
         Returns
         -------

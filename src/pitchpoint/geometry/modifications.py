@@ -341,7 +341,7 @@ def deviation(
     Returns
     -------
     ndarray
-        Removed material [m], positive = removed; shape of `roll` and `z` broadcast against each other.
+        Removed material [m], positive = removed; shape of roll and z broadcast against each other.
 
     Raises
     ------
