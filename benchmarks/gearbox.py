@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from benchmarks.rows import Row, cpu_seconds
+from benchmarks.rows import Row, cpu_seconds, in_turn
 
 HERE = Path(__file__).parent
 STEPS = 100_000
@@ -34,9 +34,8 @@ def pair_runs() -> dict[str, Any]:
 def rows(bare_rate: float) -> list[Row]:
     """Measure, given the steps per second of the bare loop in this run."""
     runs = pair_runs()
-    rate = {}
-    for width, run in runs.items():
-        rate[width] = STEPS / cpu_seconds(lambda r=run: r.advance(STEPS), 7)
+    taken = in_turn({width: lambda r=run: r.advance(STEPS) for width, run in runs.items()})
+    rate = {width: STEPS / seconds for width, seconds in taken.items()}
     loop = f"bare loop {bare_rate:.3g} steps/s in this run"
     return [
         Row("pair-12dof", rate["slices"], "steps/s", ">= 700000", f"11 slices, h 5 us; {loop}"),

@@ -98,7 +98,7 @@ def _body(a, t, kappa, bb):
     return a * (arc - kappa * s * share), a * (arc - 0.5 * (1.0 + kappa) * (s + t) * share)
 
 
-@kernel
+@kernel(inline=True)
 def local_approach(node, i, f):
     """Local approach h of node i under a force f, odd in f [m], and its slope dh/df [m/N].
 
@@ -188,7 +188,7 @@ def local_energy(node, i, f):
     return psi * f * f
 
 
-@kernel
+@kernel(inline=True)
 def energy_slopes(node, i, f):
     """Derivatives of `local_energy` at constant force by ln R, t_1 [J/m], t_2 [J/m] and ln l.
 

@@ -109,7 +109,6 @@ _SURFACE = [
     ("own", "i8", 2),
     ("before", "i8", 2),
     ("after", "i8", 2),  # influence functions of both gears, offsets in the pool; see `surface.compliance`
-    ("columns", "i8"),  # number of planes, rounded up to whole lanes
     ("height", "f8", (2, 2)),  # length of roll at the height 0, and its half range
     ("windup", "f8"),  # compliance of both blanks in torsion, along the base tangent [m/N]
     ("depth", "f8", (2, 4)),  # depth of the reference points of the local contact over the height [m]

@@ -26,7 +26,7 @@ from pitchpoint.contact.tooth_fe.tooth_model import ToothModel
 from pitchpoint.core.errors import CompileError, ModelError
 from pitchpoint.elements.mesh import record as layout
 from pitchpoint.elements.mesh.surface.nodes import NODE
-from pitchpoint.elements.mesh.surface.scratch import scratch_size, widened
+from pitchpoint.elements.mesh.surface.scratch import scratch_size
 from pitchpoint.model.components.flank_contact import (
     OVERLAPS,
     FlexibleContact,
@@ -91,14 +91,6 @@ class ElasticFlanks:
     correction: float = 1.0
 
 
-def _by_columns(blocks: Array) -> Array:
-    """Influence functions [i, j, m, n] in the order [i, m, n, j], j filled up with zeros to whole lanes."""
-    planes = len(blocks)
-    out = np.zeros((planes, *blocks.shape[2:], widened(planes)))
-    out[..., :planes] = blocks.transpose(0, 2, 3, 1)
-    return out
-
-
 def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callable[[Array], int]) -> None:
     """Set influence functions, local contact and scratch of flexible teeth."""
     planes, pairs = int(row["slices"]), pairs_in_reach(pair)
@@ -106,16 +98,15 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
     row["is_flexible"] = 1
     row["n_slots"], row["n_slot_pairs"] = -1, pairs
     row["plane_width"] = width = pair.b_w / planes
-    row["columns"] = widened(planes)
     row["work"] = keep(np.zeros(scratch_size(int(row["max_nodes"]), pairs, planes)))
     c = [plane_strain_compliance(E, nu) for E, nu in zip(elastic.moduli, elastic.poisson, strict=True)]
     for k, gear in enumerate(elastic.gears):
         low, high = gear.teeth.roll
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
         first = gear.teeth.beside
-        row["own"][k] = keep(_by_columns(gear.teeth.own))
-        row["before"][k] = keep(_by_columns(first))
-        row["after"][k] = keep(_by_columns(first.transpose(1, 0, 3, 2)))
+        row["own"][k] = keep(gear.teeth.own)
+        row["before"][k] = keep(first)
+        row["after"][k] = keep(first.transpose(1, 0, 3, 2))
         row["depth"][k] = gear.depth
         row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width * elastic.correction)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])

@@ -3,7 +3,7 @@
 
 A force f_j on the plane s_j of a tooth at the height t_j displaces the plane s_i of the same tooth at t_i by
 
-    f_j times the sum over m, n of P_m(t_i) own[s_i, m, n, s_j] P_n(t_j)
+    f_j times the sum over m, n of P_m(t_i) own[s_i, s_j, m, n] P_n(t_j)
 
 with Legendre polynomials P of the height t, -1 at the root and +1 at the tip; those on the neighbouring teeth
 likewise (`contact.compliance`). All nodes of a gear also move by the torsion of its blank. Matrices
@@ -51,16 +51,17 @@ def _sum_of(c, p):
 
 
 @kernel
-def set_local(b, nodes, i, legs, local):
-    """Set polynomials of the heights of node i at its pair and plane, and its local compliance."""
-    node = nodes[i]
+def set_local(b, node, i, legs, local):
+    """Set polynomials of the heights of node i and their slopes by the rolls, and its local compliance."""
     place = node["roll"]
     least = b["least_roll"]
     for gear in range(2):
-        t, _ = _height(b, gear, place[gear])
+        t, slope = _height(b, gear, place[gear])
         p = _polynomials(t)
+        d = _slopes(t)
         for m in range(HEIGHTS):
-            legs[node["slot"], gear, m, node["plane"]] = p[m]
+            legs[i, gear, 0, m] = p[m]
+            legs[i, gear, 1, m] = d[m] * slope
         local[i, T1 + gear] = _sum_of(b["depth"][gear], p)
     # radii of curvature in the transverse section; near a base circle, where they vanish, a finite one
     one = max(place[0], least)
@@ -98,64 +99,39 @@ def local_slopes(b, node, by_radius, by_depth):
     return by_1, by_radius * over_2 + by_depth[1] * _sum_of(b["depth"][1], _slopes(t)) * slope
 
 
-@kernel
+@kernel(inline=True)
 def influence(b, gear, which):
-    """Influence functions of a gear, shape (planes, 4, 4, columns) over plane and polynomial of the displaced
-    node, polynomial and plane of the force; columns beyond the planes are zero.
+    """Influence functions of a gear, shape (planes, planes, 4, 4) over planes and polynomials of
+    displacement and force.
 
     `which` 0: of a tooth on itself, 1 and 2: of a tooth on the one before and after it (`own`, `before`,
     `after` of the record).
     """
-    n = b["slices"]
     offset = b["own"][gear]
     if which == 1:
         offset = b["before"][gear]
     elif which == 2:
         offset = b["after"][gear]
-    return view(pooled(b, offset), (n, HEIGHTS, HEIGHTS, b["columns"]), F8)
+    return view(pooled(b, offset), (b["slices"], b["slices"], HEIGHTS, HEIGHTS), F8)
 
 
-@kernel
-def _add_row(a, p, legs, row):
-    """Add to `row` the displacement per force on each plane of a tooth.
+@kernel(inline=True)
+def _between(a, leg, place):
+    """Displacement per force, and its derivative by the roll of the displaced node.
 
-    `a`: influence functions of the displaced plane, shape (4, 4, columns); `p`: its four polynomials; `legs`:
-    polynomials at the planes of the forces, shape (4, columns).
+    `a`: influence functions of both planes, shape (4, 4); `leg`, `place`: polynomials of force and displaced
+    node, and their slopes, shape (2, 4).
     """
-    p0, p1, p2, p3 = p
-    a00 = a[0, 0]
-    a01 = a[0, 1]
-    a02 = a[0, 2]
-    a03 = a[0, 3]
-    a10 = a[1, 0]
-    a11 = a[1, 1]
-    a12 = a[1, 2]
-    a13 = a[1, 3]
-    a20 = a[2, 0]
-    a21 = a[2, 1]
-    a22 = a[2, 2]
-    a23 = a[2, 3]
-    a30 = a[3, 0]
-    a31 = a[3, 1]
-    a32 = a[3, 2]
-    a33 = a[3, 3]
-    l0 = legs[0]
-    l1 = legs[1]
-    l2 = legs[2]
-    l3 = legs[3]
-    for s in range(row.size):
-        row[s] += (
-            (p0 * a00[s] + p1 * a10[s] + p2 * a20[s] + p3 * a30[s]) * l0[s]
-            + (p0 * a01[s] + p1 * a11[s] + p2 * a21[s] + p3 * a31[s]) * l1[s]
-            + (p0 * a02[s] + p1 * a12[s] + p2 * a22[s] + p3 * a32[s]) * l2[s]
-            + (p0 * a03[s] + p1 * a13[s] + p2 * a23[s] + p3 * a33[s]) * l3[s]
-        )
-
-
-@kernel
-def _reset(row, value):
-    for s in range(row.size):
-        row[s] = value
+    l0 = leg[0, 0]
+    l1 = leg[0, 1]
+    l2 = leg[0, 2]
+    l3 = leg[0, 3]
+    u0 = a[0, 0] * l0 + a[0, 1] * l1 + a[0, 2] * l2 + a[0, 3] * l3
+    u1 = a[1, 0] * l0 + a[1, 1] * l1 + a[1, 2] * l2 + a[1, 3] * l3
+    u2 = a[2, 0] * l0 + a[2, 1] * l1 + a[2, 2] * l2 + a[2, 3] * l3
+    u3 = a[3, 0] * l0 + a[3, 1] * l1 + a[3, 2] * l2 + a[3, 3] * l3
+    u = (u0, u1, u2, u3)
+    return _sum_of(place[0], u), _sum_of(place[1], u)
 
 
 @kernel
@@ -175,85 +151,25 @@ def _which(lead, gear):
 
 
 @kernel
-def _polynomials_at(b, node, gear):
-    return _polynomials(_height(b, gear, node["roll"][gear])[0])
+def assemble(b, nodes, n, legs, local, C, slopes):
+    """Set the compliance matrix C of n nodes, its slopes and the local compliances.
 
-
-@kernel
-def assemble(b, nodes, n, legs, local, index, row, C):
-    """Set the compliance matrix C of n nodes, their local compliances, and the polynomials of their heights.
-
-    `index`: number of the node of each pair and plane, -1 without; `row`: scratch of one value per column.
+    `slopes`: derivatives of C[i, j] by the rolls of node i on both gears, shape (n, 2, n); `legs`: scratch.
     """
-    pairs = nodes[n - 1]["slot"] + 1
-    for k in range(pairs):
-        for s in range(b["columns"]):
-            index[k, s] = -1
-            for m in range(HEIGHTS):
-                legs[k, 0, m, s] = 0.0
-                legs[k, 1, m, s] = 0.0
     for i in range(n):
-        set_local(b, nodes, i, legs, local)
-        index[nodes[i]["slot"], nodes[i]["plane"]] = i
-    windup = b["windup"]
+        set_local(b, nodes[i], i, legs, local)
     for i in range(n):
-        node = nodes[i]
-        plane = node["plane"]
-        p_1 = _polynomials_at(b, node, 0)
-        p_2 = _polynomials_at(b, node, 1)
-        for k in range(pairs):
+        slot = nodes[i]["slot"]
+        plane = nodes[i]["plane"]
+        for j in range(n):
             # pairs are listed in descending order of their numbers
-            lead = k - node["slot"]
-            _reset(row, windup)
-            if _which(lead, 0) >= 0:
-                _add_row(influence(b, 0, _which(lead, 0))[plane], p_1, legs[k, 0], row)
-                _add_row(influence(b, 1, _which(lead, 1))[plane], p_2, legs[k, 1], row)
-            for s in range(b["slices"]):
-                j = index[k, s]
-                if j >= 0:
-                    C[i, j] = row[s]
-
-
-@kernel
-def load_planes(nodes, n, legs, loads):
-    """Set the polynomials of the heights times the elastic forces of n nodes."""
-    pairs = nodes[n - 1]["slot"] + 1
-    for k in range(pairs):
-        for gear in range(2):
-            for m in range(HEIGHTS):
-                _reset(loads[k, gear, m], 0.0)
-    for i in range(n):
-        node = nodes[i]
-        for gear in range(2):
-            for m in range(HEIGHTS):
-                where = legs[node["slot"], gear, m, node["plane"]]
-                loads[node["slot"], gear, m, node["plane"]] = where * node["elastic"]
-
-
-@kernel
-def energy_by_height(b, node, pairs, loads, row):
-    """Derivatives of the elastic energy f C f/2 by both signed lengths of roll of a node, at constant forces.
-
-    `pairs`: number of pairs, `loads`: as from `load_planes`.
-    """
-    plane = node["plane"]
-    f = node["elastic"]
-    by_1 = by_2 = 0.0
-    for gear in range(2):
-        t, slope = _height(b, gear, node["roll"][gear])
-        if slope == 0.0:
-            continue
-        d = _slopes(t)
-        _reset(row, 0.0)
-        for k in range(pairs):
-            which = _which(k - node["slot"], gear)
-            if which >= 0:
-                _add_row(influence(b, gear, which)[plane], d, loads[k, gear], row)
-        total = 0.0
-        for s in range(row.size):
-            total += row[s]
-        if gear == 0:
-            by_1 = f * total * slope
-        else:
-            by_2 = f * total * slope
-    return by_1, by_2
+            lead = nodes[j]["slot"] - slot
+            C[i, j] = b["windup"]
+            for gear in range(2):
+                which = _which(lead, gear)
+                slopes[i, gear, j] = 0.0
+                if which >= 0:
+                    a = influence(b, gear, which)[plane, nodes[j]["plane"]]
+                    c, slope = _between(a, legs[j, gear], legs[i, gear])
+                    C[i, j] += c
+                    slopes[i, gear, j] = slope

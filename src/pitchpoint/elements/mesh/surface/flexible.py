@@ -22,7 +22,7 @@ from pitchpoint.core.status import OK
 from pitchpoint.elements.mesh.observations import add_pair_force
 from pitchpoint.elements.mesh.record import N_OUT, RECORD
 from pitchpoint.elements.mesh.sums import FRICTION_ROWS
-from pitchpoint.elements.mesh.surface.compliance import assemble, energy_by_height, load_planes, local_slopes
+from pitchpoint.elements.mesh.surface.compliance import assemble, local_slopes
 from pitchpoint.elements.mesh.surface.losses import farthest_gap, with_losses
 from pitchpoint.elements.mesh.surface.nodes import (
     add_slopes,
@@ -38,7 +38,7 @@ from pitchpoint.elements.mesh.surface.nodes import (
     set_node,
     tip_bounds,
 )
-from pitchpoint.elements.mesh.surface.scratch import flexible_arrays, plane_arrays, solver_arrays
+from pitchpoint.elements.mesh.surface.scratch import flexible_arrays, slope_arrays, solver_arrays
 
 
 @kernel
@@ -120,13 +120,11 @@ def _remember(b, n, slots, kept, v):
 
 @kernel
 def solve_nodes(b, n):
-    """Solve the contact problem of the placed nodes; returns a status."""
+    """Solve the contact problem of the placed nodes, whose compliances are set; returns a status."""
     nodes = node_array(b)
     x, local, C, slots, kept = flexible_arrays(b, n)
-    legs, loads, index, row = plane_arrays(b)
     states, on, v, U = solver_arrays(b)
     state = states[0]
-    assemble(b, nodes, n, legs, local, index, row, C)
     for i in range(n):
         x[i] = nodes[i]["x"]
     _recall(b, nodes, n, slots, kept, state, on, v)
@@ -239,19 +237,23 @@ def _add_node(b, watch, i, node, k, factors):
 
 
 @kernel
-def _add_energy_slopes(b, i, node, pairs, loads, local, row):
+def _add_energy_slopes(b, i, node, forces, slopes, local):
     """Add the slopes of the energy by the motion of the node over the flanks."""
     elastic = node["elastic"]
     by_xi = 0.0
     by_tan = 0.0
     of_soft = 0.0
     if elastic > 0.0:
-        by_1, by_2 = energy_by_height(b, node, pairs, loads, row)
+        by_1 = 0.0
+        by_2 = 0.0
+        for j in range(slopes.shape[1]):
+            by_1 += slopes[0, j] * forces[j]
+            by_2 += slopes[1, j] * forces[j]
         by_radius, by_t1, by_t2, _ = energy_slopes(local, i, elastic)
         local_1, local_2 = local_slopes(b, node, by_radius, (by_t1, by_t2))
         of_soft = 0.5 * elastic * elastic / b["plane_width"]
-        by_1 += local_1 + of_soft * node["soft_by_roll"][0]
-        by_2 += local_2 + of_soft * node["soft_by_roll"][1]
+        by_1 = by_1 * elastic + local_1 + of_soft * node["soft_by_roll"][0]
+        by_2 = by_2 * elastic + local_2 + of_soft * node["soft_by_roll"][1]
         by_xi = -(by_1 * node["roll_by_xi"][0] + by_2 * node["roll_by_xi"][1])
         by_tan = -(by_1 * node["roll_by_tan"][0] + by_2 * node["roll_by_tan"][1])
     by_z = (-of_soft * node["soft_by_z"][0], -of_soft * node["soft_by_z"][1])
@@ -269,15 +271,15 @@ def flexible_flank(record, watch, _):
     n = place_nodes(b, watch)
     if n == 0:
         return OK
+    nodes = node_array(b)
+    sums = b["sums"]
+    x, local, C, slots, kept = flexible_arrays(b, n)
+    legs, slopes = slope_arrays(b, n)
+    assemble(b, nodes, n, legs, local, C, slopes)
     status = solve_nodes(b, n)
     if status != OK:
         return status
-    nodes = node_array(b)
-    sums = b["sums"]
-    factors, local, C, slots, kept = flexible_arrays(b, n)  # penetrations are no longer used
-    legs, loads, index, row = plane_arrays(b)
-    load_planes(nodes, n, legs, loads)
-    pairs = nodes[n - 1]["slot"] + 1
+    factors = x  # penetrations are no longer used
     states, on, v, U = solver_arrays(b)
     state = states[0]
     m = state["m"]
@@ -288,7 +290,7 @@ def flexible_flank(record, watch, _):
             sums["nearest"] = max(sums["nearest"], node["x"])
         f = _add_node(b, watch, i, node, k, factors)
         if f > 0.0:
-            _add_energy_slopes(b, i, node, pairs, loads, local, row)
+            _add_energy_slopes(b, i, node, v[FORCE], slopes[i], local)
             if watch == 1 and b["request"]["out"] != 0 and b["n_pair"] > 0:
                 add_pair_force(b, N_OUT, node["pair"] % b["n_pair"], now["flank"] * f)
     sums["energy"] += contact_energy(local, state, on, v) if watch == 1 else 0.0

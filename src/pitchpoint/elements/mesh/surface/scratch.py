@@ -22,10 +22,9 @@ def widened(n: int) -> int:
 
 
 @kernel
-def _flank_size(n, pairs, planes, columns):
-    """Size of the arrays of `flexible_arrays` and `plane_arrays` [8 bytes]."""
-    by_node = n * (N_NODE + n + 2)
-    return by_node + pairs * planes + columns * (1 + pairs * (4 * HEIGHTS + 1))
+def _flank_size(n, pairs, planes):
+    """Size of the arrays of `flexible_arrays` and `slope_arrays` [8 bytes]."""
+    return n * (N_NODE + 3 * n + 2 + 4 * HEIGHTS) + pairs * planes
 
 
 def scratch_size(n: int, pairs: int, planes: int) -> int:
@@ -35,19 +34,19 @@ def scratch_size(n: int, pairs: int, planes: int) -> int:
     True
     """
     w = widened(n)
-    flank = int(plain(_flank_size)(n, pairs, planes, widened(planes)))
+    flank = int(plain(_flank_size)(n, pairs, planes))
     return flank + STATE_BYTES // 8 + (2 + N_VECTOR + w) * w
 
 
 @kernel
 def _solver_start(b):
     """Offset of the workspace of the solver in the pool."""
-    return b["work"] + _flank_size(b["max_nodes"], b["n_slot_pairs"], b["slices"], b["columns"])
+    return b["work"] + _flank_size(b["max_nodes"], b["n_slot_pairs"], b["slices"])
 
 
 def state_offset(record: Any) -> int:
     """Offset of the state of the solver in the pool."""
-    size = (int(record[name]) for name in ("max_nodes", "n_slot_pairs", "slices", "columns"))
+    size = (int(record[name]) for name in ("max_nodes", "n_slot_pairs", "slices"))
     return int(record["work"]) + int(plain(_flank_size)(*size))
 
 
@@ -70,21 +69,15 @@ def flexible_arrays(b, n):
 
 
 @kernel
-def plane_arrays(b):
-    """Polynomials of the heights at all planes, the same times the forces, numbers of nodes, a row of planes.
+def slope_arrays(b, n):
+    """Polynomials of the heights of n nodes and their slopes; derivatives of the compliances by the rolls.
 
-    Shapes (pairs, 2, 4, columns) twice, over pair, gear, polynomial, plane; (pairs, columns); (columns,).
+    Shapes (n, 2, 2, 4) over node, gear, value and slope, polynomial; (n, 2, n).
     """
     size = b["max_nodes"]
-    pairs = b["n_slot_pairs"]
-    columns = b["columns"]
-    at = b["work"] + size * (N_NODE + size + 2) + pairs * b["slices"]
-    legs = view(pooled(b, at), (pairs, 2, HEIGHTS, columns), F8)
-    at += pairs * 2 * HEIGHTS * columns
-    loads = view(pooled(b, at), (pairs, 2, HEIGHTS, columns), F8)
-    at += pairs * 2 * HEIGHTS * columns
-    index = view(pooled(b, at), (pairs, columns), I8)
-    return legs, loads, index, view(pooled(b, at + pairs * columns), columns, F8)
+    at = b["work"] + size * (N_NODE + size + 2) + b["n_slot_pairs"] * b["slices"]
+    legs = view(pooled(b, at), (n, 2, 2, HEIGHTS), F8)
+    return legs, view(pooled(b, at + size * 4 * HEIGHTS), (n, 2, n), F8)
 
 
 @kernel
