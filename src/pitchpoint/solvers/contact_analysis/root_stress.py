@@ -43,6 +43,9 @@ Array = NDArray[np.float64]
 
 METHODS = ("tangent", "finite_elements")
 """Methods of root stress; the second one includes the first."""
+FROM_TANGENT = {1: math.radians(30.0), -1: math.radians(40.0)}
+"""Least tangent angle of points of the fillet by the sign of z: nearer to the flank, stress is that of the load
+itself. The maximum of a load above them is at 30° to 45°, internal gears 40° to 50°."""
 OVER = ("torque", "mesh_phase_position", "tooth_pair", "plane")
 _PHASES = 256
 """Mesh phases whose stresses are in memory at the same time."""
@@ -102,7 +105,8 @@ def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None =
     found["root_stress"] = (*OVER, "gear"), at_tangent, attributes("root_stress")
     for name, values in sections.items():
         found[name] = ("gear",), values, attributes(name)
-    found.attrs["root_stress"] = "30 deg tangent, internal gears 60 deg"
+    internal = any(gear.geometry.is_internal for gear in gears)
+    found.attrs["root_stress"] = f"30 deg tangent{', internal gear 60 deg' if internal else ''}"
     if whole == "finite_elements":
         found = _with_finite_elements(found, flanks, gears, notes)
     found.attrs["notes"] = "; ".join(notes)
@@ -165,7 +169,7 @@ def _with_finite_elements(
     for name, values in zip(("root_stress_fe_min", "root_tangent_fe"), extremes, strict=True):
         found[name] = ("torque", "gear"), values, attributes(name)
     if words:
-        found.attrs["root_stress"] += f"; finite elements of {' and '.join(dict.fromkeys(words))}"
+        found.attrs["root_stress"] += f" and finite elements ({' and '.join(dict.fromkeys(words))})"
     return found
 
 
@@ -182,9 +186,12 @@ def _by_elements(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> t
     low, high = common_width((mesh.offset1, mesh.offset2)[k], flanks.model.pairs[flanks.mesh])
     turned = slice(None, None, -1 if is_right else 1)
     span = (-high, -low) if is_right else (low, high)
+    kept = tooth.tangents > FROM_TANGENT[gear.geometry.sign] - 1e-6
+    if not kept.any():
+        raise GeometryError("has no point with the tangent angle of the largest stress", where="root fillet")
     n = data.sizes["plane"]
     edges = np.linspace(*span, n + 1)
-    by_planes = stress_by_planes(tooth, n, 0.5 * (edges[1:] + edges[:-1]), span)
+    by_planes = stress_by_planes(tooth, n, 0.5 * (edges[1:] + edges[:-1]), span)[kept]
     # in the order of the stored teeth, the tooth of the next pair is the next one of gear 1, the previous of gear 2
     order = slice(None, None, 1 if k == 0 else -1)
     force = np.nan_to_num(_values(data, "plane_force"))[:, :, order, turned]
@@ -193,7 +200,7 @@ def _by_elements(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> t
     # teeth before and after contact have loaded neighbours, too
     beside = ((0, 0), (0, 0), (1, 1), (0, 0))
     force, height = np.pad(force, beside), np.pad(height, beside)
-    stress, extremes = np.empty(_values(data, "plane_force").shape), np.empty((2, len(force)))
+    stress, extremes = np.empty(tuple(data.sizes[name] for name in OVER)), np.empty((2, len(force)))
     for t in range(len(force)):
         most, least = -np.inf, np.inf
         for first in range(0, force.shape[1], _PHASES):
@@ -202,9 +209,9 @@ def _by_elements(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> t
             stress[t, part] = found.max(axis=-2)[:, 1:-1]
             most, least = np.maximum(most, found.max(axis=(0, 1))), np.minimum(least, found.min(axis=(0, 1)))
         at = np.unravel_index(int(np.argmax(most)), most.shape)
-        extremes[:, t] = least[at], tooth.tangents[at[0]]
+        extremes[:, t] = least[at], tooth.tangents[kept][at[0]]
     about = tooth.provenance
-    words = f"order {about['section_order']} in the section and {about['width_polynomials']} over the width"
+    words = f"order {about['section_order']}, {about['width_polynomials']} polynomials over the width"
     return stress[:, :, order, turned], extremes, words
 
 
