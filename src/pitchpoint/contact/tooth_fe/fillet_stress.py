@@ -56,12 +56,16 @@ def stress_by_planes(
 
 
 def principal_stress(stress: FloatArray) -> FloatArray:
-    """Larger principal stress in a surface by magnitude, with its sign [Pa].
+    """Principal stress in a surface whose direction is nearer to the profile [Pa].
 
     Parameters
     ----------
     stress
-        Two normal stresses and the shear stress [Pa], shape (3, ...).
+        Stress along the profile and along the width, and shear stress [Pa], shape (3, ...).
+
+    Notes
+    -----
+    Bending stress of a tooth, at right angles to its trace: tension and compression with their signs.
 
     Examples
     --------
@@ -69,7 +73,7 @@ def principal_stress(stress: FloatArray) -> FloatArray:
     [100.0, -4.0]
     """
     mean, half = 0.5 * (stress[0] + stress[1]), 0.5 * (stress[0] - stress[1])
-    return np.asarray(mean + np.copysign(np.hypot(half, stress[2]), mean))
+    return np.asarray(mean + np.copysign(np.hypot(half, stress[2]), half))
 
 
 def stress_of_teeth(by_planes: FloatArray, height: FloatArray, force: FloatArray) -> FloatArray:
@@ -88,7 +92,7 @@ def stress_of_teeth(by_planes: FloatArray, height: FloatArray, force: FloatArray
     Returns
     -------
     ndarray, shape (..., T, F, k)
-        Larger principal stress by magnitude, with its sign [Pa].
+        `principal_stress` [Pa].
 
     Examples
     --------

@@ -9,6 +9,7 @@ neighbours. Derivation: docs/theory/root_stress.md.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -81,9 +82,10 @@ def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None =
     -------
     xarray.Dataset
         With `root_stress` over the contact nodes and `gear` [Pa], NaN without load, and over `gear` the
-        critical section and the factors. With finite elements also `root_stress_fe`, 0 for teeth without
-        load and without loaded neighbours, and over torque and gear `root_stress_fe_min` and
-        `root_tangent_fe`. NaN, with a note, where a gear does not permit a method.
+        critical section and the factors. With finite elements also `root_stress_fe` at the point of the
+        fillet with the largest stress of the torque, 0 for teeth without load and without loaded
+        neighbours, and over torque and gear `root_tangent_fe`, the tangent angle of this point, and
+        `root_stress_fe_min`, the minimum over the cycle where the maximum occurs. NaN, with a note, where a gear does not permit a method.
     """
     assert flanks.model.meshes[flanks.mesh].contact is not None
     mesh = flanks.model.meshes[flanks.mesh]
@@ -174,8 +176,8 @@ def _with_finite_elements(
 
 
 def _by_elements(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> tuple[Array, Array, str]:
-    """Stress of the fillet of gear k: maximum over its points; per torque the minimum at the point with the
-    largest stress, and the tangent angle there; resolution in words.
+    """Stress of gear k at the point of the fillet with the largest stress of the mesh cycle; per torque the
+    minimum at the place of the maximum, and the tangent angle of the point; resolution in words.
 
     The stored teeth have forces on their left flanks. Half a turn about the centre line of a tooth makes its
     right flank the left one; it reverses the face width and the order of the teeth.
@@ -201,18 +203,23 @@ def _by_elements(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> t
     beside = ((0, 0), (0, 0), (1, 1), (0, 0))
     force, height = np.pad(force, beside), np.pad(height, beside)
     stress, extremes = np.empty(tuple(data.sizes[name] for name in OVER)), np.empty((2, len(force)))
-    for t in range(len(force)):
-        most, least = -np.inf, np.inf
-        for first in range(0, force.shape[1], _PHASES):
-            part = slice(first, first + _PHASES)
-            found = stress_of_teeth(by_planes, height[t, part], force[t, part])
-            stress[t, part] = found.max(axis=-2)[:, 1:-1]
-            most, least = np.maximum(most, found.max(axis=(0, 1))), np.minimum(least, found.min(axis=(0, 1)))
-        at = np.unravel_index(int(np.argmax(most)), most.shape)
-        extremes[:, t] = least[at], tooth.tangents[kept][at[0]]
+    for t, loads in enumerate(zip(height, force, strict=True)):
+        most = np.max([found.max(axis=(0, 1, 3)) for found in _by_phases(by_planes, *loads)], axis=0)
+        point = int(np.argmax(most))
+        there = np.concatenate(list(_by_phases(by_planes[point : point + 1], *loads)))[:, :, 0]
+        place = int(np.argmax(there.max(axis=(0, 1))))
+        extremes[:, t] = there[:, :, place].min(), tooth.tangents[kept][point]
+        stress[t] = there[:, 1:-1]
     about = tooth.provenance
     words = f"order {about['section_order']}, {about['width_polynomials']} polynomials over the width"
     return stress[:, :, order, turned], extremes, words
+
+
+def _by_phases(by_planes: Array, height: Array, force: Array) -> Iterator[Array]:
+    """Stress of all teeth at parts of the mesh phases, shape (phases, teeth, F, planes)."""
+    for first in range(0, len(force), _PHASES):
+        part = slice(first, first + _PHASES)
+        yield stress_of_teeth(by_planes, height[part], force[part])
 
 
 def _values(data: xr.Dataset, name: str) -> Array:

@@ -40,10 +40,6 @@ OIL = (
 """Fields with operating conditions: name, title, unit, and whether maxima (1) or minima (-1) are drawn."""
 
 
-ROOT_STRESS = {"root_stress": "tangent of the fillet", "root_stress_fe": "finite elements"}
-"""Variables with root stress, and words for their methods."""
-
-
 @dataclass(frozen=True, kw_only=True)
 class ContactData:
     """Contact analysis of one mesh.
@@ -155,9 +151,11 @@ def _add_root_stress(
     section: Section, data: xr.Dataset, found: Mapping[str, Array], pattern: ContactPattern, most: int
 ) -> None:
     """Root stress of both gears along the path of contact and over the face width, at one torque."""
+    tangent = "30°/60°" if "internal" in str(options_of(data).get("root_stress")) else "30°"
+    words_of = {"root_stress": f"{tangent} tangent", "root_stress_fe": "finite elements"}
     methods = {
         words: name
-        for name, words in ROOT_STRESS.items()
+        for name, words in words_of.items()
         if name in data and np.isfinite(data[name].values[most]).any()
     }
     if not methods:
@@ -168,13 +166,13 @@ def _add_root_stress(
     if "root_stress_fe_min_1" in found:
         ends = [amount(float(found[f"root_stress_fe_min_{k}"][most]), "Pa") for k in (1, 2)]
         least = (
-            " Minimum over the whole turn by finite elements at the point of the maximum, with loads on the "
-            f"teeth beside: {ends[0]} and {ends[1]}."
+            " By finite elements the stress is that of one point of the fillet, with loads on the teeth beside; "
+            f"minimum over a turn at the place of the maximum: {ends[0]} (gear 1), {ends[1]} (gear 2)."
         )
     section.add_figure(
         plot_root_stress(curves, pattern.teeth),
-        f"Root stress of one tooth of each gear at {at}: maximum over the face width. At the tangent of the "
-        f"fillet (30°, internal gears 60°) the nominal stress with notch factor, ISO 6336-3.{least}",
+        f"Root stress of one tooth of each gear at {at}: maximum over the face width. At the "
+        f"{tangent} tangent of the fillet nominal stress with notch factor, ISO 6336-3.{least}",
     )
     if pattern.z.size > 1:
         over = {words: root_stress_over_width(data, name)[most] for words, name in methods.items()}
