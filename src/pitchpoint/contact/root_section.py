@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pitchpoint.contact.compliance.blank import Blank, blank_radii
 from pitchpoint.contact.compliance.clamped_tooth import ClampedTooth, clamped_form
+from pitchpoint.core.errors import GeometryError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.tooth_form import virtual_tooth_form
 
@@ -73,8 +74,8 @@ class RootSection:
 
         Notes
         -----
-        On the path of contact a place is 1/cos β_b times as far from the tip in the virtual gear, as in the
-        diameter d_en of the standard.
+        On the path of contact a place is 1/cos β_b times as far from the tip in the virtual gear, whose flank
+        has 1/cos β_b times the radius of curvature. The tip is that of the standard.
         """
         gear, form = self.gear, self.tooth.form
         tip, tip_n = (
@@ -158,7 +159,13 @@ def root_section(gear: CylindricalGear) -> RootSection:
     >>> round(1e3 * section.chord, 2), round(1e3 * section.fillet_radius, 2)      # KISSsoft prints both
     (31.18, 5.95)
     """
-    return RootSection(gear, clamped_form(virtual_tooth_form(gear), 0.0))
+    form = virtual_tooth_form(gear)
+    try:
+        return RootSection(gear, clamped_form(form, 0.0))
+    except GeometryError:
+        angle = 60 if gear.is_internal else 30
+        message = f"has no tangent at {angle}° to the centre line of the tooth, the critical section"
+        raise GeometryError(message, where="root_fillet_radius") from None
 
 
 def helix_factor(beta: float, eps_beta: float) -> float:

@@ -190,7 +190,7 @@ def _by_elements(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> t
     span = (-high, -low) if is_right else (low, high)
     kept = tooth.tangents > FROM_TANGENT[gear.geometry.sign] - 1e-6
     if not kept.any():
-        raise GeometryError("has no point with the tangent angle of the largest stress", where="root fillet")
+        raise GeometryError("has no point with the tangent angle of the largest stress", where="root_fillet_radius")
     n = data.sizes["plane"]
     edges = np.linspace(*span, n + 1)
     by_planes = stress_by_planes(tooth, n, 0.5 * (edges[1:] + edges[:-1]), span)[kept]
