@@ -3,8 +3,8 @@
 
 Source: ISO 6336-3:2006, 6.2 and 7.2. Its closed formulas for a force at the tip of a spur gear are those of
 the contour: 1e-6. Numbers of a helical pair: KISSsoft 03/2017, stage 3 of the 5 MW reference gearbox
-(gfsReboucas/Drivetrain, stage_03.rtf), geometry as in KS-NRELGBX. Tolerance: half a unit of the last digit for
-the section and Y_F; angle and lever arm of the force, and with them Y_S, are printed for another tooth
+(gfsReboucas/Drivetrain, stage_03.rtf), geometry as in KS-NRELGBX. Tolerance: half a unit of the last digit
+for the section and Y_F; angle and lever arm of the force, and with them Y_S, are printed for another tooth
 thickness (0.02°, 0.2 %, 0.3 %).
 
 Finite elements with a force at the tip: sigma = F_t/(b m) Y_Fa Y_Sa at the 30° tangent. The factors are those
@@ -80,8 +80,8 @@ def test_factors_of_the_contour(z, x):
 
 
 def test_stage_3_of_the_5_mw_gearbox():
-    """Force at d_en, the outer point of single pair contact of the virtual gears: p_bn (ε_αn - 1) from the tip,
-    on the path of contact of the helical gears cos β_b times as far."""
+    """Force at d_en, the outer point of single pair contact of the virtual gears: p_bn (ε_αn - 1) from the
+    tip, on the path of contact of the helical gears cos β_b times as far."""
     pair = helical_stage()
     cos_b = math.cos(pair.gear1.beta_b)
     below = cos_b * pair.gear1.p_bn * (pair.eps_alpha / cos_b**2 - 1.0)

@@ -67,8 +67,8 @@ UNDER_LOAD = ("misalignment", "center_distance")
 @click.option(
     "--root-stress",
     type=click.Choice(["tangent", "finite_elements"]),
-    help="Method of the root stress: 30° tangent of the fillet to ISO 6336-3, or also finite elements (seconds "
-    "per gear, stored); default: finite elements if the teeth of the contact are.",
+    help="Method of the root stress: 30° tangent of the fillet to ISO 6336-3, or also finite elements "
+    "(seconds per gear, stored); default: finite elements if the teeth of the contact are.",
 )
 @quantity("--speed", "angular_speed", "Speed of gear 1, for oil film and flash temperature.")
 @click.option(
@@ -93,9 +93,9 @@ UNDER_LOAD = ("misalignment", "center_distance")
 def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Analyse the loaded tooth contact of a mesh of FILE, which has `contact`.
 
-    Transmission error, stiffness, pressure, root stress, load distribution and losses for each torque; with --speed also
-    oil film and flash temperature. The axes of the gears are fixed, and --misalignment tilts the flanks; with
-    --shafts they are in equilibrium with the whole machine.
+    Transmission error, stiffness, pressure, root stress, load distribution and losses for each torque; with
+    --speed also oil film and flash temperature. The axes of the gears are fixed, and --misalignment tilts the
+    flanks; with --shafts they are in equilibrium with the whole machine.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Nominal bending stress at the 30° tangent of the root fillet (60° for internal gears), for any place of load.
+"""Nominal bending stress at the 30° tangent of the root fillet (internal gears 60°), for any place of load.
 
 Source: ISO 6336-3:2006, method B. Derivation: docs/theory/root_stress.md, "Tangent".
 """
@@ -100,9 +100,7 @@ class RootSection:
         """
         alpha, h_F = self.load(rho)
         gear = self.gear
-        return np.asarray(
-            6.0 * h_F * gear.m_n * np.cos(alpha) / (self.chord**2 * math.cos(gear.alpha_n))
-        )
+        return np.asarray(6.0 * h_F * gear.m_n * np.cos(alpha) / (self.chord**2 * math.cos(gear.alpha_n)))
 
     def stress_correction(self, rho: ArrayLike) -> Array:
         """Stress correction factor Y_S of forces at lengths of roll [m], shape of rho.
@@ -135,9 +133,7 @@ class RootSection:
         F_t = F_bt cos α_t acts on the reference circle.
         """
         tangential = np.asarray(line_load, dtype=np.float64) * math.cos(self.gear.alpha_t)
-        return np.asarray(
-            tangential / self.gear.m_n * self.form_factor(rho) * self.stress_correction(rho)
-        )
+        return np.asarray(tangential / self.gear.m_n * self.form_factor(rho) * self.stress_correction(rho))
 
 
 def root_section(gear: CylindricalGear) -> RootSection:

@@ -48,7 +48,7 @@ def test_a_circular_fillet_has_its_radius() -> None:
 
 @pytest.mark.parametrize("gear", [CylindricalGear(z=25, m_n=3e-3), RING], ids=["external", "internal"])
 def test_higher_forces_bend_more(gear: CylindricalGear) -> None:
-    """From root to tip the stress increases; below the section the lever arm ends, beyond the tip nothing changes."""
+    """From root to tip the stress increases; beyond the tip it is that of the tip."""
     section, form = root_section(gear), tooth_form(gear)
     low, high = (math.sqrt(max(0.0, r * r - form.r_b**2)) for r in (form.r_Ff, form.r_Fa))
     stress = section.stress(1e5, np.linspace(low, high, 30))

@@ -25,7 +25,8 @@ from tests.support.contact_files import fzg
 PAIR = """
 gears:
   g1: {{number_of_teeth: 25, {one}normal_module: 3 mm, face_width: 30 mm, profile_shift_coefficient: 0.2}}
-  g2: {{number_of_teeth: {z}, {two}normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0{more}}}
+  g2: {{number_of_teeth: {z}, {two}normal_module: 3 mm, face_width: 20 mm,
+       profile_shift_coefficient: 0{more}}}
 meshes:
   m: {{gears: [{order}], contact: {{level: rigid, stiffness: 4e8 N/m, planes: 5}}}}
 """
@@ -67,7 +68,9 @@ def test_uniform_load_gives_the_stress_of_the_standard(tmp_path: Path) -> None:
         stress, roll = data["root_stress"].values[0, ..., k], data[f"roll_{k + 1}"].values[0]
         F_t = 200.0 / (0.5 * model.gears["g1"].geometry.d)
         load = F_t / (14e-3 * gear.m_n) * section.form_factor(roll) * section.stress_correction(roll)
-        single = np.isclose(np.nansum(force, axis=(1, 2), keepdims=True), np.nansum(force, axis=2, keepdims=True))
+        single = np.isclose(
+            np.nansum(force, axis=(1, 2), keepdims=True), np.nansum(force, axis=2, keepdims=True)
+        )
         single = single & np.isfinite(stress)
         assert single.sum() > 20
         assert stress[single] == pytest.approx(load[single], rel=1e-9)
@@ -81,7 +84,9 @@ def test_helix_and_rim_factors_apply() -> None:
     """A rim of 0.8 h_t has Y_B = 1.6 ln(2.242/0.8); both factors change the stress only."""
     model = pair(*hands("right", "left"), more=", rim_thickness: 5.4 mm, bore_diameter: 30 mm")
     data = analysed(model)
-    assert data["helix_factor"].values == pytest.approx(helix_factor(math.radians(15.0), model.pairs["m"].eps_beta))
+    assert data["helix_factor"].values == pytest.approx(
+        helix_factor(math.radians(15.0), model.pairs["m"].eps_beta)
+    )
     assert data["rim_factor"].values == pytest.approx([1.0, 1.6 * math.log(2.242 / 0.8)])
     plain = analysed(pair(*hands("right", "left")))
     ratio = data["root_stress"].values[..., 1] / plain["root_stress"].values[..., 1]
@@ -110,7 +115,9 @@ def test_mirrored_gears_have_the_same_stress_on_the_other_flanks(elements, z: in
     back = analysed(pair(second[0], kind + second[1], z), flank=-1, **options)
     for name in ("root_stress", "root_stress_fe", "root_stress_fe_min", "root_tangent_fe"):
         most = np.nanmax(np.abs(front[name].values))
-        assert np.asarray(back[name]) == pytest.approx(np.asarray(front[name]), rel=1e-6, abs=1e-6 * most, nan_ok=True)
+        assert np.asarray(back[name]) == pytest.approx(
+            np.asarray(front[name]), rel=1e-6, abs=1e-6 * most, nan_ok=True
+        )
 
 
 def test_stress_is_proportional_to_load_of_given_distribution(elements, tmp_path: Path) -> None:
@@ -150,14 +157,16 @@ def test_default_method_follows_the_teeth_of_the_contact(elements) -> None:
 
 def test_a_root_without_the_tangent_is_a_note(elements) -> None:
     """An internal gear with sharp root corners has no fillet."""
-    data = analysed(pair(z=70, two="type: internal, ", more=", rack: {root_radius: 0}"), root_stress="finite_elements")
+    data = analysed(
+        pair(z=70, two="type: internal, ", more=", rack: {root_radius: 0}"), root_stress="finite_elements"
+    )
     numbers = contact_numbers(data)
     assert np.isfinite(numbers["root_stress_1"]).all()
     assert np.isnan(numbers["root_stress_2"]).all()
     assert np.isnan(numbers["root_stress_fe_2"]).all()
     notes = data.attrs["notes"].split("; ")[-2:]
     assert notes[0] == (
-        "gear g2: no root stress at the tangent of the fillet, root_fillet_radius: has no tangent at 60° to the "
-        "centre line of the tooth, the critical section"
+        "gear g2: no root stress at the tangent of the fillet, root_fillet_radius: has no tangent at 60° to "
+        "the centre line of the tooth, the critical section"
     )
     assert notes[1].startswith("gear g2: no root stress by finite elements, root_fillet_radius: ")

@@ -45,8 +45,8 @@ def contact_numbers(data: xr.Dataset, harmonics: int = 5) -> dict[str, Array]:
         `mean_secant_stiffness` (mean of force over approach from first contact); `flank_pressure` and
         `edge_pressure` (maxima; NaN without contact, or for sharp edges); `face_load_factor`,
         `transverse_load_factor`; `max_line_load`, `mean_line_load`, `line_load_ratio`; `loaded_pairs`;
-        `loss_factor`; those of `root_stress_numbers`. With operating conditions `loss_share` (friction power over power),
-        `max_flash_temperature` and `min_film_thickness`.
+        `loss_factor`; those of `root_stress_numbers`. With operating conditions `loss_share` (friction power
+        over power), `max_flash_temperature` and `min_film_thickness`.
     """
     curves = {
         name: np.asarray(data[name].transpose(*CYCLE).values, dtype=np.float64)

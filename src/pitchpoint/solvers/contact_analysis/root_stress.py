@@ -45,8 +45,8 @@ Array = NDArray[np.float64]
 METHODS = ("tangent", "finite_elements")
 """Methods of root stress; the second one includes the first."""
 FROM_TANGENT = {1: math.radians(30.0), -1: math.radians(40.0)}
-"""Least tangent angle of points of the fillet by the sign of z: nearer to the flank, stress is that of the load
-itself. The maximum of a load above them is at 30° to 45°, internal gears 40° to 50°."""
+"""Least tangent angle of points of the fillet by the sign of z: nearer to the flank, stress is that of the
+load itself. The maximum of a load above them is at 30° to 45°, internal gears 40° to 50°."""
 OVER = ("torque", "mesh_phase_position", "tooth_pair", "plane")
 _PHASES = 256
 """Mesh phases whose stresses are in memory at the same time."""
@@ -83,12 +83,13 @@ def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None =
     xarray.Dataset
         With `root_stress` over the contact nodes and `gear` [Pa], NaN without load, and over `gear` the
         critical section and the factors. With finite elements also `root_stress_fe` at the point of the
-        fillet with the largest stress of the torque, 0 for teeth without load and without loaded
-        neighbours, and over torque and gear `root_tangent_fe`, the tangent angle of this point, and
-        `root_stress_fe_min`, the minimum over the cycle where the maximum occurs. NaN, with a note, where a gear does not permit a method.
+        fillet with the largest stress of the torque, 0 for teeth without load and without loaded neighbours,
+        and over torque and gear `root_tangent_fe`, the tangent angle of this point, and `root_stress_fe_min`,
+        the minimum over the cycle where the maximum occurs. NaN, with a note, where a gear does not permit a
+        method.
     """
-    assert flanks.model.meshes[flanks.mesh].contact is not None
     mesh = flanks.model.meshes[flanks.mesh]
+    assert mesh.contact is not None
     whole = method or ("finite_elements" if has_finite_elements(mesh.contact) else "tangent")
     gears = [flanks.model.gears[name] for name in mesh.gears]
     found, notes = data.copy(), [str(data.attrs["notes"])] if data.attrs.get("notes") else []
@@ -119,9 +120,7 @@ SECTION = ("root_chord", "root_fillet_radius", "helix_factor", "rim_factor")
 """Critical section and factors of a gear in the dataset."""
 
 
-def _at_tangent(
-    data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear
-) -> tuple[Array, dict[str, float]]:
+def _at_tangent(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> tuple[Array, dict[str, float]]:
     """Stress at the tangent of the fillet of gear k (0, 1), and its section and factors."""
     pair = flanks.model.pairs[flanks.mesh]
     section = root_section(gear.geometry)
@@ -141,7 +140,9 @@ def _remarks(flanks: FlankStates, k: int, gear: Gear, chord_over_radius: float) 
         found.append(f"gear {name}: root stress with q_s = {q_s:.3g}, Y_S is stated for 1 to 8")
     if (ratio := rim_ratio(gear.geometry, blank_of(gear))) < low:
         size = "m_n" if gear.geometry.is_internal else "h_t"
-        found.append(f"gear {name}: root stress with a rim of {ratio:.3g} {size}, Y_B is stated above {low:g}")
+        found.append(
+            f"gear {name}: root stress with a rim of {ratio:.3g} {size}, Y_B is stated above {low:g}"
+        )
     return found
 
 
@@ -190,15 +191,19 @@ def _by_elements(data: xr.Dataset, flanks: FlankStates, k: int, gear: Gear) -> t
     span = (-high, -low) if is_right else (low, high)
     kept = tooth.tangents > FROM_TANGENT[gear.geometry.sign] - 1e-6
     if not kept.any():
-        raise GeometryError("has no point with the tangent angle of the largest stress", where="root_fillet_radius")
+        raise GeometryError(
+            "has no point with the tangent angle of the largest stress", where="root_fillet_radius"
+        )
     n = data.sizes["plane"]
     edges = np.linspace(*span, n + 1)
     by_planes = stress_by_planes(tooth, n, 0.5 * (edges[1:] + edges[:-1]), span)[kept]
-    # in the order of the stored teeth, the tooth of the next pair is the next one of gear 1, the previous of gear 2
+    # in the order of the stored teeth: the next pair has the next tooth of gear 1, the previous of gear 2
     order = slice(None, None, 1 if k == 0 else -1)
     force = np.nan_to_num(_values(data, "plane_force"))[:, :, order, turned]
     root, tip = tooth.roll
-    height = (2.0 * np.nan_to_num(_values(data, f"roll_{k + 1}")) - root - tip)[:, :, order, turned] / (tip - root)
+    height = (2.0 * np.nan_to_num(_values(data, f"roll_{k + 1}")) - root - tip)[:, :, order, turned] / (
+        tip - root
+    )
     # teeth before and after contact have loaded neighbours, too
     beside = ((0, 0), (0, 0), (1, 1), (0, 0))
     force, height = np.pad(force, beside), np.pad(height, beside)

@@ -68,8 +68,8 @@ def solve_contact(
     flank
         1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
     root_stress
-        Method of the root stress: "tangent" (30° tangent of the fillet, ISO 6336-3) or "finite_elements" (both;
-        seconds per gear, stored for the next time). None: finite elements if the teeth of the contact are.
+        Root stress by "tangent" (30° tangent of the fillet, ISO 6336-3) or "finite_elements" (both;
+        seconds per gear, stored). None: finite elements if the teeth of the contact are.
     progress
         Called after each torque.
 

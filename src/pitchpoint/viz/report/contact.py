@@ -166,8 +166,8 @@ def _add_root_stress(
     if "root_stress_fe_min_1" in found:
         ends = [amount(float(found[f"root_stress_fe_min_{k}"][most]), "Pa") for k in (1, 2)]
         least = (
-            " By finite elements the stress is that of one point of the fillet, with loads on the teeth beside; "
-            f"minimum over a turn at the place of the maximum: {ends[0]} (gear 1), {ends[1]} (gear 2)."
+            " By finite elements the stress is that of one point of the fillet, with loads on neighbouring "
+            f"teeth; minimum over a turn at the place of the maximum: {ends[0]} (gear 1), {ends[1]} (gear 2)."
         )
     section.add_figure(
         plot_root_stress(curves, pattern.teeth),
