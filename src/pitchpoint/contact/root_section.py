@@ -128,6 +128,10 @@ class RootSection:
         rho
             Lengths of roll [m].
 
+        Returns
+        -------
+        ndarray, shape of the arguments broadcast
+
         Notes
         -----
         F_t = F_bt cos α_t acts on the reference circle.
@@ -200,6 +204,11 @@ def rim_ratio(gear: CylindricalGear, blank: Blank) -> float:
     ------
     GeometryError
         If the blank is not possible.
+
+    Examples
+    --------
+    >>> round(rim_ratio(CylindricalGear(z=40, m_n=2e-3), Blank(rim_thickness=4.5e-3)), 9)
+    1.0
     """
     radii = blank_radii(gear, blank)
     return abs(radii.root - radii.rim) / (gear.m_n if gear.is_internal else 0.5 * (gear.d_a - gear.d_fE))

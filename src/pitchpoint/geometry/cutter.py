@@ -21,7 +21,58 @@ FloatArray = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)
-class PinionCutter:
+class CutterTeeth:
+    """Rounded teeth of a pinion-type cutter, real or virtual.
+
+    Parameters
+    ----------
+    z_0
+        Number of teeth of the cutter [-]; of a virtual cutter any number.
+    x_0, h_aP0_star, rho_aP0_star
+        As in `PinionCutter`.
+    """
+
+    z_0: float
+    x_0: float = 0.0
+    h_aP0_star: float = 1.25
+    rho_aP0_star: float = 0.38
+
+    def tip_radius(self, m_n: float, beta: float = 0.0) -> float:
+        """Tip circle radius r_a0 [m].
+
+        Examples
+        --------
+        >>> PinionCutter(z_0=20, x_0=0.1).tip_radius(m_n=2e-3)
+        0.0227
+        """
+        return m_n * (self.z_0 / (2.0 * math.cos(beta)) + self.x_0 + self.h_aP0_star)
+
+    def base_half_angle(self, alpha_n: float, beta: float = 0.0) -> float:
+        """Half tooth angle at the base circle, ψ_b0 = (π/2 + 2 x₀ tan α_n)/z₀ + inv α_t [rad].
+
+        Examples
+        --------
+        >>> round(PinionCutter(z_0=20).base_half_angle(math.radians(20.0)), 9)
+        0.0934442
+        """
+        alpha_t = transverse_pressure_angle(alpha_n, beta)
+        return (0.5 * math.pi + 2.0 * self.x_0 * math.tan(alpha_n)) / self.z_0 + inv(alpha_t)
+
+    def virtual(self, ratio: float) -> CutterTeeth:
+        """Teeth of the virtual cutter with `ratio` times the number of teeth.
+
+        Examples
+        --------
+        >>> PinionCutter(z_0=20, x_0=0.1).virtual(1.08).z_0
+        21.6
+        """
+        return CutterTeeth(
+            z_0=ratio * self.z_0, x_0=self.x_0, h_aP0_star=self.h_aP0_star, rho_aP0_star=self.rho_aP0_star
+        )
+
+
+@dataclass(frozen=True, kw_only=True)
+class PinionCutter(CutterTeeth):
     """A pinion-type cutter with rounded tips, as used to shape internal gears.
 
     Parameters
@@ -48,9 +99,6 @@ class PinionCutter:
     """
 
     z_0: int
-    x_0: float = 0.0
-    h_aP0_star: float = 1.25
-    rho_aP0_star: float = 0.38
 
     def __post_init__(self) -> None:
         limits = {
@@ -69,29 +117,6 @@ class PinionCutter:
                     value=f"{value!r}",
                     limit=f"{low:g} to {high:g}",
                 )
-
-    def tip_radius(self, m_n: float, beta: float = 0.0) -> float:
-        """Tip circle radius r_a0 [m].
-
-        Examples
-        --------
-        >>> PinionCutter(z_0=20, x_0=0.1).tip_radius(m_n=2e-3)
-        0.0227
-        """
-        return m_n * (self.z_0 / (2.0 * math.cos(beta)) + self.x_0 + self.h_aP0_star)
-
-    def base_half_angle(self, alpha_n: float, beta: float = 0.0, virtual: float = 1.0) -> float:
-        """Half tooth angle at the base circle, ψ_b0 = (π/2 + 2 x₀ tan α_n)/z₀ + inv α_t [rad].
-
-        `virtual`: factor of the number of teeth of a virtual cutter.
-
-        Examples
-        --------
-        >>> round(PinionCutter(z_0=20).base_half_angle(math.radians(20.0)), 9)
-        0.0934442
-        """
-        alpha_t = transverse_pressure_angle(alpha_n, beta)
-        return (0.5 * math.pi + 2.0 * self.x_0 * math.tan(alpha_n)) / (virtual * self.z_0) + inv(alpha_t)
 
 
 @dataclass(frozen=True)
@@ -270,8 +295,7 @@ def shaped_root(
     s_n: float,
     r_f: float | None,
     rho: float,
-    cutter: PinionCutter | None,
-    virtual: float = 1.0,
+    cutter: CutterTeeth | None,
 ) -> tuple[CutterFillet, float, float]:
     """Root of an internal gear with the fillet of a pinion-type cutter or a circular fillet.
 
@@ -292,8 +316,6 @@ def shaped_root(
         Fillet radius without a cutter [m].
     cutter
         The tool; None: circular fillet between flank and root, the limit of a cutter with z₀ = z.
-    virtual
-        Number of teeth of the virtual spur gear over that of the gear, if z is that of the virtual gear [-].
 
     Returns
     -------
@@ -326,8 +348,7 @@ def shaped_root(
     space_b = math.pi / z - s_n / (z * m_n) + inv(alpha_t)
     z_0, psi_b0, position = z, space_b, (alpha_t, 0.0)
     if cutter is not None:
-        z_0 = virtual * cutter.z_0
-        psi_b0 = cutter.base_half_angle(alpha_n, beta, virtual)
+        z_0, psi_b0 = cutter.z_0, cutter.base_half_angle(alpha_n, beta)
         rho = cutter.rho_aP0_star * m_n
         position = generating_position(z, z_0, r_b, space_b, psi_b0)
         if r_f is None:

@@ -22,6 +22,7 @@ from pitchpoint.geometry.tooth_generation import ToothForm as ToothForm
 from pitchpoint.geometry.tooth_generation import external_tooth_form, internal_tooth_form
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.cutter import CutterTeeth
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FloatArray = NDArray[np.float64]
@@ -73,7 +74,7 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
     The root diameter is `d_fE`, with the tool position that includes the thickness allowance. An internal
     gear without a cutter has a circular fillet with the root radius of the rack.
     """
-    return _generated(gear, z=abs(gear.z), beta=gear.beta, edge=tip_edge(gear))
+    return _generated(gear, gear.cutter, z=abs(gear.z), beta=gear.beta, edge=tip_edge(gear))
 
 
 @lru_cache(maxsize=256)
@@ -103,12 +104,14 @@ def virtual_tooth_form(gear: CylindricalGear) -> ToothForm:
     >>> round(form.z, 3)                                                 # KISSsoft prints 25.037
     25.037
     """
+    ratio = gear.z_n / gear.z
+    cutter = None if gear.cutter is None else gear.cutter.virtual(ratio)
     wider = 0.5 * abs(gear.d) * math.tan(gear.beta_b) ** 2
-    return _generated(gear, z=abs(gear.z_n), beta=0.0, wider=wider, virtual=gear.z_n / gear.z)
+    return _generated(gear, cutter, z=abs(gear.z_n), beta=0.0, wider=wider)
 
 
 def _generated(
-    gear: CylindricalGear, *, wider: float = 0.0, virtual: float = 1.0, **others: Any
+    gear: CylindricalGear, cutter: CutterTeeth | None, *, wider: float = 0.0, **others: Any
 ) -> ToothForm:
     """Tooth of a gear with root and tip on circles that are larger by `wider` [m]."""
     given: dict[str, Any] = {
@@ -120,9 +123,7 @@ def _generated(
         "rho": gear.rack.rho_fP_star * gear.m_n,
         **others,
     }
-    if gear.is_internal:
-        return internal_tooth_form(**given, cutter=gear.cutter, virtual=virtual)
-    return external_tooth_form(**given)
+    return internal_tooth_form(**given, cutter=cutter) if gear.is_internal else external_tooth_form(**given)
 
 
 def root_radius(gear: CylindricalGear) -> float:

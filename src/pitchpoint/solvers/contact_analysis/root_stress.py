@@ -27,6 +27,7 @@ from pitchpoint.contact.tooth_fe.fillet_stress import stress_by_planes, stress_o
 from pitchpoint.core.errors import GeometryError, SolverError
 from pitchpoint.core.nomenclature import attributes
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.solvers.contact_analysis.lubrication import OVER
 from pitchpoint.system.rules.flank_contact import (
     blank_of,
     common_width,
@@ -47,7 +48,6 @@ METHODS = ("tangent", "finite_elements")
 FROM_TANGENT = {1: math.radians(30.0), -1: math.radians(40.0)}
 """Least tangent angle of points of the fillet by the sign of z: nearer to the flank, stress is that of the
 load itself. The maximum of a load above them is at 30° to 45°, internal gears 40° to 50°."""
-OVER = ("torque", "mesh_phase_position", "tooth_pair", "plane")
 _PHASES = 256
 """Mesh phases whose stresses are in memory at the same time."""
 
@@ -170,7 +170,7 @@ def _with_finite_elements(
     found = data.copy()
     found["root_stress_fe"] = (*OVER, "gear"), stress, attributes("root_stress_fe")
     for name, values in zip(("root_stress_fe_min", "root_tangent_fe"), extremes, strict=True):
-        found[name] = ("torque", "gear"), values, attributes(name)
+        found[name] = (OVER[0], "gear"), values, attributes(name)
     if words:
         found.attrs["root_stress"] += f" and finite elements ({' and '.join(dict.fromkeys(words))})"
     return found

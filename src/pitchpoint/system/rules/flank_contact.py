@@ -224,13 +224,7 @@ _kept_compliance = lru_cache(maxsize=32)(flank_compliance)
 
 
 def finite_elements_of(gear: Gear) -> ToothFE:
-    """Finite elements of a gear of a model, from the disk or computed.
-
-    Raises
-    ------
-    GeometryError
-        If tooth or body are not possible for finite elements.
-    """
+    """Finite elements of a gear of a model, from the disk or computed."""
     return stored_tooth_fe(
         ToothModel(
             gear=gear.geometry,
