@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.root_section import helix_factor, root_section
-from pitchpoint.contact.tooth_fe.loads import flank_cases
+from pitchpoint.contact.tooth_fe.loads import flank_cases, roll_at
 from pitchpoint.contact.tooth_fe.root_stress import stress_cases
 from pitchpoint.contact.tooth_fe.section_mesh import Density
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -117,6 +117,27 @@ def test_stress_at_the_critical_section(z, x):
     # the largest stress is near the 30° tangent, and the stress there hardly smaller
     assert 25.0 <= math.degrees(TANGENTS[int(np.argmax(stress))]) <= 35.0
     assert stress[1] > 0.97 * stress.max()
+
+
+@pytest.mark.parametrize(
+    ("z", "x", "ratios"),
+    [
+        (17, 0.0, [1.15, 1.07, 0.99, 0.95, 0.94]),
+        (25, 0.3, [1.16, 1.01, 0.93, 0.91, 0.93]),
+        (43, 0.0, [1.18, 1.04, 0.96, 0.94, 0.94]),
+        (100, 0.0, [1.13, 1.00, 0.93, 0.92, 0.94]),
+        (-60, 0.0, [1.00, 0.90, 0.91, 0.93, 0.96]),
+    ],
+)
+def test_finite_elements_over_the_standard(z, x, ratios):
+    """The table of the theory, by the height of the force; 1.5 % is the error of the mesh."""
+    tooth, heights = PlaneTooth(CylindricalGear(z=z, m_n=1e-3, x=x)), np.array([-0.3, 0.0, 0.3, 0.6, 1.0])
+    rho, n = roll_at(tooth.contour, heights), heights.size
+    tangents = np.radians(np.arange(30 if z > 0 else 40, 61, 3.0))
+    cases = flank_cases(tooth.solid, tooth.contour, rho, np.eye(n))
+    cases += stress_cases(tooth.solid, tooth.contour, tangents, n)
+    stress = tooth.displacements(cases)[0, n:, 0, :n].reshape(tangents.size, -1, n)[:, 0]
+    assert stress.max(axis=0) / root_section(tooth.gear).stress(1.0, rho) == pytest.approx(ratios, abs=0.015)
 
 
 @pytest.mark.parametrize("z", [10, 17, 43, 100])

@@ -131,6 +131,19 @@ def test_stress_is_proportional_to_load_of_given_distribution(elements, tmp_path
         assert two[name] == pytest.approx(2.0 * one[name], rel=1e-5)
 
 
+def test_load_of_the_next_tooth_compresses_the_fillet(elements) -> None:
+    """Before A the tooth ahead of gear 1 is loaded: it presses on the tooth space at the loaded flank, and on
+    gear 2 on the other space. Beyond E it is reversed."""
+    data = analysed(pair(), torque=600.0, root_stress="finite_elements")
+    way, by_tangent = root_stress_of_tooth(data)
+    stress = root_stress_of_tooth(data, 0, "root_stress_fe")[1]
+    before, beyond = (np.isnan(by_tangent[0]) & side for side in ((way > -0.3) & (way < 0.0), way > 1.0))
+    for free, gear in ((before, 0), (beyond, 1)):
+        assert free.sum() >= 2
+        assert (stress[gear, free] < 0.0).all()
+        assert (stress[1 - gear, free] > 0.0).all()
+
+
 def test_both_methods_and_their_places(elements) -> None:
     data = analysed(pair(), misalignment=1e-3, root_stress="finite_elements")
     numbers = contact_numbers(data)

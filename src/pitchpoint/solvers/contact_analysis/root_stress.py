@@ -47,7 +47,7 @@ METHODS = ("tangent", "finite_elements")
 """Methods of root stress; the second one includes the first."""
 FROM_TANGENT = {1: math.radians(30.0), -1: math.radians(40.0)}
 """Least tangent angle of points of the fillet by the sign of z: nearer to the flank, stress is that of the
-load itself. The maximum of a load above them is at 30° to 45°, internal gears 40° to 50°."""
+load itself. Forces on the upper two thirds of the flank have their maximum beyond it."""
 _PHASES = 256
 """Mesh phases whose stresses are in memory at the same time."""
 
