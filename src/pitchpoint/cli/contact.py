@@ -60,6 +60,12 @@ UNDER_LOAD = ("misalignment", "center_distance")
 @click.option(
     "--scenario", "-s", metavar="NAME", help="Scenario whose loads apply, with --shafts; default: at rest."
 )
+@click.option(
+    "--root-stress",
+    type=click.Choice(["tangent", "finite_elements"]),
+    help="Method of the root stress: 30° tangent of the fillet to ISO 6336-3, or also finite elements "
+    "(seconds per gear, stored); default: finite elements if the teeth of the contact are.",
+)
 @quantity("--speed", "angular_speed", "Speed of gear 1, for oil film and flash temperature.")
 @click.option(
     "--friction",
@@ -83,9 +89,9 @@ UNDER_LOAD = ("misalignment", "center_distance")
 def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Analyse the loaded tooth contact of a mesh of FILE, which has `contact`.
 
-    Transmission error, stiffness, pressure, load distribution and losses for each torque; with --speed also
-    oil film and flash temperature. The axes of the gears are fixed, and --misalignment tilts the flanks; with
-    --shafts they are in equilibrium with the whole machine.
+    Transmission error, stiffness, pressure, root stress, load distribution and losses for each torque; with
+    --speed also oil film and flash temperature. The axes of the gears are fixed, and --misalignment tilts the
+    flanks; with --shafts they are in equilibrium with the whole machine.
     """
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
@@ -163,10 +169,12 @@ def _solved(model: Model, mesh: str, options: dict[str, Any], progress: Progress
     from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shafts
     from pitchpoint.solvers.contact_analysis.solve import solve_contact
 
-    n = options["positions"]
+    n, root = options["positions"], options["root_stress"]
     if options["shafts"]:
         scenario = options["scenario"]
-        return solve_contact_on_shafts(model, mesh, scenario=scenario, positions=n, progress=progress)
+        return solve_contact_on_shafts(
+            model, mesh, scenario=scenario, positions=n, root_stress=root, progress=progress
+        )
     return solve_contact(
         model,
         mesh,
@@ -174,6 +182,7 @@ def _solved(model: Model, mesh: str, options: dict[str, Any], progress: Progress
         positions=n,
         misalignment=options["misalignment"],
         flank=options["flank"],
+        root_stress=root,
         progress=progress,
     )
 

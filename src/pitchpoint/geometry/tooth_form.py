@@ -22,6 +22,7 @@ from pitchpoint.geometry.tooth_generation import ToothForm as ToothForm
 from pitchpoint.geometry.tooth_generation import external_tooth_form, internal_tooth_form
 
 if TYPE_CHECKING:
+    from pitchpoint.geometry.cutter import CutterTeeth
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 
 FloatArray = NDArray[np.float64]
@@ -73,23 +74,56 @@ def tooth_form(gear: CylindricalGear) -> ToothForm:
     The root diameter is `d_fE`, with the tool position that includes the thickness allowance. An internal
     gear without a cutter has a circular fillet with the root radius of the rack.
     """
-    z, m_n = abs(gear.z), gear.m_n
-    r_f, r_a = 0.5 * gear.sign * gear.d_fE, 0.5 * gear.sign * gear.d_a
-    alpha_n, beta, s_n, rho = gear.alpha_n, gear.beta, gear.s_n, gear.rack.rho_fP_star * m_n
+    return _generated(gear, gear.cutter, z=abs(gear.z), beta=gear.beta, edge=tip_edge(gear))
+
+
+@lru_cache(maxsize=256)
+def virtual_tooth_form(gear: CylindricalGear) -> ToothForm:
+    """Tooth of the virtual spur gear in the normal section, with sharp tip edges.
+
+    Parameters
+    ----------
+    gear
+        External or internal gear.
+
+    Raises
+    ------
+    GeometryError
+        As for `tooth_form`.
+
+    Notes
+    -----
+    z_n = z/(cos² β_b cos β) teeth on the reference diameter d_n = d/cos² β_b, with the thickness and tool of
+    the normal section and d_an − d_n = d_a − d, likewise at the root (ISO 6336-3:2006, 6.2). A pinion-type
+    cutter has z_0/(cos² β_b cos β) teeth.
+
+    Examples
+    --------
+    >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    >>> form = virtual_tooth_form(CylindricalGear(z=24, m_n=14e-3, beta=math.radians(10.0)))
+    >>> round(form.z, 3)                                                 # KISSsoft prints 25.037
+    25.037
+    """
+    ratio = gear.z_n / gear.z
+    cutter = None if gear.cutter is None else gear.cutter.virtual(ratio)
+    wider = 0.5 * abs(gear.d) * math.tan(gear.beta_b) ** 2
+    return _generated(gear, cutter, z=abs(gear.z_n), beta=0.0, wider=wider)
+
+
+def _generated(
+    gear: CylindricalGear, cutter: CutterTeeth | None, *, wider: float = 0.0, **others: Any
+) -> ToothForm:
+    """Tooth of a gear with root and tip on circles that are larger by `wider` [m]."""
     given: dict[str, Any] = {
-        "z": z,
-        "m_n": m_n,
-        "alpha_n": alpha_n,
-        "beta": beta,
-        "s_n": s_n,
-        "r_f": r_f,
-        "r_a": r_a,
-        "rho": rho,
-        "edge": tip_edge(gear),
+        "m_n": gear.m_n,
+        "alpha_n": gear.alpha_n,
+        "s_n": gear.s_n,
+        "r_f": 0.5 * gear.sign * gear.d_fE + wider,
+        "r_a": 0.5 * gear.sign * gear.d_a + wider,
+        "rho": gear.rack.rho_fP_star * gear.m_n,
+        **others,
     }
-    return (
-        internal_tooth_form(**given, cutter=gear.cutter) if gear.is_internal else external_tooth_form(**given)
-    )
+    return internal_tooth_form(**given, cutter=cutter) if gear.is_internal else external_tooth_form(**given)
 
 
 def root_radius(gear: CylindricalGear) -> float:

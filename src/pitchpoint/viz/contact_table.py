@@ -43,6 +43,10 @@ COLUMNS = (
     Column("mean_mesh_stiffness", "k tangent", "stiffness"),
     Column("flank_pressure", "p flank", "pressure", 4),
     Column("edge_pressure", "p tip edge", "pressure", 4),
+    Column("root_stress_1", "σ_F1", "pressure", 4),
+    Column("root_stress_2", "σ_F2", "pressure", 4),
+    Column("root_stress_fe_1", "σ_F1 FE", "pressure", 4),
+    Column("root_stress_fe_2", "σ_F2 FE", "pressure", 4),
     Column("face_load_factor", "K_Hβ", "dimensionless"),
     Column("transverse_load_factor", "K_Hα", "dimensionless"),
     Column("line_load_ratio", "w max/mean", "dimensionless", 4),
@@ -64,9 +68,10 @@ ORDER = {
     "overlap": "dimensionless",
     "stiffness": "stiffness",
     "exponent": "dimensionless",
+    "root_stress": "dimensionless",
 }
 """Options of a contact that its description gives, in this order, and their dimensions."""
-WORDS = {"correction": "C_M", "overlap": "contact overlap"}
+WORDS = {"correction": "C_M", "overlap": "contact overlap", "root_stress": "root stress at"}
 
 
 OPERATION = {

@@ -53,6 +53,8 @@ def test_people_get_a_row_per_torque(file: str, capsys: pytest.CaptureFixture[st
         "8 mesh phases, front flanks, misalignment 0.02046 deg",
         "K_Hβ",
         "TE p–p",
+        "σ_F1",
+        "root stress at 30 deg tangent",
     ):
         assert words in text
 
@@ -94,6 +96,7 @@ def test_json_holds_numbers_and_curves(file: str, capsys: pytest.CaptureFixture[
     assert numbers["transmission_error_pp"] == pytest.approx([np.ptp(error)])
     assert numbers["face_load_factor"] == pytest.approx([1.0])
     assert numbers["edge_pressure"] == [None]  # sharp tip edges
+    assert numbers["root_stress_1"][0] > numbers["root_stress_2"][0] > 1e8
     assert len(numbers["transmission_error_orders"][0]) == 5
 
 

@@ -8,6 +8,8 @@ import pytest
 import xarray as xr
 
 from pitchpoint.analysis.flank_contact.contact_pattern import contact_pattern
+from pitchpoint.analysis.flank_contact.numbers import contact_numbers
+from pitchpoint.analysis.flank_contact.root_stress import root_stress_of_tooth
 from pitchpoint.analysis.flank_contact.teeth import mesh_teeth
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from pitchpoint.viz.contact_page import contact_page
@@ -22,6 +24,7 @@ from pitchpoint.viz.contact_plots import (
 )
 from pitchpoint.viz.contact_table import contact_words
 from pitchpoint.viz.report.contact import chosen_torques, contact_result, contact_section
+from pitchpoint.viz.root_stress_plots import plot_root_stress
 from tests.support.contact_files import fzg, helical
 
 
@@ -117,7 +120,7 @@ def test_stiffness_and_harris_map() -> None:
 def test_section_with_all_plots(slanted: xr.Dataset) -> None:
     section = contact_section({"stage": contact_result(slanted, "This run is not complete.")})
     text = "".join(section.parts)
-    assert text.count('<div class="plot"') == 9
+    assert text.count('<div class="plot"') == 11
     assert "This run is not complete." in text
     assert "level rigid, 11 contact planes" in text
     assert "Maximum over mean, K_Hβ, at 800 N m" in text
@@ -130,7 +133,25 @@ def test_section_with_all_plots(slanted: xr.Dataset) -> None:
 
 def test_a_single_torque_has_no_harris_map(spur: xr.Dataset) -> None:
     section = contact_section({"stage": contact_result(spur.isel(torque=[0]))})
-    assert "".join(section.parts).count('<div class="plot"') == 8
+    assert "".join(section.parts).count('<div class="plot"') == 10
+
+
+def test_root_stress_of_both_gears_by_method(spur: xr.Dataset) -> None:
+    """Gears without a result have no curve; the second method is dashed, in the colour of its gear."""
+    way, stress = root_stress_of_tooth(spur, 1)
+    teeth, half = mesh_teeth(spur), np.stack([stress[0], np.full(way.size, np.nan)])
+    figure = plot_root_stress({"30° tangent": (way, stress), "finite elements": (way, half)}, teeth)
+    assert titles(figure) == ("position of the tooth pair from A [base pitches]", "root stress [MPa]")
+    assert [curve.name for curve in figure.data] == [
+        "gear 1, 30° tangent",
+        "gear 2, 30° tangent",
+        "gear 1, finite elements",
+    ]
+    assert [curve.line.dash for curve in figure.data] == ["solid", "solid", "dash"]
+    assert figure.data[0].line.color == figure.data[2].line.color != figure.data[1].line.color
+    assert np.nanmax(figure.data[1].y) == pytest.approx(1e-6 * contact_numbers(spur)["root_stress_2"][1])
+    low, high = figure.layout.xaxis.range
+    assert low < 0.0 < teeth.eps_alpha < high
 
 
 def test_many_torques_share_few_curves() -> None:

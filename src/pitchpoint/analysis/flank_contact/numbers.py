@@ -17,6 +17,7 @@ from pitchpoint.analysis.flank_contact.load_factors import (
 )
 from pitchpoint.analysis.flank_contact.losses import loss_factor
 from pitchpoint.analysis.flank_contact.mesh_orders import mesh_orders
+from pitchpoint.analysis.flank_contact.root_stress import root_stress_numbers
 from pitchpoint.analysis.flank_contact.teeth import mesh_teeth
 from pitchpoint.analysis.sampled import Array
 
@@ -44,8 +45,8 @@ def contact_numbers(data: xr.Dataset, harmonics: int = 5) -> dict[str, Array]:
         `mean_secant_stiffness` (mean of force over approach from first contact); `flank_pressure` and
         `edge_pressure` (maxima; NaN without contact, or for sharp edges); `face_load_factor`,
         `transverse_load_factor`; `max_line_load`, `mean_line_load`, `line_load_ratio`; `loaded_pairs`;
-        `loss_factor`. With operating conditions `loss_share` (friction power over power),
-        `max_flash_temperature` and `min_film_thickness`.
+        `loss_factor`; those of `root_stress_numbers`. With operating conditions `loss_share` (friction power
+        over power), `max_flash_temperature` and `min_film_thickness`.
     """
     curves = {
         name: np.asarray(data[name].transpose(*CYCLE).values, dtype=np.float64)
@@ -75,6 +76,7 @@ def contact_numbers(data: xr.Dataset, harmonics: int = 5) -> dict[str, Array]:
         "line_load_ratio": most / mean,
         "loaded_pairs": loaded_pairs(data),
         "loss_factor": loss_factor(data),
+        **root_stress_numbers(data),
     }
     if "friction_coefficient" in data:
         found["loss_share"] = np.asarray(data["friction_coefficient"].values) * found["loss_factor"]

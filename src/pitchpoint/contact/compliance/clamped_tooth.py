@@ -110,6 +110,17 @@ class ClampedTooth:
         return self._clamp_point[0]
 
     @cached_property
+    def fillet_radius(self) -> float:
+        """Radius of curvature of the fillet at the clamp, normal section [m]."""
+        step = min(1e-3, 0.5 * self.start, 0.5 * (1.0 - self.start))
+        thickness, eta, _ = self.outline(self.start + step * np.array([-1.0, 0.0, 1.0]))
+        x = 0.5 * thickness
+        (x_u, y_u), (x_uu, y_uu) = (
+            (float(q @ x), float(q @ eta)) for q in (np.array([-0.5, 0.0, 0.5]), np.array([1.0, -2.0, 1.0]))
+        )
+        return math.hypot(x_u, y_u) ** 3 / abs(x_u * y_uu - x_uu * y_u)
+
+    @cached_property
     def distance(self) -> float:
         """Distance of the clamped section from the gear axis [m]."""
         form = self.form
@@ -284,7 +295,32 @@ def clamped_tooth(gear: CylindricalGear, clamp: float | None = None) -> ClampedT
     >>> round(1e3 * tooth.chord, 4)
     1.884
     """
-    form = tooth_form(gear)
+    return clamped_form(tooth_form(gear), gear.beta, clamp)
+
+
+def clamped_form(form: ToothForm, beta: float, clamp: float | None = None) -> ClampedTooth:
+    """Tooth form clamped at a tangent of its fillet.
+
+    Parameters
+    ----------
+    form
+        Exact tooth form.
+    beta
+        Helix angle of the section [rad].
+    clamp
+        As for `clamped_tooth`.
+
+    Raises
+    ------
+    GeometryError
+        If the fillet does not have a tangent with this inclination.
+
+    Examples
+    --------
+    >>> tooth = clamped_form(tooth_form(CylindricalGear(z=17, m_n=1e-3)), 0.0)
+    >>> round(1e3 * tooth.chord, 4), round(1e3 * tooth.fillet_radius, 4)
+    (1.884, 0.5811)
+    """
     angle = clamp if clamp is not None else (CLAMP if form.sign > 0 else CLAMP_INTERNAL)
     span = form.theta_form - form.fillet.theta_root
     step = 1e-5
@@ -293,7 +329,7 @@ def clamped_tooth(gear: CylindricalGear, clamp: float | None = None) -> ClampedT
         """Inclination of the tangent at a position between root and form circle [rad]."""
         ends = form.fillet.theta_root + span * np.array([t - step, t + step])
         x, eta, _ = fillet_section(form, ends)
-        return math.atan2(float(x[0] - x[1]) * math.cos(gear.beta), float(eta[1] - eta[0]))
+        return math.atan2(float(x[0] - x[1]) * math.cos(beta), float(eta[1] - eta[0]))
 
     grid = np.linspace(step, 1.0 - step, _SCAN)
     values = np.array([inclination(float(t)) for t in grid])
@@ -308,4 +344,4 @@ def clamped_tooth(gear: CylindricalGear, clamp: float | None = None) -> ClampedT
         )
     first = int(below[0])
     start = bisect(lambda t: inclination(t) - angle, float(grid[first - 1]), float(grid[first]))
-    return ClampedTooth(form, gear.beta, angle, start)
+    return ClampedTooth(form, beta, angle, start)

@@ -130,7 +130,7 @@ def foundation(
     chord = tooth.chord / cos_beta
     ring = ElasticRing(math.hypot(tooth.distance, 0.5 * chord), radii, form.sign, E, nu)
     normal = np.array([1.0 / cos_beta, 1.0, 1.0])
-    teeth = ToothedRing(ring, form.z, chord, tooth.distance).response(wave_numbers)
+    teeth = ToothedRing(ring, round(form.z), chord, tooth.distance).response(wave_numbers)
     own, following, second = teeth * normal[:, None] * normal
     tau = np.array([form.sign, tooth.distance, 0.0]) * cos_beta / form.r_b
     shift = np.outer(tau, tau) / cos_beta

@@ -7,6 +7,7 @@ Derivation: docs/theory/tooth_fe.md, "Root stress".
 from __future__ import annotations
 
 import numpy as np
+from numpy.polynomial.legendre import legvander
 from numpy.typing import NDArray
 
 from pitchpoint.contact.tooth_fe.tooth import ToothFE
@@ -55,12 +56,16 @@ def stress_by_planes(
 
 
 def principal_stress(stress: FloatArray) -> FloatArray:
-    """Larger principal stress in a surface by magnitude, with its sign [Pa].
+    """Principal stress in a surface whose direction is nearer to the profile [Pa].
 
     Parameters
     ----------
     stress
-        Two normal stresses and the shear stress [Pa], shape (3, ...).
+        Stress along the profile and along the width, and shear stress [Pa], shape (3, ...).
+
+    Notes
+    -----
+    Bending stress of a tooth, at right angles to its trace: tension and compression with their signs.
 
     Examples
     --------
@@ -68,4 +73,39 @@ def principal_stress(stress: FloatArray) -> FloatArray:
     [100.0, -4.0]
     """
     mean, half = 0.5 * (stress[0] + stress[1]), 0.5 * (stress[0] - stress[1])
-    return np.asarray(mean + np.copysign(np.hypot(half, stress[2]), mean))
+    return np.asarray(mean + np.copysign(np.hypot(half, stress[2]), half))
+
+
+def stress_of_teeth(by_planes: FloatArray, height: FloatArray, force: FloatArray) -> FloatArray:
+    """Principal stress of the fillets of adjacent teeth, due to the forces on them and on their neighbours.
+
+    Parameters
+    ----------
+    by_planes
+        Stress per force, shape (F, 3, k, 3, n, M) as of `stress_by_planes`.
+    height
+        Heights of the forces (-1 at the root end of the involute, +1 at its tip end), shape (..., T, n).
+    force
+        Forces on n planes of T teeth, counter-clockwise, along the transverse base tangent [N], shape of
+        `height`.
+
+    Returns
+    -------
+    ndarray, shape (..., T, F, k)
+        `principal_stress` [Pa].
+
+    Examples
+    --------
+    Stress along the profile: 3 per force on the same tooth, -1 per force on the next one:
+
+    >>> by_planes = np.zeros((1, 3, 1, 3, 1, 1))
+    >>> by_planes[0, 0, 0, :, 0, 0] = 0.0, 3.0, -1.0
+    >>> stress_of_teeth(by_planes, np.zeros((3, 1)), np.array([[1.0], [10.0], [0.0]])).ravel().tolist()
+    [-7.0, 30.0, 0.0]
+    """
+    loads = force[..., None] * legvander(np.clip(height, -1.0, 1.0), by_planes.shape[-1] - 1)
+    none = np.zeros_like(loads[..., :1, :, :])
+    padded = np.concatenate([none, loads, none], axis=-3)
+    teeth = loads.shape[-3]
+    around = np.stack([padded[..., k : k + teeth, :, :] for k in range(3)], axis=-3)
+    return principal_stress(np.einsum("...sjm,fcksjm->c...fk", around, by_planes, optimize=True))

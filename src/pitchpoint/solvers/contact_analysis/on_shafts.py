@@ -22,6 +22,7 @@ from pitchpoint.core.status import INCONSISTENT, OK, sentence
 from pitchpoint.elements.mesh.force_directions import flank_tilt
 from pitchpoint.elements.mesh.line_of_action import flank_phase
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
 from pitchpoint.solvers.contact_analysis.solve import contact_attributes, contact_dataset, mesh_of
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.system.compile import compile_model
@@ -77,6 +78,7 @@ def solve_contact_on_shafts(
     *,
     scenario: Scenario | str | None = None,
     positions: int = 64,
+    root_stress: str | None = None,
     progress: Progress = silent,
 ) -> xr.Dataset:
     """Contact analysis of a mesh in equilibrium with all shafts, bearings and loads of its model.
@@ -91,6 +93,8 @@ def solve_contact_on_shafts(
         Scenario whose loads apply, or its name; default: the loads at t = 0.
     positions
         Equidistant positions over one base pitch.
+    root_stress
+        As for `solve_contact`.
     progress
         Called after each position of the roll.
 
@@ -106,6 +110,7 @@ def solve_contact_on_shafts(
         If the machine has no equilibrium, or the mesh carries no load; with the partial result.
     """
     name = mesh_of(model, mesh)
+    check_method(root_stress)
     began = time.perf_counter()
     chosen = model.scenarios[scenario] if isinstance(scenario, str) else scenario
     system = compile_model(model, chosen)
@@ -127,20 +132,18 @@ def solve_contact_on_shafts(
         raise SolverError(f"mesh {name} carries no load", INCONSISTENT)
     flank = 1 if mean > 0.0 else -1
     places = [position_of(record, abs(force), flank) for record, force in found]
-    data = _analysed(model, name, flank, places)
+    flanks = FlankStates(model, name, flank)
+    data = with_root_stress(_analysed(flanks, places), flanks, root_stress)
     options = {"positions": positions, "flank": flank, "shafts": "in equilibrium"}
-    data.attrs |= contact_attributes(
-        FlankStates(model, name, flank), roll.status, time.perf_counter() - began, **options
-    )
+    data.attrs |= contact_attributes(flanks, roll.status, time.perf_counter() - began, **options)
     data.attrs["notes"] = "; ".join([*roll.notes, *filter(None, [data.attrs["notes"]])])
     if roll.status != OK:
         raise SolverError(roll.sentence, roll.status, data)
     return data
 
 
-def _analysed(model: Model, mesh: str, flank: int, places: list[Position]) -> xr.Dataset:
+def _analysed(flanks: FlankStates, places: list[Position]) -> xr.Dataset:
     """Contact states at the positions of a roll."""
-    flanks = FlankStates(model, mesh, flank)
     phase = np.array([p.phase for p in places])
     order = np.argsort((phase - phase.min()) % 1.0, kind="stable")
     states = flanks.states(phase[order] - math.floor(phase.min()))
@@ -150,7 +153,7 @@ def _analysed(model: Model, mesh: str, flank: int, places: list[Position]) -> xr
     assert nodes is not None
     status = int(states["status"].max())
     if status != OK:
-        raise SolverError(f"mesh {mesh}: {sentence(status)}", status)
+        raise SolverError(f"mesh {flanks.mesh}: {sentence(status)}", status)
     force = np.array([p.force for p in places])[order]
     torque = float(np.mean(force)) * float(flanks.record["r_b1"])
     data = contact_dataset(flanks, np.array([torque]), states["pairs"] + states["psi"], [(states, nodes)])

@@ -19,6 +19,7 @@ from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 from pitchpoint.solvers.contact_analysis.notes import contact_notes
+from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
 from pitchpoint.solvers.contact_analysis.stepped_flanks import edge_turns, step_pressures
 
 if TYPE_CHECKING:
@@ -47,6 +48,7 @@ def solve_contact(
     positions: int = 64,
     misalignment: float | None = None,
     flank: int = 1,
+    root_stress: str | None = None,
     progress: Progress = silent,
 ) -> xr.Dataset:
     """Contact analysis of a mesh on fixed axes over one base pitch.
@@ -66,6 +68,9 @@ def solve_contact(
         of the housing, `misalignment` of the mesh.
     flank
         1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
+    root_stress
+        Root stress by "tangent" (30° tangent of the fillet, ISO 6336-3) or "finite_elements" (both;
+        seconds per gear, stored). None: finite elements if the teeth of the contact are.
     progress
         Called after each torque.
 
@@ -76,7 +81,8 @@ def solve_contact(
         tangent under load), unloaded_transmission_error, mesh_stiffness (tangent) and secant_stiffness [N/m],
         elastic_energy [J]; over these, `tooth_pair` and `plane`: plane_force [N], line_load [N/m],
         pressure, edge_pressure [Pa], lengths of roll roll_1, roll_2 [m]. NaN where a pair has no contact.
-        Pair n is at n + phase base pitches from A in the middle of the face. Geometry of the mesh over
+        Pair n is at n + phase base pitches from A in the middle of the face. Over these and `gear` also
+        root_stress [Pa], with finite elements root_stress_fe (`with_root_stress`). Geometry of the mesh over
         `gear`, `mark` (A to E) and `plane`, so that `analysis.flank_contact` needs no model.
 
     Raises
@@ -85,6 +91,7 @@ def solve_contact(
         If the mesh has no contact of tooth surfaces, or a state has no solution; with the partial result.
     """
     name = mesh_of(model, mesh)
+    check_method(root_stress)
     torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
     if not np.all(np.isfinite(torques)) or np.any(torques == 0.0):
         raise SolverError(f"torque {torque} is not a load; give torques other than 0", INCONSISTENT)
@@ -114,6 +121,7 @@ def solve_contact(
     if not found:
         raise SolverError(text, status)
     data = contact_dataset(flanks, torques[: len(found)], phase, found)
+    data = with_root_stress(data, flanks, root_stress)
     options = {"positions": positions, "misalignment": kappa, "flank": flank}
     data.attrs |= contact_attributes(flanks, status, time.perf_counter() - began, **options)
     if status != OK:

@@ -37,6 +37,7 @@ from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
     from pitchpoint.contact.compliance.gear import GearSlice
+    from pitchpoint.contact.tooth_fe.tooth import ToothFE
     from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.components.flank_contact import FlankContact, OilFilm, StructuralDamping
     from pitchpoint.model.components.gear import Gear
@@ -213,6 +214,32 @@ def flexible_shape(contact: FlexibleContact, pair: GearPair, gears: Sequence[Gea
 _kept_compliance = lru_cache(maxsize=32)(flank_compliance)
 
 
+def finite_elements_of(gear: Gear) -> ToothFE:
+    """Finite elements of a gear of a model, from the disk or computed."""
+    return stored_tooth_fe(
+        ToothModel(
+            gear=gear.geometry,
+            E=gear.material_data.youngs_modulus,
+            nu=gear.material_data.poisson_ratio,
+            bore_diameter=gear.bore_diameter or None,
+            rim_thickness=gear.rim_thickness,
+            web_thickness=gear.web_thickness,
+        )
+    )
+
+
+def has_finite_elements(contact: FlankContact) -> bool:
+    """Whether the compliance of the teeth is that of finite elements, in a table, too."""
+    if isinstance(contact, PrecomputedContact):
+        contact = flexible_options(contact)
+    return isinstance(contact, FlexibleContact) and contact.teeth == "finite_elements"
+
+
+def common_width(offset: float, pair: GearPair) -> tuple[float, float]:
+    """Ends of the common face width from the mid-face of a gear [m]; `offset`: its middle from there."""
+    return offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w
+
+
 def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, float]) -> FlankCompliance:
     """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face."""
     if contact.teeth == "analytic":
@@ -227,17 +254,7 @@ def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, flo
             coupling=contact.coupling,
             C_M=contact.correction,
         )
-    tooth = stored_tooth_fe(
-        ToothModel(
-            gear=gear.geometry,
-            E=gear.material_data.youngs_modulus,
-            nu=gear.material_data.poisson_ratio,
-            bore_diameter=gear.bore_diameter or None,
-            rim_thickness=gear.rim_thickness,
-            web_thickness=gear.web_thickness,
-        )
-    )
-    fields = flank_fields(tooth, contact.planes, width, heights=_HEIGHTS)
+    fields = flank_fields(finite_elements_of(gear), contact.planes, width, heights=_HEIGHTS)
     whole = FlankCompliance(fields.roll, fields.own, fields.beside, fields.windup, dict(fields.provenance))
     return whole if contact.correction == 1.0 else whole.scaled(contact.correction)
 
@@ -261,8 +278,7 @@ def flexible_surfaces(
     found = []
     parts = _slices(contact, gears)
     for gear, part, offset in zip(gears, parts, offsets, strict=True):
-        width = (offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w)
-        compliance = _compliance_of(contact, gear, width)
+        compliance = _compliance_of(contact, gear, common_width(offset, pair))
         t, weights = leggauss(16)
         low, high = compliance.roll
         depth = contact_depth(part, 0.5 * (low + high + (high - low) * t), pair.gear1.beta_b)

@@ -18,11 +18,13 @@ from pitchpoint.analysis.flank_contact.contact_pattern import (
 )
 from pitchpoint.analysis.flank_contact.load_factors import load_over_width
 from pitchpoint.analysis.flank_contact.numbers import contact_numbers
+from pitchpoint.analysis.flank_contact.root_stress import root_stress_of_tooth, root_stress_over_width
 from pitchpoint.viz import contact_plots as plots
 from pitchpoint.viz.contact_table import columns, contact_words, operation_words, options_of
 from pitchpoint.viz.mesh_cycle_plot import plot_transmission_error
 from pitchpoint.viz.quantities import Array, amount, number
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.root_stress_plots import plot_root_stress, plot_root_stress_over_width
 from pitchpoint.viz.tables import plain_table
 
 if TYPE_CHECKING:
@@ -94,6 +96,7 @@ def _add_analysis(section: Section, data: xr.Dataset, found: Mapping[str, Array]
     chosen = chosen_torques(torques)
     names = {k: amount(float(torques[k]), "N m") for k in chosen}
     _add_path(section, data, pattern, names, at)
+    _add_root_stress(section, data, found, pattern, most)
     _add_cycle(section, data, names, most, at)
     loads = load_over_width(data)
     section.add_figure(
@@ -141,6 +144,41 @@ def _add_path(
             plots.plot_along_path(curve, pattern.teeth, title, unit, of_pair=False),
             f"{title[0].upper()}{title[1:]} along the path of contact at {at}: "
             f"{'maximum' if sign > 0 else 'minimum'} over the face width.",
+        )
+
+
+def _add_root_stress(
+    section: Section, data: xr.Dataset, found: Mapping[str, Array], pattern: ContactPattern, most: int
+) -> None:
+    """Root stress of both gears along the path of contact and over the face width, at one torque."""
+    tangent = "30°/60°" if "internal" in str(options_of(data).get("root_stress")) else "30°"
+    words_of = {"root_stress": f"{tangent} tangent", "root_stress_fe": "finite elements"}
+    methods = {
+        words: name
+        for name, words in words_of.items()
+        if name in data and np.isfinite(data[name].values[most]).any()
+    }
+    if not methods:
+        return
+    at = amount(float(data["torque"].values[most]), "N m")
+    curves = {words: root_stress_of_tooth(data, most, name) for words, name in methods.items()}
+    least = ""
+    if "root_stress_fe_min_1" in found:
+        ends = [amount(float(found[f"root_stress_fe_min_{k}"][most]), "Pa") for k in (1, 2)]
+        least = (
+            " By finite elements the stress is that of one point of the fillet, with loads on neighbouring "
+            f"teeth; minimum over a turn at the place of the maximum: {ends[0]} (gear 1), {ends[1]} (gear 2)."
+        )
+    section.add_figure(
+        plot_root_stress(curves, pattern.teeth),
+        f"Root stress of one tooth of each gear at {at}: maximum over the face width. At the "
+        f"{tangent} tangent of the fillet nominal stress with notch factor, ISO 6336-3.{least}",
+    )
+    if pattern.z.size > 1:
+        over = {words: root_stress_over_width(data, name)[most] for words, name in methods.items()}
+        section.add_figure(
+            plot_root_stress_over_width(pattern.z, over),
+            f"Root stress over the face width at {at}: maximum over the mesh cycle.",
         )
 
 
