@@ -42,6 +42,22 @@ def mesh_with_contact(model: Model, name: str | None) -> str:
     return chosen
 
 
+def meshes_on_shafts(model: Model, options: dict[str, Any]) -> tuple[str, ...]:
+    """Meshes to analyse on their shafts: the given ones, or all that can be analysed."""
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.solvers.contact_analysis.mesh_choice import chosen_meshes
+
+    try:
+        found = chosen_meshes(model, options["meshes"] or None)
+    except SolverError as error:
+        raise click.UsageError(str(error)) from None
+    if len(found) > 1 and options["speed"] is not None:
+        raise click.UsageError(
+            f"--speed is that of gear 1 of one mesh, and there are {len(found)}; choose one with --mesh"
+        )
+    return found
+
+
 def refuse_fixed(model: Model, options: dict[str, Any]) -> None:
     """Reject options of fixed axes for shafts in equilibrium, and unknown scenarios."""
     from pitchpoint.cli.results import known_scenario, refuse_without_effect

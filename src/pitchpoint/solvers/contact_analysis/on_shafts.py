@@ -259,7 +259,7 @@ def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tup
     if mean == 0.0:
         raise SolverError(IDLE, INCONSISTENT)
     flank = 1 if mean > 0.0 else -1
-    places = [position_of(record, abs(force), flank) for record, force in seen]
+    places = [position_of(record, max(flank * force, 0.0), flank) for record, force in seen]
     flanks = FlankStates(model, mesh, flank)
     phase = np.array([p.phase for p in places])
     order = np.argsort((phase - phase.min()) % 1.0, kind="stable")
@@ -285,5 +285,5 @@ def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tup
         np.abs(states["distance"]),
         {"units": "m", "long_name": "centre distance under load"},
     )
-    data.attrs["force_of_roll"] = float(np.abs(states["force"] / force - 1.0).max())
+    data.attrs["force_of_roll"] = float(np.abs(states["force"] - force).max() / force.mean())
     return flanks, data
