@@ -21,7 +21,7 @@ torques_option = click.option(
     multiple=True,
     metavar="QUANTITY",
     help="Torque on gear 1, repeatable; or a range FIRST:LAST:COUNT, such as '50 N m:400 N m:8'. "
-    "Default: constant torque of the loads on the body of gear 1.",
+    "Default: from the constant torques of the loads, through the gear ratios if they are on other bodies.",
 )
 """Option of all commands for several torques."""
 NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
@@ -119,18 +119,24 @@ def _quantity(text: str, dimension: str, option: str) -> float:
 
 
 def torque_of_loads(model: Model, mesh: str) -> float:
-    """Sum of the constant torques of the loads on the body of gear 1 [N m]."""
+    """Torque on gear 1 [N m] from constant torques of the loads on its body, or on the rest of its train."""
+    from pitchpoint.core.errors import CompileError, SolverError
     from pitchpoint.model.components.law import Constant
+    from pitchpoint.solvers.contact_analysis.torque_balance import torque_of_train
 
     body = model.body_of(model.meshes[mesh].gears[0])
+    on_body = [name for name, one in model.every_mesh.items() if body in map(model.body_of, one.gears)]
     laws = [load.torque for load in model.loads.values() if load.body == body and load.torque is not None]
     values = [law.value for law in laws if isinstance(law, Constant)]
-    if not values or len(values) != len(laws) or sum(values) == 0.0:
+    if on_body == [mesh] and values and len(values) == len(laws) and sum(values) != 0.0:
+        return sum(values)
+    try:
+        return torque_of_train(model, mesh)
+    except (SolverError, CompileError) as error:
         raise click.UsageError(
-            f"gear 1 of {mesh} ({model.meshes[mesh].gears[0]}) has no constant torque in loads:; "
+            f"the loads do not give the torque on gear 1 of {mesh} ({model.meshes[mesh].gears[0]}): {error}; "
             "give --torque, such as --torque '200 N m'"
-        )
-    return sum(values)
+        ) from None
 
 
 def misalignment_of(text: str | None, model: Model, mesh: str) -> float:
