@@ -45,7 +45,9 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
             idle = _keys_without_effect(part)
-            if group == "meshes" and follows_flanks(model, name):
+            if getattr(part, "contact", None) is not None and group == "meshes":
+                idle |= {"stiffness", "width", "slices"}
+            elif group == "meshes" and follows_flanks(model, name):
                 idle.discard("slices")  # grids of gaps are evaluated on slices for every width integral
             for key, value in _unset(part):
                 if key == "contact.clamp":

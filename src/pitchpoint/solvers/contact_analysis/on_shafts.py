@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, note
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
@@ -41,6 +41,8 @@ Array = NDArray[np.float64]
 
 IDLE = "it carries no load; load the bodies on both sides of the mesh"
 """Reason of a mesh without load."""
+BOTH = 1e-6
+"""Share of the force above which the other flank has it."""
 
 
 @dataclass(frozen=True)
@@ -285,5 +287,14 @@ def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tup
         np.abs(states["distance"]),
         {"units": "m", "long_name": "centre distance under load"},
     )
-    data.attrs["force_of_roll"] = float(np.abs(states["force"] - force).max() / force.mean())
+    apart = np.abs(states["force"] - force)
+    data.attrs["force_of_roll"] = float(apart.max() / force.mean())
+    wedged = int(np.sum(apart > BOTH * states["force"].max()))
+    if wedged:
+        side = "front" if flank > 0 else "back"
+        text = (
+            f"mesh {mesh}: front and back flanks touch at {wedged} of {len(places)} positions; loads and "
+            f"pressures are those of the {side} flanks, the torque is that of both; give the mesh backlash"
+        )
+        data.attrs["notes"] = "; ".join(filter(None, [note(text), data.attrs["notes"]]))
     return flanks, data
