@@ -188,6 +188,7 @@ def solve_contacts_on_shafts(
         statuses |= _analyse_together(system, rolled, group, positions, found, report)
         if INTERRUPTED in statuses.values():
             break
+    found = replace(found, meshes={name: found.meshes[name] for name in names if name in found.meshes})
     idle = [name for name, reason in found.failed.items() if reason == IDLE]
     if meshes is None and len(idle) < len(names):
         for name in idle:
