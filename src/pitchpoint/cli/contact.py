@@ -127,7 +127,7 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
         options["picture"] = check_target(options["picture"], "page", [file])
     empty: dict[str, Any] = {"torque": [], "numbers": {}}
     if len(meshes) > 1:
-        empty = {"left_out": {}, "failed": {}, "meshes": {}}
+        empty = {"omitted": {}, "failed": {}, "meshes": {}}
     summary, error = unless_it_cannot_begin(
         lambda: compute(model, file, meshes, target, options, quiet=quiet), empty
     )
@@ -181,7 +181,7 @@ def compute(
     }
     if len(meshes) == 1:
         return summary | numbers(found.meshes[meshes[0]]), failure
-    summary |= {"left_out": found.left_out, "failed": found.failed}
+    summary |= {"omitted": found.omitted, "failed": found.failed}
     return summary | {"meshes": {mesh: numbers(data) for mesh, data in found.meshes.items()}}, failure
 
 
@@ -221,9 +221,9 @@ def _solved(
 
 
 def notes_of(found: ContactsOnShafts) -> list[str]:
-    """Notes of all analyses, and meshes that were left out."""
+    """Notes of all analyses, and meshes that were omitted."""
     notes = [note for data in found.meshes.values() for note in str(data.attrs.get("notes", "")).split("; ")]
-    left = [f"mesh {mesh} is left out: {reason}" for mesh, reason in found.left_out.items()]
+    left = [f"mesh {mesh} is omitted: {reason}" for mesh, reason in found.omitted.items()]
     return [*dict.fromkeys(note for note in notes if note), *left]
 
 
@@ -277,7 +277,7 @@ def store(
         for mesh, data in found.meshes.items()
     }
     groups = {f"meshes/{mesh}": data for mesh, data in found.meshes.items()}
-    header = replace(header, options={"meshes": list(found.meshes), "left_out": found.left_out})
+    header = replace(header, options={"meshes": list(found.meshes), "omitted": found.omitted})
     write_datasets(path, header, groups, texts, notes=notes_of(found), **ending)
 
 
@@ -300,4 +300,4 @@ def _draw(path: Path, found: ContactsOnShafts, model: Model, note: str) -> None:
     gears = {
         mesh: {name: model.gears[name].geometry for name in model.meshes[mesh].gears} for mesh in found.meshes
     }
-    write_file(path, contacts_page(found.meshes, note, gears=gears, left_out=found.left_out))
+    write_file(path, contacts_page(found.meshes, note, gears=gears, omitted=found.omitted))

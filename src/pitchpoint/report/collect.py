@@ -182,8 +182,8 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
             note = note and f"This analysis is not complete: {note}"
             found.contacts[_free(mesh, own, found.contacts)] = contact_result(data, note)
         found.remarks += [
-            f"{own}: mesh {mesh} is left out: {reason}."
-            for mesh, reason in header["options"].get("left_out", {}).items()
+            f"{own}: mesh {mesh} is omitted: {reason}."
+            for mesh, reason in header["options"].get("omitted", {}).items()
         ]
         found.sources.append(source_of(name, header, content_hash(model), own))
     elif header["kind"] in ("time", "quasi_static", "contact"):

@@ -42,7 +42,7 @@ def contacts_page(
     note: str = "",
     *,
     gears: Mapping[str, Mapping[str, Any]],
-    left_out: Mapping[str, str] | None = None,
+    omitted: Mapping[str, str] | None = None,
 ) -> str:
     """Page with contact analyses: with several meshes an overview, and then a section for each.
 
@@ -54,7 +54,7 @@ def contacts_page(
         Sentence on incomplete analyses.
     gears
         `CylindricalGear` of gear 1 and gear 2 by name, by mesh.
-    left_out
+    omitted
         Reason by mesh for those without an analysis.
     """
     some = next(iter(analyses.values()))
@@ -71,7 +71,7 @@ def contacts_page(
         found[mesh] = contact_result(data, note)
         sections = [contact_section(found), flank_section(data, gears[mesh])]
     else:
-        sections.append(overview_section(found, left_out or {}))
+        sections.append(overview_section(found, omitted or {}))
         for k, (mesh, one) in enumerate(found.items()):
             section = contact_section({mesh: one})
             section.anchor, section.heading = f"mesh{k + 1}", mesh

@@ -41,7 +41,7 @@ def test_a_row_per_mesh_and_flanks_of_all_gears(file: str, capsys: pytest.Captur
 def test_json_by_mesh(file: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Each entry is the JSON of the mesh alone."""
     every = json_of(["contact", file, *SHORT], capsys)
-    assert (every["status"], every["left_out"], every["failed"]) == ("finished", {}, {})
+    assert (every["status"], every["omitted"], every["failed"]) == ("finished", {}, {})
     assert list(every["meshes"]) == ["fast", "slow"]
     alone = json_of(["contact", file, *SHORT, "--mesh", "slow"], capsys)
     assert every["meshes"]["slow"].items() <= alone.items()
@@ -56,7 +56,7 @@ def test_files_hold_all_meshes(file: str, tmp_path: Path, capsys: pytest.Capture
     found = json_of(["contact", file, *SHORT, "-o", str(target), "--picture", str(page)], capsys)
     header = read_header(target)
     assert (header["kind"], header["status"]) == ("contact", "finished")
-    assert header["options"] == {"meshes": ["fast", "slow"], "left_out": {}}
+    assert header["options"] == {"meshes": ["fast", "slow"], "omitted": {}}
     for mesh, one in found["meshes"].items():
         with open_result(target, f"meshes/{mesh}") as data:
             assert data["transmission_error"].values.tolist() == one["curves"]["transmission_error"]
@@ -92,11 +92,11 @@ def test_a_mesh_that_fails(
     assert (header["status"], header["options"]["meshes"]) == ("failed", ["slow"])
 
 
-def test_a_mesh_with_a_stiffness_law_is_left_out(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_mesh_with_a_stiffness_law_is_omitted(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path, two_stages("stiffness: {law: din3990}"))
     assert run_command(["contact", file, *SHORT]) == 0
     text = capsys.readouterr().out
-    assert "note: mesh fast is left out: it has a stiffness law; give the mesh `contact:" in text
+    assert "note: mesh fast is omitted: it has a stiffness law; give the mesh `contact:" in text
 
 
 @pytest.mark.parametrize(

@@ -96,12 +96,12 @@ def test_a_failure_keeps_the_other_meshes(gearbox, monkeypatch):
     assert list(caught.value.partial.failed) == ["fast"]
 
 
-def test_what_is_left_out():
-    """Meshes with a stiffness law and meshes without load; asked for by name they are errors."""
+def test_what_is_omitted():
+    """Meshes with a stiffness law and meshes without load; given by name they are errors."""
     model = loads_model(two_stages("stiffness: {law: din3990}"))
     found = solve_contacts_on_shafts(model, positions=4)
     assert list(found.meshes) == ["slow"]
-    assert found.left_out == {"fast": "it has a stiffness law; give the mesh `contact: {level: flexible}`"}
+    assert found.omitted == {"fast": "it has a stiffness law; give the mesh `contact: {level: flexible}`"}
     with pytest.raises(SolverError, match="mesh fast: it has a stiffness law"):
         solve_contacts_on_shafts(model, ["fast"])
     with pytest.raises(SolverError, match=r"no mesh 'slo'; did you mean slow\?"):
@@ -114,7 +114,7 @@ def test_what_is_left_out():
         positions=4,
     )
     assert list(found.meshes) == ["fast"]
-    assert "carries no load" in found.left_out["slow"]
+    assert "carries no load" in found.omitted["slow"]
     # without backlash its teeth wedge, as the load bends the shaft towards the wheel
     found = solve_contacts_on_shafts(loads_model(idle), ["slow"], positions=4)
     assert "front and back flanks touch at 4 of 4 positions" in found.meshes["slow"].attrs["notes"]

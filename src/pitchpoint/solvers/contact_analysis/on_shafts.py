@@ -87,14 +87,14 @@ class ContactsOnShafts:
     ----------
     meshes
         Dataset of each mesh, as of `solve_contact_on_shafts`.
-    left_out
+    omitted
         Reason by mesh for those that were not analysed.
     failed
         Sentence by mesh for those whose analysis failed; `meshes` has their positions before, if any.
     """
 
     meshes: dict[str, xr.Dataset] = field(default_factory=dict)
-    left_out: dict[str, str] = field(default_factory=dict)
+    omitted: dict[str, str] = field(default_factory=dict)
     failed: dict[str, str] = field(default_factory=dict)
 
 
@@ -167,7 +167,7 @@ def solve_contacts_on_shafts(
     Returns
     -------
     ContactsOnShafts
-        Datasets by mesh. Without `meshes`, those with a stiffness law or without load are left out.
+        Datasets by mesh. Without `meshes`, those with a stiffness law or without load are omitted.
 
     Raises
     ------
@@ -177,7 +177,7 @@ def solve_contacts_on_shafts(
     names = chosen_meshes(model, meshes)
     system = compile_model(model, scenario)
     groups = rolled_together(system, names)
-    found = ContactsOnShafts(left_out={} if meshes is not None else unsuitable(model))
+    found = ContactsOnShafts(omitted={} if meshes is not None else unsuitable(model))
     statuses: dict[str, int] = {}
     for k, (rolled, group) in enumerate(groups.items()):
 
@@ -192,7 +192,7 @@ def solve_contacts_on_shafts(
     idle = [name for name, reason in found.failed.items() if reason == IDLE]
     if meshes is None and len(idle) < len(names):
         for name in idle:
-            found.left_out[name] = found.failed.pop(name)
+            found.omitted[name] = found.failed.pop(name)
     if found.failed:
         left = {statuses[name] for name in found.failed}
         raise SolverError(_sentence(found.failed), INTERRUPTED if INTERRUPTED in left else max(left), found)

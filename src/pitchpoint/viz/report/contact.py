@@ -88,12 +88,12 @@ def contact_section(analyses: Mapping[str, ContactData]) -> Section:
     return section
 
 
-def overview_section(analyses: Mapping[str, ContactData], left_out: Mapping[str, str]) -> Section:
+def overview_section(analyses: Mapping[str, ContactData], omitted: Mapping[str, str]) -> Section:
     """Section with a table of the meshes of a machine in equilibrium, and their loads over the face width."""
     section = Section("meshes", "All meshes")
     section.add(_meshes(analyses))
-    for mesh, reason in left_out.items():
-        section.add(f"<p>{escape(f'Mesh {mesh} is left out: {reason}.')}</p>")
+    for mesh, reason in omitted.items():
+        section.add(f"<p>{escape(f'Mesh {mesh} is omitted: {reason}.')}</p>")
     figure = plots.plot_relative_loads(
         {
             name: (one.data["plane"].values, load_over_width(one.data)[0], one.data["plane_width"].values)
