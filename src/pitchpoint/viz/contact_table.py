@@ -138,7 +138,7 @@ def meshes_table(meshes: Mapping[str, tuple[float, float, float, Mapping[str, An
     Examples
     --------
     >>> meshes_table({"stage": (100.0, 5e3, 1e-5, {"face_load_factor": [1.2], "edge_pressure": [math.nan]})})
-    [['mesh', 'torque', 'force', 'misalignment', 'K_Hβ'], ['stage', '100 N m', '5 kN', '10 µm', '1.2']]
+    [['mesh', 'torque', 'force', 'misalignment', 'K_Hβ'], ['stage', '100 N m', '5000 N', '10 µm', '1.2']]
     """
     known = dict.fromkeys(c for *_, found in meshes.values() for c in columns(found))
     kept = [
