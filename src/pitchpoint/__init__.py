@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell import solve_campbell
+    from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
     from pitchpoint.solvers.contact_analysis.relief.design import design_relief
     from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
     from pitchpoint.solvers.contact_analysis.solve import solve_contact
@@ -67,6 +68,7 @@ __all__ = [
     "run_cases",
     "solve_campbell",
     "solve_contact",
+    "solve_contacts_on_shafts",
     "solve_equilibrium",
     "solve_frequency_response",
     "solve_modal",
@@ -96,6 +98,7 @@ _HOMES = {
     "model.model": ("Model",),
     "report.write": ("write_report",),
     "solvers.campbell": ("solve_campbell",),
+    "solvers.contact_analysis.on_shafts": ("solve_contacts_on_shafts",),
     "solvers.contact_analysis.solve": ("solve_contact",),
     "solvers.contact_analysis.relief.design": ("design_relief",),
     "solvers.contact_analysis.relief.plan": ("ReliefPlan",),

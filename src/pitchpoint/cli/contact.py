@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint contact`: loaded tooth contact of a mesh over mesh phase and torque."""
+"""`pitchpoint contact`: loaded tooth contact over mesh phase and torque, or of all meshes on their shafts."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import click
 
 from pitchpoint.cli.contact_input import (
     loads_of,
-    mesh_option,
     mesh_with_contact,
+    meshes_on_shafts,
     misalignment_help,
     misalignment_of,
     operation_of,
@@ -19,15 +19,17 @@ from pitchpoint.cli.contact_input import (
     torques_option,
 )
 from pitchpoint.cli.options import common, model_file, quantity, writes
-from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
+from pitchpoint.cli.output import emit_json
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     import xarray as xr
 
+    from pitchpoint.core.errors import SolverError
     from pitchpoint.core.progress import Progress
     from pitchpoint.model.model import Model
+    from pitchpoint.solvers.contact_analysis.on_shafts import ContactsOnShafts
 
 CURVES = ("transmission_error", "unloaded_transmission_error", "mesh_stiffness", "secant_stiffness")
 """Curves over the mesh phase in the output of `--json`."""
@@ -37,7 +39,14 @@ UNDER_LOAD = ("misalignment", "center_distance")
 
 @click.command()
 @model_file
-@mesh_option
+@click.option(
+    "--mesh",
+    "-m",
+    "meshes",
+    multiple=True,
+    metavar="NAME",
+    help="Mesh; default: the only one with contact, with --shafts all. Repeatable with --shafts.",
+)
 @torques_option
 @click.option(
     "--positions",
@@ -60,12 +69,6 @@ UNDER_LOAD = ("misalignment", "center_distance")
 @click.option(
     "--scenario", "-s", metavar="NAME", help="Scenario whose loads apply, with --shafts; default: at rest."
 )
-@click.option(
-    "--root-stress",
-    type=click.Choice(["tangent", "finite_elements"]),
-    help="Method of the root stress: 30° tangent of the fillet to ISO 6336-3, or also finite elements "
-    "(seconds per gear, stored); default: finite elements if the teeth of the contact are.",
-)
 @quantity("--speed", "angular_speed", "Speed of gear 1, for oil film and flash temperature.")
 @click.option(
     "--friction",
@@ -81,6 +84,12 @@ UNDER_LOAD = ("misalignment", "center_distance")
     "pressure_viscosity",
     "Pressure-viscosity coefficient; default: 20 1/GPa, typical of mineral oils.",
 )
+@click.option(
+    "--root-stress",
+    type=click.Choice(["tangent", "finite_elements"]),
+    help="Method of the root stress: 30° tangent of the fillet to ISO 6336-3, or also finite elements "
+    "(seconds per gear, stored); default: finite elements if the teeth of the contact are.",
+)
 @writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
 @writes(
     "-o", "--output", "--out", help="Result file (netCDF-4/HDF5), or page with plots (.html); default: none."
@@ -91,45 +100,63 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
 
     Transmission error, stiffness, pressure, root stress, load distribution and losses for each torque; with
     --speed also oil film and flash temperature. The axes of the gears are fixed, and --misalignment tilts the
-    flanks; with --shafts they are in equilibrium with the whole machine.
+    flanks; with --shafts they are in equilibrium with the whole machine, and all meshes with `contact` are
+    analysed.
     """
+    from pitchpoint.cli.contact_output import print_meshes, print_torques
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import result_path, unless_it_cannot_begin
     from pitchpoint.io.target import check_target
 
     model = read_model(file, allow_code, quiet)
-    mesh = mesh_with_contact(model, options["mesh"])
-    options["operation"] = operation_of(model, mesh, options)
     if options["shafts"]:
         refuse_fixed(model, options)
+        meshes = meshes_on_shafts(model, options)
     else:
         if options["scenario"] is not None:
             raise click.UsageError("--scenario requires --shafts; on fixed axes only --torque acts")
+        if len(options["meshes"]) > 1:
+            raise click.UsageError("several --mesh require --shafts; on fixed axes analyse one at a time")
+        mesh = mesh_with_contact(model, *options["meshes"] or (None,))
+        meshes = (mesh,)
         options["torques"], options["flank"] = loads_of(model, mesh, options["torques"], options["flank"])
         if options["misalignment"] is not None:
             options["misalignment"] = misalignment_of(options["misalignment"], model, mesh)
+    options["operation"] = {mesh: operation_of(model, mesh, options) for mesh in meshes}
     if options["picture"] is None and (options["output"] or "").lower().endswith(".html"):
         options["picture"], options["output"] = options["output"], None
     target = result_path(options["output"], file, "") if options["output"] is not None else None
     if options["picture"] is not None:
         options["picture"] = check_target(options["picture"], "page", [file])
+    empty: dict[str, Any] = {"torque": [], "numbers": {}}
+    if len(meshes) > 1:
+        empty = {"omitted": {}, "failed": {}, "meshes": {}}
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, mesh, target, options, quiet=quiet), {"torque": [], "numbers": {}}
+        lambda: compute(model, file, meshes, target, options, quiet=quiet), empty
     )
+    title = model.title or file
     if as_json:
         emit_json(summary)
-    elif summary["torque"]:
-        _print(f"{model.title or file}: contact of {mesh}", summary, quiet=quiet)
+    elif summary.get("torque"):
+        print_torques(f"{title}: contact of {meshes[0]}", summary, quiet=quiet)
+    elif summary.get("meshes"):
+        print_meshes(f"{title}: contact of all meshes", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)
 
 
 def compute(
-    model: Model, file: str, mesh: str, target: Path | None, options: dict[str, Any], *, quiet: bool
+    model: Model,
+    file: str,
+    meshes: tuple[str, ...],
+    target: Path | None,
+    options: dict[str, Any],
+    *,
+    quiet: bool,
 ) -> tuple[dict[str, Any], BaseException | None]:
     """Analyse the contact and write it if requested; return the output of `contact --json`.
 
-    After a failure these are the torques before it.
+    After a failure these are the torques before it, and the other meshes.
     """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.core.errors import SolverError
@@ -137,58 +164,76 @@ def compute(
     from pitchpoint.solvers.contact_analysis.lubrication import Operation, with_operation
 
     begun = time.perf_counter()
-    failure: SolverError | None = None
-    try:
-        unit = "positions" if options["shafts"] else "torques"
-        with ProgressDisplay("contact", unit, quiet=quiet) as progress:
-            data = _solved(model, mesh, options, progress)
-    except SolverError as error:
-        if error.partial is None:
-            raise
-        failure, data = SolverError(str(error), error.status, target and str(target)), error.partial
-    data = with_operation(data, Operation(**options["operation"]))
-    data.attrs |= options["operation"]
+    unit = "positions" if options["shafts"] else "torques"
+    with ProgressDisplay("contact", unit, quiet=quiet) as progress:
+        found, stopped = _solved(model, meshes, options, progress)
+    failure = stopped and SolverError(str(stopped), stopped.status, target and str(target))
+    for mesh, data in found.meshes.items():
+        own = options["operation"][mesh]
+        found.meshes[mesh] = with_operation(data, Operation(**own)).assign_attrs(own)
     status, sentence, code = how_it_ended(failure)
     if target is not None:
-        store(target, model, file, data, status=status, sentence=sentence, code=code)
+        store(target, model, file, found, meshes, status=status, sentence=sentence, code=code)
     if options["picture"] is not None:
-        _draw(options["picture"], data, model, "" if failure is None else f"{status}: {sentence}")
+        _draw(options["picture"], found, model, "" if failure is None else f"{status}: {sentence}")
     summary = {
         "status": status,
         "sentence": sentence,
         "wall_s": time.perf_counter() - begun,
         "output": None if target is None else str(target),
-        "notes": [note for note in str(data.attrs.get("notes", "")).split("; ") if note],
-        **numbers(data),
+        "notes": notes_of(found),
     }
-    return summary, failure
+    if len(meshes) == 1:
+        return summary | numbers(found.meshes[meshes[0]]), failure
+    summary |= {"omitted": found.omitted, "failed": found.failed}
+    return summary | {"meshes": {mesh: numbers(data) for mesh, data in found.meshes.items()}}, failure
 
 
-def _solved(model: Model, mesh: str, options: dict[str, Any], progress: Progress) -> xr.Dataset:
-    """Contact analysis on fixed axes, or on shafts in equilibrium."""
-    from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shafts
+def _solved(
+    model: Model, meshes: tuple[str, ...], options: dict[str, Any], progress: Progress
+) -> tuple[ContactsOnShafts, SolverError | None]:
+    """Contact analyses on fixed axes, or on shafts in equilibrium, and the error that stopped them."""
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.solvers.contact_analysis.on_shafts import ContactsOnShafts, solve_contacts_on_shafts
     from pitchpoint.solvers.contact_analysis.solve import solve_contact
 
     n, root = options["positions"], options["root_stress"]
-    if options["shafts"]:
-        scenario = options["scenario"]
-        return solve_contact_on_shafts(
-            model, mesh, scenario=scenario, positions=n, root_stress=root, progress=progress
+    try:
+        if options["shafts"]:
+            chosen, scenario = options["meshes"] or None, options["scenario"]
+            return solve_contacts_on_shafts(
+                model, chosen, scenario=scenario, positions=n, root_stress=root, progress=progress
+            ), None
+        data = solve_contact(
+            model,
+            meshes[0],
+            torque=options["torques"],
+            positions=n,
+            misalignment=options["misalignment"],
+            flank=options["flank"],
+            root_stress=root,
+            progress=progress,
         )
-    return solve_contact(
-        model,
-        mesh,
-        torque=options["torques"],
-        positions=n,
-        misalignment=options["misalignment"],
-        flank=options["flank"],
-        root_stress=root,
-        progress=progress,
-    )
+        return ContactsOnShafts({meshes[0]: data}), None
+    except SolverError as error:
+        found = error.partial
+        if found is not None and not isinstance(found, ContactsOnShafts):
+            found = ContactsOnShafts({meshes[0]: found})
+        if found is None or not found.meshes:
+            error.partial = None
+            raise
+        return found, error
+
+
+def notes_of(found: ContactsOnShafts) -> list[str]:
+    """Notes of all analyses, and meshes that were omitted."""
+    notes = [note for data in found.meshes.values() for note in str(data.attrs.get("notes", "")).split("; ")]
+    left = [f"mesh {mesh} is omitted: {reason}" for mesh, reason in found.omitted.items()]
+    return [*dict.fromkeys(note for note in notes if note), *left]
 
 
 def numbers(data: xr.Dataset) -> dict[str, Any]:
-    """Main results by torque, and curves over mesh phase and face width, in SI units."""
+    """Main results and mean mesh force by torque, and curves over mesh phase and face width, in SI units."""
     from pitchpoint.analysis.flank_contact.active_flank import contact_path
     from pitchpoint.analysis.flank_contact.load_factors import load_over_width
     from pitchpoint.analysis.flank_contact.numbers import contact_numbers
@@ -198,9 +243,11 @@ def numbers(data: xr.Dataset) -> dict[str, Any]:
         "mesh": data.attrs["mesh"],
         "options": options_of(data),
         "torque": data["torque"].values.tolist(),
+        "mesh_force": data["mesh_force"].mean("mesh_phase_position").values.tolist(),
         "numbers": {name: values.tolist() for name, values in contact_numbers(data).items()},
         "mesh_phase": data["mesh_phase_position"].values.tolist(),
         "curves": {name: data[name].values.tolist() for name in CURVES},
+        "face_width": float(data["plane_width"].sum()),
         "plane": data["plane"].values.tolist(),
         "load_over_width": load_over_width(data).tolist(),
         **{name: data[name].values.tolist() for name in UNDER_LOAD if name in data},
@@ -209,16 +256,34 @@ def numbers(data: xr.Dataset) -> dict[str, Any]:
     }
 
 
-def store(path: Path, model: Model, file: str, data: xr.Dataset, **ending: Any) -> None:
-    """Write a contact analysis to a result file."""
+def store(
+    path: Path, model: Model, file: str, found: ContactsOnShafts, meshes: tuple[str, ...], **ending: Any
+) -> None:
+    """Write contact analyses to a result file: several meshes as groups `meshes/NAME`."""
+    import json
     from dataclasses import replace
 
     from pitchpoint.cli.results import header_of
-    from pitchpoint.io.dataset_tables import write_dataset
+    from pitchpoint.io.dataset_tables import write_dataset, write_datasets
     from pitchpoint.viz.contact_table import options_of
 
     header = header_of(model, file, "", "contact", "contact")
-    write_dataset(path, replace(header, options=options_of(data)), data, **ending)
+    options = {mesh: options_of(data) for mesh, data in found.meshes.items()}
+    if len(meshes) == 1:
+        write_dataset(path, replace(header, options=options[meshes[0]]), found.meshes[meshes[0]], **ending)
+        return
+    texts = {
+        f"meshes/{mesh}": {
+            "mesh": mesh,
+            "options": json.dumps(options[mesh], sort_keys=True),
+            "notes": str(data.attrs.get("notes", "")),
+            "sentence": found.failed.get(mesh, ""),
+        }
+        for mesh, data in found.meshes.items()
+    }
+    groups = {f"meshes/{mesh}": data for mesh, data in found.meshes.items()}
+    header = replace(header, options={"meshes": list(found.meshes), "omitted": found.omitted})
+    write_datasets(path, header, groups, texts, notes=notes_of(found), **ending)
 
 
 def active_flanks_of(data: xr.Dataset) -> list[list[dict[str, Any]] | None]:
@@ -232,43 +297,12 @@ def active_flanks_of(data: xr.Dataset) -> list[list[dict[str, Any]] | None]:
     return found
 
 
-def _draw(path: Path, data: xr.Dataset, model: Model, note: str) -> None:
-    """Write a page with plots, and a note on an incomplete analysis."""
+def _draw(path: Path, found: ContactsOnShafts, model: Model, note: str) -> None:
+    """Write a page with plots, and notes on incomplete analyses."""
     from pitchpoint.io.target import write_file
-    from pitchpoint.viz.contact_page import contact_page
+    from pitchpoint.viz.contact_page import contacts_page
 
-    gears = {name: model.gears[name].geometry for name in model.meshes[str(data.attrs["mesh"])].gears}
-    write_file(path, contact_page(data, note, gears=gears))
-
-
-def _print(title: str, summary: dict[str, Any], *, quiet: bool) -> None:
-    """Print one row per torque, and the description of the contact."""
-    from pitchpoint.viz.contact_table import columns, contact_words
-
-    found = summary["numbers"]
-    chosen = columns(found)
-    rows = [
-        [shown(torque, "torque", 5), *(c.text(found[c.key][k]) for c in chosen)]
-        for k, torque in enumerate(summary["torque"])
-    ]
-    table(title, ["torque", *(c.heading for c in chosen)], rows)
-    if quiet:
-        return
-    options = summary["options"]
-    show(f"{contact_words(options)}; {len(summary['mesh_phase'])} mesh phases, {_where(summary)}")
-    show_notes(summary["notes"])
-    if summary["output"] is not None:
-        show(f"written to {summary['output']}")
-
-
-def _where(summary: dict[str, Any]) -> str:
-    """Flank, misalignment and operating conditions in words."""
-    from pitchpoint.viz.contact_table import operation_words
-
-    options = summary["options"]
-    words = ["back flanks" if options.get("flank") == -1 else "front flanks"]
-    tilts = summary.get("misalignment", [options.get("misalignment", 0.0)])
-    angle = sum(tilts) / len(tilts)
-    words += ["shafts in equilibrium"] if options.get("shafts") else []
-    words += [f"misalignment {shown(angle, 'angle', 4)}"] if angle else []
-    return ", ".join([*words, *operation_words(options)])
+    gears = {
+        mesh: {name: model.gears[name].geometry for name in model.meshes[mesh].gears} for mesh in found.meshes
+    }
+    write_file(path, contacts_page(found.meshes, note, gears=gears, omitted=found.omitted))

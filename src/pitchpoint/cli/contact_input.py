@@ -21,7 +21,7 @@ torques_option = click.option(
     multiple=True,
     metavar="QUANTITY",
     help="Torque on gear 1, repeatable; or a range FIRST:LAST:COUNT, such as '50 N m:400 N m:8'. "
-    "Default: constant torque of the loads on the body of gear 1.",
+    "Default: from the constant torques of the loads, through the gear ratios if they are on other bodies.",
 )
 """Option of all commands for several torques."""
 misalignment_help = (
@@ -45,6 +45,22 @@ def mesh_with_contact(model: Model, name: str | None) -> str:
     if chosen not in touching:
         raise click.BadParameter(f"{chosen} has a stiffness law; {NEEDED}", param_hint="--mesh")
     return chosen
+
+
+def meshes_on_shafts(model: Model, options: dict[str, Any]) -> tuple[str, ...]:
+    """Meshes to analyse on their shafts: the given ones, or all that can be analysed."""
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.solvers.contact_analysis.mesh_choice import chosen_meshes
+
+    try:
+        found = chosen_meshes(model, options["meshes"] or None)
+    except SolverError as error:
+        raise click.UsageError(str(error)) from None
+    if len(found) > 1 and options["speed"] is not None:
+        raise click.UsageError(
+            f"--speed is that of gear 1 of one mesh, and there are {len(found)}; choose one with --mesh"
+        )
+    return found
 
 
 def refuse_fixed(model: Model, options: dict[str, Any]) -> None:
@@ -108,18 +124,24 @@ def _quantity(text: str, dimension: str, option: str) -> float:
 
 
 def torque_of_loads(model: Model, mesh: str) -> float:
-    """Sum of the constant torques of the loads on the body of gear 1 [N m]."""
+    """Torque on gear 1 [N m] from constant torques of the loads on its body, or on the rest of its train."""
+    from pitchpoint.core.errors import CompileError, SolverError
     from pitchpoint.model.components.law import Constant
+    from pitchpoint.solvers.contact_analysis.torque_balance import torque_of_train
 
     body = model.body_of(model.meshes[mesh].gears[0])
+    on_body = [name for name, one in model.every_mesh.items() if body in map(model.body_of, one.gears)]
     laws = [load.torque for load in model.loads.values() if load.body == body and load.torque is not None]
     values = [law.value for law in laws if isinstance(law, Constant)]
-    if not values or len(values) != len(laws) or sum(values) == 0.0:
+    if on_body == [mesh] and values and len(values) == len(laws) and sum(values) != 0.0:
+        return sum(values)
+    try:
+        return torque_of_train(model, mesh)
+    except (SolverError, CompileError) as error:
         raise click.UsageError(
-            f"gear 1 of {mesh} ({model.meshes[mesh].gears[0]}) has no constant torque in loads:; "
+            f"the loads do not give the torque on gear 1 of {mesh} ({model.meshes[mesh].gears[0]}): {error}; "
             "give --torque, such as --torque '200 N m'"
-        )
-    return sum(values)
+        ) from None
 
 
 def misalignment_of(text: str, model: Model, mesh: str) -> float:

@@ -73,6 +73,7 @@ def jobs(folder: Path) -> list[Job]:
     from pitchpoint.core.kernel import address
     from pitchpoint.elements import registry
     from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.solvers.contact_analysis.solve import solve_contact
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.link import prepare_kernels
@@ -97,4 +98,6 @@ def jobs(folder: Path) -> list[Job]:
     target = folder / "sweep.h5"
     listed.append(("sweep", lambda: sweep_command.compute(model, str(file), "sweep", target, quiet=True)))
     listed.append(("modes", lambda: find_modes(compile_model(model))))
+    touching = model.replace("meshes.m.contact", {"level": "flexible", "planes": 2})
+    listed.append(("contact", lambda: solve_contact(touching, torque=10.0, positions=4)))
     return listed + [kind(name) for name in registry.names()]

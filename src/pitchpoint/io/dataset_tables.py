@@ -1,15 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A whole dataset in the result container: every variable over its own dimensions."""
+"""Whole datasets in the result container: every variable over its own dimensions, one dataset or several."""
 
 from __future__ import annotations
 
 import os
+import time
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.io.container import Header
+from pitchpoint.core.nomenclature import symbol
+from pitchpoint.core.status import OK
+from pitchpoint.core.status import sentence as words_of
+from pitchpoint.io.container import FINISHED, Container, Header
 from pitchpoint.io.tables import Axis, Quantity, write_tables
 
 if TYPE_CHECKING:
+    import h5py
     import xarray as xr
 
 
@@ -27,6 +33,78 @@ def write_dataset(path: str | os.PathLike[str], header: Header, data: xr.Dataset
     **ending
         Final status, as for `write_tables`.
     """
+    axes, filled = _tables_of(data)
+    write_tables(path, header, axes, filled, **ending)
+
+
+def write_datasets(
+    path: str | os.PathLike[str],
+    header: Header,
+    datasets: Mapping[str, xr.Dataset],
+    attributes: Mapping[str, Mapping[str, str]],
+    *,
+    status: str = FINISHED,
+    sentence: str = "",
+    code: int = OK,
+    notes: Sequence[str] = (),
+) -> None:
+    """Write several datasets of numbers to one result file, each in a group of its own.
+
+    Parameters
+    ----------
+    path
+        File to write.
+    header
+        Provenance.
+    datasets
+        Datasets by group, such as `meshes/stage`; `open_result` reads a group.
+    attributes
+        Texts by group, as attributes of its dataset.
+    status, sentence, code, notes
+        Final status.
+    """
+    begun = time.perf_counter()
+    tables = {group: _tables_of(data) for group, data in datasets.items()}
+    count = sum(len(axes) + len(filled) for axes, filled in tables.values())
+    size = sum(int(values.nbytes) for _, filled in tables.values() for _, values in filled)
+    container = Container(path, header, count, size)
+    with container.writing():
+        for group, (axes, filled) in tables.items():
+            container.file.require_group(group).attrs.update(attributes[group])
+            scales = {axis.name: _dimension(container, group, axis) for axis in axes}
+            for quantity, values in filled:
+                made = container.variable(
+                    quantity.name,
+                    [scales[name] for name in quantity.axes],
+                    group=group,
+                    dtype="f8",
+                    attributes=_words(quantity),
+                )
+                made[...] = values
+    container.begin()
+    elapsed = time.perf_counter() - begun
+    container.finish(status, sentence or words_of(code), code=code, wall_s=elapsed, notes=notes)
+
+
+def _dimension(container: Container, group: str, axis: Axis) -> h5py.Dataset:
+    """Dimension of a group with its coordinate."""
+    whole = not isinstance(axis.values, int) and all(isinstance(v, int) for v in axis.values)
+    return container.dimension(
+        axis.name, axis.values, group=group, dtype="i8" if whole else "f8", attributes=_words(axis)
+    )
+
+
+def _words(part: Axis | Quantity) -> dict[str, str]:
+    """Attributes of a dimension or variable."""
+    return {
+        "units": part.unit,
+        "long_name": part.long_name,
+        "symbol": part.symbol or (symbol(part.name) if isinstance(part, Quantity) else ""),
+    }
+
+
+def _tables_of(data: xr.Dataset) -> tuple[list[Axis], list[tuple[Quantity, Any]]]:
+    """Dimensions and variables of a dataset."""
     axes = [
         Axis(
             str(name),
@@ -48,4 +126,4 @@ def write_dataset(path: str | os.PathLike[str], header: Header, data: xr.Dataset
         )
         for name, variable in data.data_vars.items()
     ]
-    write_tables(path, header, axes, filled, **ending)
+    return axes, filled

@@ -174,6 +174,18 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         name = str(header["options"].get("mesh", name))
         with open_result(file) as data:
             found.reliefs[take(found.reliefs)] = data.load()
+    elif header["kind"] == "contact" and "meshes" in header["options"]:
+        for mesh in header["options"]["meshes"]:
+            with open_result(file, f"meshes/{mesh}") as data:
+                data.load()
+            note = str(data.attrs.get("sentence", ""))
+            note = note and f"This analysis is not complete: {note}"
+            found.contacts[_free(mesh, own, found.contacts)] = contact_result(data, note)
+        found.remarks += [
+            f"{own}: mesh {mesh} is omitted: {reason}."
+            for mesh, reason in header["options"].get("omitted", {}).items()
+        ]
+        found.sources.append(source_of(name, header, content_hash(model), own))
     elif header["kind"] in ("time", "quasi_static", "contact"):
         whole = header["status"] == "finished"
         note = "" if whole else f"This run is not complete: {header['status']}. {header['sentence']}"

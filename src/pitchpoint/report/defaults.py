@@ -8,6 +8,7 @@ from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.components.flank_contact import default_clamp
 from pitchpoint.model.keys import defaults_of, keys_of
 from pitchpoint.model.remarks.collect import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
@@ -44,9 +45,13 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
         found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
         for name, part in found.items():
             idle = _keys_without_effect(part)
-            if group == "meshes" and follows_flanks(model, name):
+            if getattr(part, "contact", None) is not None and group == "meshes":
+                idle |= {"stiffness", "width", "slices"}
+            elif group == "meshes" and follows_flanks(model, name):
                 idle.discard("slices")  # grids of gaps are evaluated on slices for every width integral
             for key, value in _unset(part):
+                if key == "contact.clamp":
+                    value = default_clamp(model.pairs[name].a_w < 0.0)
                 if key not in idle:
                     if getattr(part, "solid", None) is not None:
                         value = value if value not in FOLLOWS else "of the solid"

@@ -14,7 +14,7 @@ from pitchpoint.analysis.flank_contact.teeth import mesh_teeth
 from pitchpoint.viz.active_flank_drawing import active_flank_svg
 from pitchpoint.viz.contact_table import options_of
 from pitchpoint.viz.quantities import amount, number
-from pitchpoint.viz.report.contact import contact_result, contact_section
+from pitchpoint.viz.report.contact import contact_result, contact_section, overview_section
 from pitchpoint.viz.report.page import Section, page
 
 if TYPE_CHECKING:
@@ -34,14 +34,51 @@ def contact_page(data: xr.Dataset, note: str = "", gears: Mapping[str, Any] | No
         `CylindricalGear` of gear 1 and gear 2 by name, for drawings of their flanks in contact.
     """
     mesh = str(options_of(data)["mesh"])
+    return contacts_page({mesh: data}, note, gears={mesh: gears or {}})
+
+
+def contacts_page(
+    analyses: Mapping[str, xr.Dataset],
+    note: str = "",
+    *,
+    gears: Mapping[str, Mapping[str, Any]],
+    omitted: Mapping[str, str] | None = None,
+) -> str:
+    """Page with contact analyses: with several meshes an overview, and then a section for each.
+
+    Parameters
+    ----------
+    analyses
+        Datasets by mesh.
+    note
+        Sentence on incomplete analyses.
+    gears
+        `CylindricalGear` of gear 1 and gear 2 by name, by mesh.
+    omitted
+        Reason by mesh for those without an analysis.
+    """
+    some = next(iter(analyses.values()))
     facts = (
-        ("version", str(data.attrs.get("pitchpoint_version", data.attrs.get("package_version", "")))),
-        ("model", str(data.attrs.get("model_hash", ""))[:12]),
-        ("mesh", mesh),
+        ("version", str(some.attrs.get("pitchpoint_version", some.attrs.get("package_version", "")))),
+        ("model", str(some.attrs.get("model_hash", ""))[:12]),
+        ("mesh", ", ".join(analyses)),
     )
-    title = str(data.attrs.get("title") or "Gears")
-    section = contact_section({mesh: contact_result(data, note)})
-    sections = [section, flank_section(data, gears or {})]
+    title = str(some.attrs.get("title") or "Gears")
+    found = {mesh: contact_result(data) for mesh, data in analyses.items()}
+    sections = []
+    if len(found) == 1:
+        ((mesh, data),) = analyses.items()
+        found[mesh] = contact_result(data, note)
+        sections = [contact_section(found), flank_section(data, gears[mesh])]
+    else:
+        sections.append(overview_section(found, omitted or {}))
+        for k, (mesh, one) in enumerate(found.items()):
+            section = contact_section({mesh: one})
+            section.anchor, section.heading = f"mesh{k + 1}", mesh
+            drawings = flank_section(one.data, gears[mesh])
+            section.add(f"<h3>{drawings.heading}</h3>" if drawings.parts else "")
+            section.parts += drawings.parts
+            sections.append(section)
     return page(f"{title}: tooth contact", facts, sections, "pitchpoint contact.", [note] if note else [])
 
 

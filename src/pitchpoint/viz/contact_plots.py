@@ -235,6 +235,31 @@ def plot_load_over_width(z: ArrayLike, loads: Mapping[str, ArrayLike], width: Ar
     return figure
 
 
+def plot_relative_loads(meshes: Mapping[str, tuple[ArrayLike, ArrayLike, ArrayLike]]) -> go.Figure:
+    """Plot of line loads over their means, over the relative face width, of several meshes.
+
+    Parameters
+    ----------
+    meshes
+        Middles of the contact planes [m], line loads [N/m] and widths of the planes [m], each of shape
+        (n_plane,), by mesh.
+    """
+    figure = theme.figure("position over the common face width [%]", "line load over its mean", height=340)
+    for k, (name, parts) in enumerate(meshes.items()):
+        middle, load, width = (np.asarray(values, dtype=np.float64) for values in parts)
+        edges = np.append(middle - 0.5 * width, middle[-1] + 0.5 * width[-1])
+        place = 100.0 * (edges - edges[0]) / (edges[-1] - edges[0])
+        figure.add_scatter(
+            x=np.repeat(place, 2)[1:-1],
+            y=np.repeat(load / load.mean(), 2),
+            mode="lines",
+            name=name,
+            line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
+        )
+    figure.update_yaxes(rangemode="tozero")
+    return figure
+
+
 def plot_stiffness(phase: ArrayLike, tangent: ArrayLike, secant: ArrayLike, cycles: int = 2) -> go.Figure:
     """Plot of tangent and secant stiffness over mesh cycles, with their means in the legend.
 

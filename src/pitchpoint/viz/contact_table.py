@@ -58,6 +58,22 @@ COLUMNS = (
 )
 """Main results of a contact analysis, one row per torque; the last three with operating conditions."""
 
+FLANKS = (
+    "d, root side",
+    "d, tip side",
+    "roll angle, root side",
+    "roll angle, tip side",
+    "d_Nf",
+    "d_Na",
+)
+"""Columns of the flanks in contact: ends under load, and those of undeformed gears."""
+ON_SHAFTS = ("torque", "force", "misalignment")
+"""First columns of a table of meshes, means over the positions: torque on gear 1, force along the base
+tangent, misalignment in the plane of action over the face width."""
+
+NEGLIGIBLE = 1e-12
+"""Misalignment below which it is rounding [rad], also over the face width [m]."""
+
 ORDER = {
     "level": "dimensionless",
     "planes": "dimensionless",
@@ -86,6 +102,64 @@ OPERATION = {
 def columns(numbers: Mapping[str, Any]) -> list[Column]:
     """Columns for the results that are there."""
     return [column for column in COLUMNS if column.key in numbers]
+
+
+def flank_cells(flank: Mapping[str, Any]) -> list[str]:
+    """Ends of the flank in contact of one gear, in the order of `FLANKS`.
+
+    Parameters
+    ----------
+    flank
+        Attributes of an `analysis.flank_contact.active_flank.ActiveFlank` [m, rad].
+
+    Examples
+    --------
+    >>> flank = {"diameter": (0.07, 0.08), "roll_angle": (0.2, 0.5), "geometric_diameter": (0.071, 0.08)}
+    >>> flank_cells(flank)
+    ['70 mm', '80 mm', '11.46 deg', '28.65 deg', '71 mm', '80 mm']
+    """
+    kinds = (("diameter", "length", 6), ("roll_angle", "angle", 4), ("geometric_diameter", "length", 6))
+    return [
+        format_quantity(float(end), dimension, digits)
+        for name, dimension, digits in kinds
+        for end in flank[name]
+    ]
+
+
+def gear_names(options: Mapping[str, Any]) -> list[str]:
+    """Names of both gears from the options of an analysis."""
+    return [str(name) for name in options.get("gears", ("gear 1", "gear 2"))]
+
+
+def meshes_table(meshes: Mapping[str, tuple[float, float, float, Mapping[str, Any]]]) -> list[list[str]]:
+    """Table of meshes on their shafts, first the headings; columns without any value are omitted.
+
+    Parameters
+    ----------
+    meshes
+        By mesh: torque [N m], force [N] and misalignment [m] as in `ON_SHAFTS`, and the results of
+        `contact_numbers` for this torque.
+
+    Examples
+    --------
+    >>> meshes_table({"stage": (100.0, 5e3, 1e-5, {"face_load_factor": [1.2], "edge_pressure": [math.nan]})})
+    [['mesh', 'torque', 'force', 'misalignment', 'K_Hβ'], ['stage', '100 N m', '5000 N', '10 µm', '1.2']]
+    """
+    known = dict.fromkeys(c for *_, found in meshes.values() for c in columns(found))
+    kept = [
+        c
+        for c in known
+        if any(math.isfinite(found.get(c.key, [math.nan])[0]) for *_, found in meshes.values())
+    ]
+    rows = [["mesh", *ON_SHAFTS, *(c.heading for c in kept)]]
+    for name, (torque, force, gap, found) in meshes.items():
+        first = (
+            format_quantity(torque, "torque", 5),
+            format_quantity(force, "force", 5),
+            format_quantity(gap if abs(gap) > NEGLIGIBLE else 0.0, "length", 3),
+        )
+        rows.append([name, *first, *(c.text(float(found.get(c.key, [math.nan])[0])) for c in kept)])
+    return rows
 
 
 def operation_words(options: Mapping[str, Any]) -> list[str]:

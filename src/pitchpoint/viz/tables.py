@@ -147,11 +147,11 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     )
 
 
-def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True) -> str:
-    """HTML table from complete rows; numbers are right-aligned from the third column."""
+def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True, words: int = 2) -> str:
+    """HTML table from complete rows; numbers are right-aligned after the first columns with words."""
     cells = "".join(
-        f'<th scope="col"{" class=num" if numbers and k > 1 else ""}>{escape(words)}</th>'
-        for k, words in enumerate(head)
+        f'<th scope="col"{" class=num" if numbers and k >= words else ""}>{escape(text)}</th>'
+        for k, text in enumerate(head)
     )
     rows = "".join(body)
     return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{rows}</tbody></table></div>'

@@ -79,6 +79,12 @@ def test_default_torque_is_that_of_the_loads_on_gear_1(
     assert front["curves"]["transmission_error"] == pytest.approx(
         np.array(found["curves"]["transmission_error"]), rel=1e-9
     )
+    # a load on the other gear acts through the ratio
+    balanced = MODEL.replace("-100 N m", "balance").replace(
+        "body: a, torque: -202 N m", "body: b, torque: -453 N m"
+    )
+    model = load_model(written(tmp_path, balanced, "c.yaml"))
+    assert torque_of_loads(model, "stage") == pytest.approx(-302.0, rel=1e-12)
     formula = MODEL.replace("-202 N m", "10*t").replace("-100 N m", "balance")
     model = load_model(written(tmp_path, formula.replace("  more: {body: a, torque: 10*t}\n", ""), "b.yaml"))
     with pytest.raises(click.UsageError, match="no constant torque"):
@@ -261,7 +267,8 @@ def test_a_mesh_with_a_stiffness_law(tmp_path: Path, capsys: pytest.CaptureFixtu
 def test_a_model_without_torque(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = MODEL[: MODEL.index("loads:")]
     assert run_command(["contact", written(tmp_path, text)]) == 2
-    assert "gear 1 of stage (g1) has no constant torque in loads:; give --torque" in capsys.readouterr().err
+    words = "the torque on gear 1 of stage (g1): the loads have no constant torque; give --torque"
+    assert words in capsys.readouterr().err
 
 
 def test_misalignment_as_length_and_as_angle(file: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -80,7 +80,7 @@ def test_unknown_scenario(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
 def test_warmup_lists_every_kind_and_method(tmp_path: Path) -> None:
     names = [name for name, _ in warmup.jobs(tmp_path)]
     assert {f"element {kind}" for kind in registry.names()} <= set(names)
-    assert {"generalized_alpha", "rk4", "runge_kutta", "driven", "sweep", "modes"} <= set(names)
+    assert {"generalized_alpha", "rk4", "runge_kutta", "driven", "sweep", "modes", "contact"} <= set(names)
 
 
 def test_warmup_runs_its_jobs(

@@ -126,7 +126,7 @@ def nominal_share(teeth: MeshTeeth, position: ArrayLike) -> Array:
 
 
 def pair_shares(data: xr.Dataset) -> Array:
-    """Load share of each tooth pair [-], shape (n_torque, n_phase, n_pair).
+    """Load share of each tooth pair [-], shape (n_torque, n_phase, n_pair); 0 at phases without load.
 
     Parameters
     ----------
@@ -136,11 +136,13 @@ def pair_shares(data: xr.Dataset) -> Array:
     Examples
     --------
     >>> import xarray as xr
-    >>> pair_shares(xr.Dataset({"plane_force": (OVER, [[[[1.0, 2.0], [0.0, 1.0]]]])})).tolist()
-    [[[0.75, 0.25]]]
+    >>> forces = [[[[1.0, 2.0], [0.0, 1.0]], [[0.0, 0.0], [0.0, 0.0]]]]
+    >>> pair_shares(xr.Dataset({"plane_force": (OVER, forces)})).tolist()
+    [[[0.75, 0.25], [0.0, 0.0]]]
     """
     forces = plane_forces(data).sum(axis=3)
-    return np.asarray(forces / forces.sum(axis=2, keepdims=True))
+    total = forces.sum(axis=2, keepdims=True)
+    return np.divide(forces, total, out=np.zeros_like(forces), where=total > 0.0)
 
 
 def transverse_load_factor(share: ArrayLike, phase: ArrayLike, teeth: MeshTeeth) -> Array:

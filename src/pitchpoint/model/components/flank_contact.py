@@ -72,6 +72,11 @@ OVERLAPS = {"small": 0.005, "normal": 0.01, "high": 0.02}
 """Contact overlap: additional compliance of a contact plane over the compliance of a tooth pair."""
 
 
+def default_clamp(internal: bool) -> str:
+    """Default clamp of the teeth of a pair, with or without an internal gear."""
+    return "30 deg, internal gear 60 deg" if internal else "30 deg"
+
+
 @dataclass(frozen=True, kw_only=True)
 class FlexibleContact(FlankContact):
     """Flexible teeth and bodies: the contact problem of all planes and pairs is solved in each evaluation."""

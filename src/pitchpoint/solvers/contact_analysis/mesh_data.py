@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pitchpoint.model.components.flank_contact import default_clamp
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 
 MARKS = ("A", "B", "C", "D", "E")
@@ -77,7 +78,7 @@ def contact_options(flanks: FlankStates) -> dict[str, str | int | float]:
     for name, key in keys_of(type(contact)).items():
         value = getattr(contact, name)
         if value is None and key.kind == "quantity":
-            value = key.display
+            value = default_clamp(flanks.distance < 0.0) if name == "clamp" else key.display
         if isinstance(value, str | int | float) and value != "":
             found[name] = value
     return found

@@ -1,27 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact analysis of a mesh in its machine: axes as shafts, bearings and housing hold them under load.
+"""Contact analysis of meshes in their machine: axes as shafts, bearings and housing hold them under load.
 
-A slow roll gives the equilibrium of the whole machine at each position of the mesh. The contact of its flanks
-follows from the approach, centre distance and misalignment there; its force is that of the roll.
+A slow roll gives the equilibrium of the whole machine at each position of a mesh over one base pitch. The
+contact of its flanks follows from the approach, centre distance and misalignment there; its force is that of
+the roll. Meshes of the same mesh frequency share a roll.
 """
 
 from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, note
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT, OK, sentence
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.force_directions import flank_tilt
 from pitchpoint.elements.mesh.line_of_action import flank_phase
+from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.mesh_choice import chosen_meshes, rolled_together, unsuitable
 from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
 from pitchpoint.solvers.contact_analysis.solve import contact_attributes, contact_dataset, mesh_of
 from pitchpoint.solvers.quasistatic.roll import roll_through
@@ -32,10 +36,14 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
-    from pitchpoint.model.scenario import Scenario
     from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
+
+IDLE = "it carries no load; load the bodies on both sides of the mesh"
+"""Reason of a mesh without load."""
+BOTH = 1e-6
+"""Share of the force above which the other flank has it."""
 
 
 @dataclass(frozen=True)
@@ -70,6 +78,25 @@ def position_of(record: np.void, force: float, flank: int) -> Position:
     x_0 = flank * float(now["u"] - now["e_t"]) - 0.5 * float(now["gap"])
     kappa = 0.0 if record["fixed"] else tilt
     return Position(phase, x_0, kappa, float(now["a"]), float(now["dz"]), force)
+
+
+@dataclass(frozen=True)
+class ContactsOnShafts:
+    """Contact analyses of the meshes of a machine in equilibrium.
+
+    Attributes
+    ----------
+    meshes
+        Dataset of each mesh, as of `solve_contact_on_shafts`.
+    omitted
+        Reason by mesh for those that were not analysed.
+    failed
+        Sentence by mesh for those whose analysis failed; `meshes` has their positions before, if any.
+    """
+
+    meshes: dict[str, xr.Dataset] = field(default_factory=dict)
+    omitted: dict[str, str] = field(default_factory=dict)
+    failed: dict[str, str] = field(default_factory=dict)
 
 
 def solve_contact_on_shafts(
@@ -110,50 +137,159 @@ def solve_contact_on_shafts(
         If the machine has no equilibrium, or the mesh carries no load; with the partial result.
     """
     name = mesh_of(model, mesh)
+    try:
+        found = solve_contacts_on_shafts(
+            model,
+            [name],
+            scenario=scenario,
+            positions=positions,
+            root_stress=root_stress,
+            progress=progress,
+        )
+    except SolverError as error:
+        partial = error.partial.meshes.get(name) if isinstance(error.partial, ContactsOnShafts) else None
+        raise SolverError(str(error), error.status, partial) from error
+    return found.meshes[name]
+
+
+def solve_contacts_on_shafts(
+    model: Model,
+    meshes: Sequence[str] | None = None,
+    *,
+    scenario: Scenario | str | None = None,
+    positions: int = 64,
+    root_stress: str | None = None,
+    progress: Progress = silent,
+) -> ContactsOnShafts:
+    """Contact analyses of the meshes of a gearbox, all in equilibrium with its shafts, bearings and loads.
+
+    Parameters
+    ----------
+    model
+        The model; gears in mesh are on bodies.
+    meshes
+        Names of the meshes; default: all with `contact`. Planets on a carrier are included.
+    scenario, positions, root_stress
+        As for `solve_contact_on_shafts`; each mesh is analysed over one base pitch of its own.
+    progress
+        Called after each position of a roll.
+
+    Returns
+    -------
+    ContactsOnShafts
+        Datasets by mesh. Without `meshes`, those with a stiffness law or without load are omitted.
+
+    Raises
+    ------
+    SolverError
+        If the analysis of a mesh fails; the partial result has the other meshes.
+    """
     check_method(root_stress)
+    names = chosen_meshes(model, meshes)
+    system = compile_model(model, scenario)
+    groups = rolled_together(system, names)
+    found = ContactsOnShafts(omitted={} if meshes is not None else unsuitable(model))
+    statuses: dict[str, int] = {}
+    for k, (rolled, group) in enumerate(groups.items()):
+
+        def report(done: float, total: float, note: str = "", before: int = k) -> None:
+            """Progress over all rolls."""
+            progress(before * total + done, len(groups) * total, note)
+
+        statuses |= _analyse_together(system, rolled, group, (positions, root_stress), found, report)
+        if INTERRUPTED in statuses.values():
+            break
+    found = replace(found, meshes={name: found.meshes[name] for name in names if name in found.meshes})
+    idle = [name for name, reason in found.failed.items() if reason == IDLE]
+    if meshes is None and len(idle) < len(names):
+        for name in idle:
+            found.omitted[name] = found.failed.pop(name)
+    if found.failed:
+        left = {statuses[name] for name in found.failed}
+        raise SolverError(_sentence(found.failed), INTERRUPTED if INTERRUPTED in left else max(left), found)
+    return found
+
+
+def _sentence(failed: dict[str, str]) -> str:
+    """Failures by mesh in one sentence; meshes with the same reason are listed together."""
+    reasons: dict[str, list[str]] = {}
+    for name, reason in failed.items():
+        reasons.setdefault(reason, []).append(name)
+    return "; ".join(f"mesh {' and '.join(names)}: {reason}" for reason, names in reasons.items())
+
+
+def _analyse_together(
+    system: System,
+    rolled: str,
+    group: Sequence[str],
+    how: tuple[int, str | None],
+    found: ContactsOnShafts,
+    progress: Progress,
+) -> dict[str, int]:
+    """Roll one mesh and analyse a group of the same mesh frequency; returns the status of those that fail.
+
+    `how`: positions, and method of the root stress.
+    """
+    positions, root_stress = how
     began = time.perf_counter()
-    chosen = model.scenarios[scenario] if isinstance(scenario, str) else scenario
-    system = compile_model(model, chosen)
-    if name not in mesh_names(system):
-        raise SolverError(f"mesh {name}: its gears are not on bodies; give a torque instead", INCONSISTENT)
-    found: list[tuple[np.void, float]] = []
+    seen: dict[str, list[tuple[np.void, float]]] = {name: [] for name in group}
 
     def look(own: System, row: Array) -> None:
-        """Keep the mesh at a position of the roll."""
-        force = float(row[own.layout.channel(f"mesh_force[{name}]")])
-        found.append((mesh_record(own, mesh_names(own).index(name)).copy(), force))
+        """Keep the meshes at a position of the roll."""
+        names = mesh_names(own)
+        for name, kept in seen.items():
+            force = float(row[own.layout.channel(f"mesh_force[{name}]")])
+            kept.append((mesh_record(own, names.index(name)).copy(), force))
 
-    roll = roll_through(system, chosen, positions, 1, mesh=name, others=False, progress=progress, look=look)
-    found = found[:positions]  # the last position repeats the first
-    if roll.status != OK and not found:
-        raise SolverError(roll.sentence, roll.status)
-    mean = float(np.mean([force for _, force in found]))
+    # points and periods are those of the analysis, not of a slow roll in the scenario
+    what = replace(system.scenario or Scenario(), quasi_static=None)
+    notes: Sequence[str] = ()
+    try:
+        roll = roll_through(
+            system, what, positions, 1, mesh=rolled, others=False, progress=progress, look=look
+        )
+        status, text, notes = roll.status, roll.sentence, roll.notes
+    except SolverError as error:
+        status, text = error.status, str(error)
+    model, ended = system.model, dict[str, int]()
+    assert model is not None
+    for name, kept in seen.items():
+        if status != OK:
+            ended[name], found.failed[name] = status, text
+        if not kept:
+            continue
+        try:
+            # the last position repeats the first
+            flanks, data = _analysed(model, name, kept[:positions])
+            data = with_root_stress(data, flanks, root_stress)
+        except SolverError as error:
+            ended[name], found.failed[name] = error.status, str(error)
+            continue
+        options = {"positions": positions, "flank": flanks.flank, "shafts": "in equilibrium"}
+        data.attrs |= contact_attributes(flanks, status, time.perf_counter() - began, **options)
+        data.attrs["notes"] = "; ".join([*notes, *filter(None, [data.attrs["notes"]])])
+        found.meshes[name] = data
+    return ended
+
+
+def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tuple[FlankStates, xr.Dataset]:
+    """Contact states of a mesh at the positions of a roll: records and forces along the base tangent [N]."""
+    mean = float(np.mean([force for _, force in seen]))
     if mean == 0.0:
-        raise SolverError(f"mesh {name} carries no load", INCONSISTENT)
+        raise SolverError(IDLE, INCONSISTENT)
     flank = 1 if mean > 0.0 else -1
-    places = [position_of(record, abs(force), flank) for record, force in found]
-    flanks = FlankStates(model, name, flank)
-    data = with_root_stress(_analysed(flanks, places), flanks, root_stress)
-    options = {"positions": positions, "flank": flank, "shafts": "in equilibrium"}
-    data.attrs |= contact_attributes(flanks, roll.status, time.perf_counter() - began, **options)
-    data.attrs["notes"] = "; ".join([*roll.notes, *filter(None, [data.attrs["notes"]])])
-    if roll.status != OK:
-        raise SolverError(roll.sentence, roll.status, data)
-    return data
-
-
-def _analysed(flanks: FlankStates, places: list[Position]) -> xr.Dataset:
-    """Contact states at the positions of a roll."""
+    places = [position_of(record, max(flank * force, 0.0), flank) for record, force in seen]
+    flanks = FlankStates(model, mesh, flank)
     phase = np.array([p.phase for p in places])
     order = np.argsort((phase - phase.min()) % 1.0, kind="stable")
     states = flanks.states(phase[order] - math.floor(phase.min()))
-    for field in ("x_0", "kappa", "distance", "dz"):
-        states[field] = np.array([getattr(p, field) for p in places])[order]
+    for name in ("x_0", "kappa", "distance", "dz"):
+        states[name] = np.array([getattr(p, name) for p in places])[order]
     nodes = flanks.solve(states, keep_nodes=True)
     assert nodes is not None
     status = int(states["status"].max())
     if status != OK:
-        raise SolverError(f"mesh {flanks.mesh}: {sentence(status)}", status)
+        raise SolverError(sentence(status), status)
     force = np.array([p.force for p in places])[order]
     torque = float(np.mean(force)) * float(flanks.record["r_b1"])
     data = contact_dataset(flanks, np.array([torque]), states["pairs"] + states["psi"], [(states, nodes)])
@@ -168,5 +304,14 @@ def _analysed(flanks: FlankStates, places: list[Position]) -> xr.Dataset:
         np.abs(states["distance"]),
         {"units": "m", "long_name": "centre distance under load"},
     )
-    data.attrs["force_of_roll"] = float(np.abs(states["force"] / force - 1.0).max())
-    return data
+    apart = np.abs(states["force"] - force)
+    data.attrs["force_of_roll"] = float(apart.max() / force.mean())
+    wedged = int(np.sum(apart > BOTH * states["force"].max()))
+    if wedged:
+        side = "front" if flank > 0 else "back"
+        text = (
+            f"mesh {mesh}: front and back flanks touch at {wedged} of {len(places)} positions; loads and "
+            f"pressures are those of the {side} flanks, the torque is that of both; give the mesh backlash"
+        )
+        data.attrs["notes"] = "; ".join(filter(None, [note(text), data.attrs["notes"]]))
+    return flanks, data

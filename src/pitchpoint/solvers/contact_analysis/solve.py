@@ -162,7 +162,7 @@ def contact_attributes(flanks: FlankStates, status: int, wall_s: float, **option
     found = provenance(
         model_hash=content_hash(flanks.model),
         solver="contact",
-        options={"mesh": flanks.mesh, **options},
+        options={"mesh": flanks.mesh, "gears": list(flanks.model.meshes[flanks.mesh].gears), **options},
         status=status,
         wall_s=wall_s,
     )

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.analysis.flank_contact.active_flank import active_flanks
 from pitchpoint.analysis.flank_contact.contact_pattern import (
     ContactPattern,
     contact_pattern,
@@ -20,7 +21,17 @@ from pitchpoint.analysis.flank_contact.load_factors import load_over_width
 from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.analysis.flank_contact.root_stress import root_stress_of_tooth, root_stress_over_width
 from pitchpoint.viz import contact_plots as plots
-from pitchpoint.viz.contact_table import columns, contact_words, operation_words, options_of
+from pitchpoint.viz.contact_table import (
+    FLANKS,
+    NEGLIGIBLE,
+    columns,
+    contact_words,
+    flank_cells,
+    gear_names,
+    meshes_table,
+    operation_words,
+    options_of,
+)
 from pitchpoint.viz.mesh_cycle_plot import plot_transmission_error
 from pitchpoint.viz.quantities import Array, amount, number
 from pitchpoint.viz.report.page import Section
@@ -32,6 +43,8 @@ if TYPE_CHECKING:
 
 MAX_CURVES = 5
 """Maximum number of torques in a plot with one curve each."""
+DETAILS = ("mean_transmission_error", "mean_secant_stiffness", "mean_mesh_stiffness")
+"""Results that a table of several meshes has no room for."""
 OIL = (
     ("film_thickness", "thickness of the oil film", "m", -1.0),
     ("flash_temperature", "flash temperature", "K", 1.0),
@@ -67,6 +80,8 @@ def contact_result(data: xr.Dataset, note: str = "") -> ContactData:
 def contact_section(analyses: Mapping[str, ContactData]) -> Section:
     """Section with contact analyses by name."""
     section = Section("contact", "Tooth contact")
+    rolled = {name: one for name, one in analyses.items() if _on_shafts(one)}
+    section.add(_meshes(rolled) if len(rolled) > 1 else "")
     for name, analysis in analyses.items():
         section.add(f"<h3>{escape(name)}</h3>" if len(analyses) > 1 else "")
         section.add(f"<p>{escape(analysis.note)}</p>" if analysis.note else "")
@@ -75,11 +90,58 @@ def contact_section(analyses: Mapping[str, ContactData]) -> Section:
     return section
 
 
+def overview_section(analyses: Mapping[str, ContactData], omitted: Mapping[str, str]) -> Section:
+    """Section with a table of the meshes of a machine in equilibrium, and their loads over the face width."""
+    section = Section("meshes", "All meshes")
+    section.add(_meshes(analyses))
+    for mesh, reason in omitted.items():
+        section.add(f"<p>{escape(f'Mesh {mesh} is omitted: {reason}.')}</p>")
+    figure = plots.plot_relative_loads(
+        {
+            name: (one.data["plane"].values, load_over_width(one.data)[0], one.data["plane_width"].values)
+            for name, one in analyses.items()
+        }
+    )
+    section.add_figure(
+        figure,
+        "Line load over its mean along the common face width of each mesh, from its end at −z to that at +z; "
+        "sum of all tooth pairs, mean over the mesh cycle.",
+    )
+    return section
+
+
+def _on_shafts(analysis: ContactData) -> bool:
+    return "misalignment" in analysis.data and analysis.data.sizes.get("torque", 0) > 0
+
+
+def _meshes(analyses: Mapping[str, ContactData]) -> str:
+    """Table with one row per mesh on its shafts; empty without any."""
+    head, *rows = meshes_table(
+        {
+            name: (
+                float(one.data["torque"][0]),
+                float(one.data["mesh_force"].mean()),
+                float(one.data["misalignment"].mean() * one.data["plane_width"].sum()),
+                {key: values for key, values in one.numbers.items() if key not in DETAILS},
+            )
+            for name, one in analyses.items()
+        }
+    )
+    return plain_table(head, [_row(*row) for row in rows], words=1) if rows else ""
+
+
+def _row(name: str, *cells: str) -> str:
+    """Row of a table of numbers."""
+    numbers = "".join(f'<td class="num">{cell.replace("-", "−")}</td>' for cell in cells)
+    return f'<tr><th scope="row">{escape(name)}</th>{numbers}</tr>'
+
+
 def _add_analysis(section: Section, data: xr.Dataset, found: Mapping[str, Array]) -> None:
     torques = np.asarray(data["torque"].values, dtype=np.float64)
     section.add(f"<p>{escape(_about(data))}</p>")
     section.add(_table(torques, found))
     most = int(np.argmax(torques))
+    section.add(_flanks(data, most))
     pattern = contact_pattern(data, most)
     at = amount(float(torques[most]), "N m")
     section.add_figure(
@@ -226,17 +288,26 @@ def _about(data: xr.Dataset) -> str:
     angle = float(data["misalignment"].mean() if "misalignment" in data else options.get("misalignment", 0.0))
     side += ", shafts in equilibrium" if options.get("shafts") else ""
     more = "".join(f", {words}" for words in operation_words(options))
-    tilted = (f", misalignment {amount(angle, 'rad')}" if angle else "") + more
+    tilted = (f", misalignment {amount(angle, 'rad')}" if abs(angle) > NEGLIGIBLE else "") + more
     return (
         f"Mesh {options['mesh']}, {side}: {contact_words(options)}; "
         f"{data.sizes['mesh_phase_position']} mesh phases{tilted}."
     )
 
 
+def _flanks(data: xr.Dataset, torque: int) -> str:
+    """Table with the ends of the flanks in contact of both gears at one torque."""
+    body = []
+    for name, flank in zip(gear_names(options_of(data)), active_flanks(data, torque) or (), strict=False):
+        body.append(_row(name, *flank_cells(vars(flank))))
+    at = amount(float(data["torque"].values[torque]), "N m")
+    table = plain_table(("flank in contact", *FLANKS), body, words=1) if body else ""
+    return table and f"<p>Flanks in contact at {at}, over all mesh phases and contact planes:</p>{table}"
+
+
 def _table(torques: Array, found: Mapping[str, Array]) -> str:
     """Table with one row per torque."""
     body, chosen = [], columns(found)
     for k, torque in enumerate(torques):
-        cells = "".join(f'<td class="num">{c.text(float(found[c.key][k]))}</td>' for c in chosen)
-        body.append(f'<tr><th scope="row">{amount(float(torque), "N m")}</th>{cells}</tr>')
-    return plain_table(("torque", *(c.heading for c in chosen)), body)
+        body.append(_row(amount(float(torque), "N m"), *(c.text(float(found[c.key][k])) for c in chosen)))
+    return plain_table(("torque", *(c.heading for c in chosen)), body, words=1)
