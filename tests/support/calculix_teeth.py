@@ -48,7 +48,7 @@ class LoadedGear:
         at = ((1e-3 * self.radius / form.r_b) ** 2 - 1.0 - low) / (high - low)
         flank = np.append(at * even(self.rows)[:-1], at + (1.0 - at) * even(self.rows)) if at < 1.0 - 1e-9 else even(self.rows)
         fine = Fineness(flank=flank, half=graded(self.columns, 1.5), fillet=self.fillet, land=2)
-        layers = graded(self.layers, 3.0 ** (2.0 / self.layers))
+        layers = graded(self.layers, 40.0 ** (1.0 / self.layers))
         beside = Fineness(flank=even(2), half=even(1), fillet=2)
         quads, flanks = gear_quads(form, self.bore, layers, {0: fine, 1: beside, form.z - 1: beside})
         return quads, flanks[0]

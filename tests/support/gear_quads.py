@@ -64,7 +64,7 @@ class Fineness:
     edge: int = 2
 
 
-COARSE = Fineness(flank=even(1), half=even(1), fillet=1, edge=1)
+COARSE = Fineness(flank=even(2), half=even(2), edge=1)
 
 
 @dataclass
