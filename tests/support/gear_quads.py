@@ -159,3 +159,33 @@ def gear_quads(
     used, quad = np.unique(same[quad], return_inverse=True)
     flanks = {k: np.searchsorted(used, same[nodes]) for k, nodes in flanks.items()}
     return Quads(every[used], quad.reshape(-1, 8)), flanks
+
+
+def bricks(section: Quads, z: np.ndarray) -> tuple[np.ndarray, Ints, Ints]:
+    """Section times width: nodes [mm], bricks with 20 nodes, and the nodes of each section, -1 for none.
+
+    Parameters
+    ----------
+    section
+        Section.
+    z
+        Borders of the layers over the width [mm], shape (k + 1,).
+
+    Returns
+    -------
+    nodes : ndarray, shape (n, 3)
+    bricks : ndarray, shape (m, 20)
+    numbers : ndarray, shape (2 k + 1, nodes of the section)
+        Borders and middles of the layers; the latter have nodes at corners of quadrilaterals only.
+    """
+    at = with_middles(z)
+    corner = np.isin(np.arange(section.points.size), section.quads[:, :4])
+    held = np.where((np.arange(at.size) % 2 == 1)[:, None], corner, True)
+    numbers = np.where(held, np.cumsum(held).reshape(held.shape) - 1, -1)
+    layer, place = np.nonzero(held)
+    points = section.points[place]
+    nodes = np.column_stack([points.real, points.imag, at[layer]])
+    below, middle, above = (numbers[k : at.size - 2 + k : 2] for k in range(3))
+    q = section.quads
+    parts = [below[:, q[:, :4]], above[:, q[:, :4]], below[:, q[:, 4:]], above[:, q[:, 4:]], middle[:, q[:, :4]]]
+    return nodes, np.concatenate(parts, axis=2).reshape(-1, 20), numbers
