@@ -68,7 +68,12 @@ class Deck:
 
 def material(E: float, nu: float) -> list[str]:
     """Isotropic material [MPa] of all elements."""
-    return ["*MATERIAL, NAME=steel", "*ELASTIC", f"{E!r}, {nu!r}", "*SOLID SECTION, ELSET=Eall, MATERIAL=steel"]
+    return [
+        "*MATERIAL, NAME=steel",
+        "*ELASTIC",
+        f"{E!r}, {nu!r}",
+        "*SOLID SECTION, ELSET=Eall, MATERIAL=steel",
+    ]
 
 
 def fields(path: Path, count: int) -> dict[str, list[np.ndarray]]:

@@ -14,7 +14,7 @@ from scipy.interpolate import CubicSpline
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.tooth_form import tooth_form
 from tests.support.calculix import Deck, material
-from tests.support.gear_quads import Fineness, Quads, bricks, even, gear_quads, graded
+from tests.support.gear_quads import COARSE, Fineness, Quads, bricks, even, gear_quads, graded
 
 E, NU = 206.0e3, 0.3
 
@@ -39,18 +39,23 @@ class LoadedGear:
     fillet: int = 6
     columns: int = 4
     layers: int = 9
+    others: Fineness = COARSE
 
     @cached_property
-    def section(self) -> tuple[Quads, dict[int, np.ndarray]]:
-        """Section, and the nodes of left flanks of tooth 0 and its neighbours from the root to the tip."""
+    def section(self) -> Quads:
+        """Section with fine teeth 0 and beside it."""
         form = tooth_form(self.gear)
         low, high = ((r / form.r_b) ** 2 - 1.0 for r in (form.r_Ff, form.r_Fa))
         at = ((1e-3 * self.radius / form.r_b) ** 2 - 1.0 - low) / (high - low)
-        flank = np.append(at * even(self.rows)[:-1], at + (1.0 - at) * even(self.rows)) if at < 1.0 - 1e-9 else even(self.rows)
+        flank = (
+            np.append(at * even(self.rows)[:-1], at + (1.0 - at) * even(self.rows))
+            if at < 1.0 - 1e-9
+            else even(self.rows)
+        )
         fine = Fineness(flank=flank, half=graded(self.columns, 1.5), fillet=self.fillet, land=2)
         layers = graded(self.layers, 40.0 ** (1.0 / self.layers))
         beside = Fineness(flank=even(2), half=even(1), fillet=2)
-        return gear_quads(form, self.bore, layers, {0: fine, 1: beside, form.z - 1: beside})
+        return gear_quads(form, self.bore, layers, {0: fine, 1: beside, form.z - 1: beside}, self.others)
 
     @property
     def bore(self) -> float:
@@ -60,8 +65,8 @@ class LoadedGear:
     @cached_property
     def place(self) -> tuple[int, complex, float]:
         """Node of the force, its direction into the tooth, and where its line meets the centre line [mm]."""
-        quads, flanks = self.section
-        flank = flanks[0]
+        quads = self.section
+        flank = quads.flanks[0]
         node = int(flank[np.argmin(np.abs(np.abs(quads.points[flank]) - self.radius))])
         point = complex(quads.points[node])
         assert abs(abs(point) - self.radius) < 1e-9
@@ -70,19 +75,25 @@ class LoadedGear:
 
     def plane_strain(self, folder: Path, kind: str = "CPE8") -> tuple[np.ndarray, np.ndarray]:
         """Displacements u + iv [mm] and stresses (xx, yy, zz, xy, yz, zx) [MPa] by 1 N/mm."""
-        quads, _ = self.section
+        quads = self.section
         deck = Deck(np.column_stack([quads.points.real, quads.points.imag]), quads.quads, kind)
         deck.node_set("bore", np.flatnonzero(np.abs(quads.points) < self.bore * (1.0 + 1e-9)))
         node, direction, _ = self.place
         deck.lines += [*material(E, NU), "*BOUNDARY", "bore, 1, 2", "*STEP", "*STATIC", "*CLOAD"]
-        deck.lines += [f"{node + 1}, {k + 1}, {x:.11e}" for k, x in enumerate((direction.real, direction.imag))]
+        deck.lines += [
+            f"{node + 1}, {k + 1}, {x:.11e}" for k, x in enumerate((direction.real, direction.imag))
+        ]
         deck.lines += ["*NODE FILE, OUTPUT=2D", "U", "*EL FILE, OUTPUT=2D", "S", "*END STEP"]
         found = deck.run(folder)
         u, stress = found["DISP"][-1], found["STRESS"][-1]
         return u[:, 0] + 1j * u[:, 1], stress
 
     def solid(
-        self, folder: Path, z: np.ndarray, loads: list[Callable[[np.ndarray], np.ndarray]], kind: str = "C3D20R"
+        self,
+        folder: Path,
+        z: np.ndarray,
+        loads: list[Callable[[np.ndarray], np.ndarray]],
+        kind: str = "C3D20R",
     ) -> tuple[np.ndarray, np.ndarray]:
         """Displacements and stresses of a gear of finite width by line loads.
 
@@ -104,7 +115,7 @@ class LoadedGear:
         stress : ndarray, shape (case, k + 1, nodes of the section, 6)
             xx, yy, zz, xy, yz, zx [MPa].
         """
-        section, _ = self.section
+        section = self.section
         nodes, elements, numbers = bricks(section, z)
         deck = Deck(nodes, elements, kind)
         deck.node_set("bore", np.flatnonzero(np.hypot(nodes[:, 0], nodes[:, 1]) < self.bore * (1.0 + 1e-9)))
@@ -129,7 +140,7 @@ class LoadedGear:
 
     def at_centre(self, u: np.ndarray) -> float:
         """Displacement of the centre line where the line of force meets it, along this line [mm]."""
-        quads, _ = self.section
+        quads = self.section
         _, direction, x = self.place
         axis = np.flatnonzero((np.abs(quads.points.imag) < 1e-9) & (quads.points.real > 0.0))
         axis = axis[np.argsort(quads.points[axis].real)]
@@ -138,11 +149,11 @@ class LoadedGear:
 
     def of_neighbour(self, u: np.ndarray, radius: float) -> float:
         """Displacement of the left flank of the tooth clockwise of the loaded one along its base tangent [mm]."""
-        quads, flanks = self.section
-        points = quads.points[flanks[self.gear.z - 1]]
+        quads = self.section
+        points = quads.points[quads.flanks[self.gear.z - 1]]
         form = tooth_form(self.gear)
         high = np.abs(points) > 1e3 * form.r_Ff
-        moved = (u[flanks[self.gear.z - 1]][high] * self._inward(points[high]).conj()).real
+        moved = (u[quads.flanks[self.gear.z - 1]][high] * self._inward(points[high]).conj()).real
         return float(CubicSpline(np.abs(points[high]), moved)(radius))
 
     def _inward(self, points: np.ndarray) -> np.ndarray:
@@ -155,13 +166,15 @@ class LoadedGear:
 
         The stress is the larger principal one in the section; the surface has no traction.
         """
-        quads, flanks = self.section
-        flank = flanks[0]
+        quads = self.section
+        flank = quads.flanks[0]
         points = quads.points[flank]
         length = np.append(0.0, np.cumsum(np.abs(np.diff(points))))
         mean, half = 0.5 * (stress[flank, 0] + stress[flank, 1]), 0.5 * (stress[flank, 0] - stress[flank, 1])
         largest = mean + np.copysign(np.hypot(half, stress[flank, 3]), mean)
         form = tooth_form(self.gear)
-        at = np.linspace(*np.interp(1e3 * np.array([form.r_f + 1e-9, form.r_Ff]), np.abs(points), length), 2001)
+        at = np.linspace(
+            *np.interp(1e3 * np.array([form.r_f + 1e-9, form.r_Ff]), np.abs(points), length), 2001
+        )
         slope = CubicSpline(length, points)(at, 1)
         return np.arctan2(-slope.imag, slope.real), CubicSpline(length, largest)(at)

@@ -65,14 +65,29 @@ class Fineness:
 
 
 COARSE = Fineness(flank=even(2), half=even(2), edge=1)
+COARSEST = Fineness(flank=even(1), half=even(1), fillet=1, edge=1)
 
 
 @dataclass
 class Quads:
-    """Section: nodes x + iy [mm], and quadrilaterals (m, 8)."""
+    """Section of a gear.
+
+    Parameters
+    ----------
+    points
+        Nodes x + iy [mm], shape (n,).
+    quads
+        Elements, shape (m, 8).
+    flanks
+        Nodes of the left flank of each fine tooth, from the middle of the root to the tip.
+    faces
+        Elements of these flanks above the middle of the fillet; their third sides are the flank.
+    """
 
     points: Points
     quads: Ints
+    flanks: dict[int, Ints]
+    faces: dict[int, Ints]
 
 
 class Pitch:
@@ -123,9 +138,9 @@ class Pitch:
 
 
 def gear_quads(
-    form: ToothForm, bore: float, layers: np.ndarray, fine: dict[int, Fineness]
-) -> tuple[Quads, dict[int, Ints]]:
-    """Section of a whole gear, and the nodes of the left flank of each fine tooth, from the middle of the root.
+    form: ToothForm, bore: float, layers: np.ndarray, fine: dict[int, Fineness], others: Fineness = COARSE
+) -> Quads:
+    """Section of a whole gear.
 
     Parameters
     ----------
@@ -136,29 +151,31 @@ def gear_quads(
     layers
         Borders of the layers of the body, from the root (0) to the bore (1).
     fine
-        Fineness of teeth by their numbers, counter-clockwise from the x axis; all others are `COARSE`.
+        Fineness of teeth by their numbers, counter-clockwise from the x axis.
+    others
+        Fineness of all other teeth.
     """
-    points, quads, flanks, count = [], [], {}, 0
+    points, quads, flanks, faces, count = [], [], {}, {}, 0
     for k in range(form.z):
-        pitch = Pitch(form, bore, layers, fine.get(k, COARSE))
-        turn = np.exp(2j * math.pi * k / form.z)
+        pitch = Pitch(form, bore, layers, fine.get(k, others))
         for patch in (pitch.body, pitch.tooth):
             number = count + np.arange(patch.size).reshape(patch.shape)
-            corner = tuple(number[a : number.shape[0] - 2 + a : 2, b : number.shape[1] - 2 + b : 2] for a, b in _RING)
-            quads.append(np.stack([c.ravel() for c in corner], axis=1))
-            points.append((patch * turn).ravel())
+            last = np.subtract(patch.shape, 2)
+            sides = [number[a : last[0] + a : 2, b : last[1] + b : 2] for a, b in _RING]
+            quads.append(np.stack([side.ravel() for side in sides], axis=1))
+            points.append((patch * np.exp(2j * math.pi * k / form.z)).ravel())
             count += patch.size
-            if k in fine and patch is pitch.body:
-                root = number[: -pitch.n_foot - 1 : -1, -1]
         if k in fine:
+            root = count - pitch.tooth.size - np.arange(pitch.n_foot) * pitch.body.shape[1] - 1
             flanks[k] = np.append(root, number[-1, 1:])
+            faces[k] = sum(map(len, quads)) - np.arange(sides[0].shape[1])[::-1] - 1
     every, quad = np.concatenate(points), np.concatenate(quads)
     twins = cKDTree(np.column_stack([every.real, every.imag])).query_pairs(1e-6, output_type="ndarray")
     same = np.arange(every.size)
     np.minimum.at(same, twins.max(axis=1), twins.min(axis=1))
     used, quad = np.unique(same[quad], return_inverse=True)
     flanks = {k: np.searchsorted(used, same[nodes]) for k, nodes in flanks.items()}
-    return Quads(every[used], quad.reshape(-1, 8)), flanks
+    return Quads(every[used], quad.reshape(-1, 8), flanks, faces)
 
 
 def bricks(section: Quads, z: np.ndarray) -> tuple[np.ndarray, Ints, Ints]:
@@ -187,5 +204,11 @@ def bricks(section: Quads, z: np.ndarray) -> tuple[np.ndarray, Ints, Ints]:
     nodes = np.column_stack([points.real, points.imag, at[layer]])
     below, middle, above = (numbers[k : at.size - 2 + k : 2] for k in range(3))
     q = section.quads
-    parts = [below[:, q[:, :4]], above[:, q[:, :4]], below[:, q[:, 4:]], above[:, q[:, 4:]], middle[:, q[:, :4]]]
+    parts = [
+        below[:, q[:, :4]],
+        above[:, q[:, :4]],
+        below[:, q[:, 4:]],
+        above[:, q[:, 4:]],
+        middle[:, q[:, :4]],
+    ]
     return nodes, np.concatenate(parts, axis=2).reshape(-1, 20), numbers
