@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Teeth of whole gears by CalculiX: displacements of the centre line and stresses of the fillet, in mm, N, MPa."""
+"""Teeth of whole gears by CalculiX: displacements and stresses of the fillet, in mm, N, MPa."""
 
 from __future__ import annotations
 
@@ -148,7 +148,7 @@ class LoadedGear:
         return float(CubicSpline(quads.points[axis].real, moved)(x))
 
     def of_neighbour(self, u: np.ndarray, radius: float) -> float:
-        """Displacement of the left flank of the tooth clockwise of the loaded one along its base tangent [mm]."""
+        """Displacement of the left flank of the tooth clockwise of the loaded one, inwards [mm]."""
         quads = self.section
         points = quads.points[quads.flanks[self.gear.z - 1]]
         form = tooth_form(self.gear)

@@ -128,7 +128,7 @@ class Pitch:
         return 1e3 * self.form.edge.points(with_middles(even(self.fineness.edge)))[0][1:]
 
     def _tooth(self, side: Points) -> Points:
-        """Columns from the right to the left flank, rows upwards: curved from a sag at the foot to the tip."""
+        """Columns from the right to the left flank, rows from the curved foot to the tip."""
         half = with_middles(self.fineness.half)
         s = np.concatenate([half - 1.0, (1.0 - half)[::-1][1:]])[:, None]
         height = np.append(0.0, np.cumsum(np.abs(np.diff(side))))

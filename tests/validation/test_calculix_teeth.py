@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """Teeth by CalculiX: displacement and stress of the fillet against finite elements of our own.
 
-Source: CalculiX 2.20 (Dhondt; Debian package calculix-ccx) as an external program, elements CPE8 and C3D20 with
-full integration, on meshes of whole gears that share nothing with those of `contact.tooth_fe` but the closed
-form of the tooth. Spur gears m 1 mm, rack 1.25/0.38/1.0, bore r_f/1.4 clamped, E 206 GPa, nu 0.3; tooth 0 on the
-x axis, force on its left flank along the base tangent into the tooth. FC-1 is the case of
-`test_plane_strain_teeth`: published displacements of the intersection of the line of force with the centre line.
+Source: CalculiX 2.20 (Dhondt; Debian package calculix-ccx) as an external program, on meshes of whole gears
+that share nothing with those of `contact.tooth_fe` but the closed form of the tooth. Spur gears m 1 mm,
+rack 1.25/0.38/1.0, bore r_f/1.4 clamped, E 206 GPa, nu 0.3. Tooth 0 is on the x axis, the force acts on its
+left flank along the base tangent into the tooth. FC-1, as in `test_plane_strain_teeth`: published
+displacements of the intersection of the line of force with the centre line.
 
-Displacement in plane strain: 2e-3; CPE8 is stiffer than the exact solution and CPE8R on the same mesh softer, and
-they differ by 1.5e-3. Stress, by CPE8R: 1 % of the largest one between CalculiX and our fine mesh; stresses at
-nodes are extrapolated from points of integration, and meshes of 12 and 24 elements along the fillet differ by 0.5 %.
-The usual mesh of our own has a single element of order four along half of the fillet. Its stress differs from that
-of finer ones by up to 1.2 % for a force at the tip, 2.4 % for one at the pitch point, by less at the 30° tangent:
-1 % there, 3 % elsewhere.
+Displacement in plane strain, by CPE8: 2e-3. CPE8 is stiffer than the exact solution and CPE8R on the same
+mesh softer; they differ by 1.5e-3.
 
-Finite face width of 4 mm, bricks C3D20R: line loads at the pitch point that are uniform, or have the form of a
-bell of 0.5 mm (standard deviation) at mid-face or near an end. Displacement of the centre line by 0.5 %, of the
-neighbouring flank and of the tooth with the compliance of `tooth_fe` by 1 %, stress at the 30° tangent by 1.5 % of
-the largest value over the width: twice the difference of C3D20R and C3D20 on this mesh, and that of the stress in
-plane strain with four elements along half of the fillet.
+Stress, by CPE8R: 1 % of the largest one between CalculiX and our fine mesh. Stresses at nodes are
+extrapolated from points of integration; meshes of 12 and 24 elements along the fillet differ by 0.5 %. Our
+usual mesh has a single element of order four along half of the fillet. Its stress differs from that of
+finer ones by up to 1.2 % for a force at the tip and 2.4 % for one at the pitch point: 3 %, and 1 % at the
+30° tangent.
+
+Finite face width of 4 mm, by C3D20R: line loads at the pitch point, uniform or a bell of 0.5 mm (standard
+deviation) at mid-face or near an end. Displacement of the centre line by 0.5 %; of the flank of the next
+tooth with the compliance of `tooth_fe` by 1 %; stress at the 30° tangent by 1.5 % of the largest value over
+the width. Two meshes of C3D20R differ by 0.4 % in displacement and by 0.5 % in stress at mid-face.
 """
 
 from __future__ import annotations
@@ -154,8 +155,7 @@ def test_teeth_of_finite_width(tmp_path):
         assert beside[k] == pytest.approx(next_flank, abs=0.01 * next_flank.max())
         root = np.array([at_tangents(*loaded.fillet_stress(one), TANGENTS[1]) for one in stress[k]])
         assert fillet[k] == pytest.approx(root, abs=0.015 * root.max())
-        # numbers of the page: mid-face and end
-        for at in (6, 12):
+        for at in (6, 12):  # numbers of the page: mid-face and end
             assert own[k, at] == pytest.approx(centre[at], abs=5e-3 * centre.max())
             assert beside[k, at] == pytest.approx(next_flank[at], abs=0.01 * next_flank.max())
             assert fillet[k, at] == pytest.approx(root[at], abs=0.015 * root.max())
