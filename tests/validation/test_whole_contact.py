@@ -12,10 +12,10 @@ shares of an analysis without friction, which it changes by less than 1e-3.
 * Analytic teeth: 1.7835 with 4000 positions, 1.785 with 400, 1.797 with 64, 1.8125 with 32; the count is
   rounded to the positions. 1.8032 is no whole number over fewer than 188 positions. Coupling between
   neighbouring teeth reduces the contact before A and beyond E: without it 1.792 (analytic, any body) and
-  1.797 (finite elements), and losses 3.660 and 3.686, half of the difference and more. Tolerance 1.5 %, and
-  2 % for the loss, a difference of two torques that agree to 2e-4. CalculiX has even fewer pairs, 0.3 %
-  less than our finite elements in plane strain (see `test_calculix_mesh`): the higher number is not that of
-  the solid.
+  1.797 (finite elements), and losses 3.660 and 3.686: 0.4 to 0.8 of the differences. Tolerance 1.5 %, and
+  2 % for the loss, a difference of two torques that agree to 2e-4. Shares by CalculiX at both ends of the
+  path, extrapolated, give 0.3 % fewer pairs than our finite elements in plane strain with bores r_f/1.4
+  (`test_calculix_mesh`), not more.
 * Loss: the torques of the source give 20 - 50.037 17/43 = 0.2179 N m per radian of the pinion. Its 3.690 is
   17 times 0.2171: the loss per base pitch times 17^2/(2 pi), or one of 17 pinions; its two numbers differ
   by 0.4 %.
@@ -28,7 +28,7 @@ there; the nearest of 400 positions is within 0.005 base pitches, which changes 
 FC-15: load shares of spur gears without relief, about 1/3 at A and E and 2/3 beside the single contact,
 0.30 to 0.40 and 0.60 to 0.70. The source also gives 0.427 to 0.434 for two pairs over all blanks, without
 its place. The share at E is 0.417 to 0.424 here, and reaches 0.427 to 0.429 at 0.02 base pitches before E
-with finite elements; it is only tested that the blank changes it by less than 0.01.
+with finite elements of two blanks; it is only tested that the blank changes it by less than 0.01.
 """
 
 from __future__ import annotations
