@@ -7,8 +7,10 @@
 * A helix angle of 0.1 degrees instead of 0 changes the highest pressure by at most 0.5 %: no jump from spur
   to helical gears.
 * A centre distance changed by 1e-9 to 1e-3 of itself changes results in proportion.
-* Normal backlash of 17/23, m 1 mm, a 20.05 mm: 34.5219 um; eps_gamma of 17/43, 20 degrees, b 10 mm: 2.5805624
-  (closed forms of ISO 21771). Ring 17/-43 without profile shift: the tip circle of the ring reaches beyond
+* Normal backlash of 17/23, m 1 mm, a 20.05 mm, and of 17/43, m 1 mm, 20 degrees, x 0.5 and 0.2: 34.5219 and
+  38.6366 um, printed to 1e-6 of themselves. The second one comes without a centre distance; like the first
+  one it is 0.05 mm above that without backlash. eps_gamma of 17/43, 20 degrees, b 10 mm: 2.5805624 (closed
+  forms of ISO 21771). Ring 17/-43 without profile shift: the tip circle of the ring reaches beyond
   the base circle of the pinion, it would require a tip radius of 20.687 mm and has 20.5 mm.
 """
 
@@ -78,6 +80,9 @@ def test_backlash_and_contact_ratio():
     pair = GearPair(CylindricalGear(z=17, m_n=1e-3), CylindricalGear(z=23, m_n=1e-3), 20.05e-3)
     assert pair.j_bn * 1e6 == pytest.approx(34.5219, rel=2e-6)
     beta = math.radians(20.0)
+    shifted = [CylindricalGear(z=z, m_n=1e-3, beta=b, x=x) for z, b, x in ((17, beta, 0.5), (43, -beta, 0.2))]
+    apart = GearPair(*shifted, GearPair.from_profile_shifts(*shifted).a_w + 0.05e-3)
+    assert apart.j_bn * 1e6 == pytest.approx(38.6366, rel=2e-6)
     gears = (CylindricalGear(z=z, m_n=1e-3, beta=b, b=10e-3) for z, b in ((17, beta), (43, -beta)))
     assert GearPair(*gears, 30e-3 / math.cos(beta)).eps_gamma == pytest.approx(2.5805624, rel=1e-7)
 
