@@ -55,13 +55,13 @@ def errors(kind, flank, tilt):
         near = closest_points(both, np.linspace(-0.4, 0.4, 9) * pair.gear1.b)
         (low, high), (mate_low, mate_high) = both.own.span, both.mate.span
         inner = np.isfinite(near.distance) & (np.abs(near.mate_z) < 0.499 * pair.gear2.b)
-        inner &= (near.roll > low + FINE) & (near.roll < high - FINE)
+        inner &= (near.own_roll > low + FINE) & (near.own_roll < high - FINE)
         inner &= (near.mate_roll > mate_low + FINE) & (near.mate_roll < mate_high - FINE)
-        points = place.world(both.own.points(near.roll[inner], near.z[inner])[0], 1) - P
+        points = place.world(both.own.points(near.own_roll[inner], near.own_z[inner])[0], 1) - P
         y = points @ axis + flank * m.row["tan_b"] * (points @ n)
         exact = -near.distance[inner] / math.cos(pair.gear1.beta_b)
         found.append(x_0 - kappa * y - exact)
-        roll.append(np.maximum(near.roll, near.mate_roll)[inner])
+        roll.append(np.maximum(near.own_roll, near.mate_roll)[inner])
     return np.concatenate(found), np.concatenate(roll).max()
 
 

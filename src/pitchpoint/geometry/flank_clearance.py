@@ -262,7 +262,7 @@ def _refined(facing: Facing, z: float, start: float) -> Clearance | None:
 def _section(facing: Facing, found: Gap) -> Clearance:
     """The distance of a profile, as one of transverse sections."""
     mounting, pair = facing.mounting, facing.mounting.pair
-    roll, z = found.roll[0], found.z[0]
+    roll, z = found.own_roll[0], found.own_z[0]
     points, normals = facing.own.points(roll, z)
     here = mounting.world(points - facing.own.gap(roll, z) * normals, facing.gear)
     # the mate is on the side of the outward normal

@@ -118,15 +118,15 @@ class Gap:
     distance
         Normal to the flank of the mate [m]; negative where the teeth overlap, NaN where the mate has no
         involute.
-    roll, z
+    own_roll, own_z
         Length of roll and position along the face width of the points [m].
     mate_roll, mate_z
         Those of the nearest points of the mate [m], also beyond the ends of its flank.
     """
 
     distance: FloatArray
-    roll: FloatArray
-    z: FloatArray
+    own_roll: FloatArray
+    own_z: FloatArray
     mate_roll: FloatArray
     mate_z: FloatArray
 

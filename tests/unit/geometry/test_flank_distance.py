@@ -131,8 +131,8 @@ def test_parallel_flanks_are_half_the_normal_backlash_apart(name, front):
     for phi1, tooth in ((0.0, 0), (0.02, 0), (-0.03, 0), (0.01, 1)):
         found = closest_points(facing(pair, front, tooth, phi1=phi1), np.linspace(-0.3, 0.3, 7) * 0.03)
         touching = np.isfinite(found.distance)
-        inside = touching & (found.roll > flank_range(pair.gear1)[0] + 1e-6)
-        inside &= found.roll < flank_range(pair.gear1)[1] - 1e-6
+        inside = touching & (found.own_roll > flank_range(pair.gear1)[0] + 1e-6)
+        inside &= found.own_roll < flank_range(pair.gear1)[1] - 1e-6
         low, high = sorted(flank_range(pair.gear2))
         inside &= (found.mate_roll > low + 1e-6) & (found.mate_roll < high - 1e-6)
         np.testing.assert_allclose(found.distance[inside], 0.5 * pair.j_bn, atol=1e-16)
@@ -171,7 +171,7 @@ def test_spur_is_the_limit_of_helical():
     z = np.linspace(-0.4, 0.4, 5) * 0.03
     found = [closest_points(facing(make(beta=beta), phi1=0.01, **TILTS["tilted"]), z) for beta in (0.0, 1e-8)]
     np.testing.assert_allclose(found[1].distance, found[0].distance, rtol=0.0, atol=1e-9)
-    np.testing.assert_allclose(found[1].roll, found[0].roll, rtol=0.0, atol=1e-7)
+    np.testing.assert_allclose(found[1].own_roll, found[0].own_roll, rtol=0.0, atol=1e-7)
 
 
 @pytest.mark.parametrize("tilt", TILTS)
@@ -190,13 +190,13 @@ def test_closest_points_are_minima(name, tilt):
             assert found.distance[k] == pytest.approx(least, abs=1e-10)
             assert found.distance[k] <= least + 1e-15
             # the slope is zero, unless the point is at an edge of either flank
-            edge = min(found.roll[k] - low, high - found.roll[k]) < 1e-9
+            edge = min(found.own_roll[k] - low, high - found.own_roll[k]) < 1e-9
             near = [found.mate_roll[k] - end for end in here.mate.span]
             near += [abs(found.mate_z[k]) - 0.5 * here.mate.gear.b]
             if edge or min(map(abs, near)) < 1e-9:
                 continue
             h = 1e-5
-            ahead, behind = (flank_distance(here, found.roll[k] + d, z[k]).distance for d in (h, -h))
+            ahead, behind = (flank_distance(here, found.own_roll[k] + d, z[k]).distance for d in (h, -h))
             curvature = (ahead + behind - 2.0 * found.distance[k]) / (h * h)
             assert abs(ahead - behind) / (2.0 * h) / curvature < 1e-8
     assert RESOLUTION <= 1e-12
@@ -221,7 +221,7 @@ def test_micro_geometry_adds_up_along_the_normals(name, front):
     plain, both = facing(pair, front, phi1=0.01), facing(pair, front, 0, micro, phi1=0.01)
     z = np.linspace(-0.3, 0.3, 7) * 0.03
     start = closest_points(plain, z)
-    found = flank_distance(both, start.roll, z)
+    found = flank_distance(both, start.own_roll, z)
     cos = math.cos(pair.gear1.beta_b)
     sides = plain.own.side, plain.mate.side
     for k in np.flatnonzero(np.isfinite(start.distance)):
@@ -231,7 +231,7 @@ def test_micro_geometry_adds_up_along_the_normals(name, front):
                 (pair.gear1, pair.gear2),
                 sides,
                 (z[k], start.mate_z[k]),
-                (start.roll[k], start.mate_roll[k]),
+                (start.own_roll[k], start.mate_roll[k]),
                 strict=True,
             )
         ]
@@ -257,7 +257,7 @@ def test_closest_point_at_the_start_of_a_linear_relief():
     every = flank_distance(both, np.linspace(low, high, 200001), np.zeros(200001))
     fits = both.mate.covers(every.mate_roll, every.mate_z)
     assert found.distance[0] == pytest.approx(every.distance[fits].min(), abs=1e-10)
-    assert found.roll[0] == pytest.approx(corner, abs=1e-8)
+    assert found.own_roll[0] == pytest.approx(corner, abs=1e-8)
 
 
 def test_deviations_of_single_teeth():

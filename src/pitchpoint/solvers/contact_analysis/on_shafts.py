@@ -196,7 +196,7 @@ def solve_contacts_on_shafts(
             """Progress over all rolls."""
             progress(before * total + done, len(groups) * total, note)
 
-        statuses |= _analyse_together(system, rolled, group, (positions, root_stress), found, report)
+        statuses |= _analyse_together(system, rolled, group, positions, root_stress, found, report)
         if INTERRUPTED in statuses.values():
             break
     found = replace(found, meshes={name: found.meshes[name] for name in names if name in found.meshes})
@@ -222,15 +222,12 @@ def _analyse_together(
     system: System,
     rolled: str,
     group: Sequence[str],
-    how: tuple[int, str | None],
+    positions: int,
+    root_stress: str | None,
     found: ContactsOnShafts,
     progress: Progress,
 ) -> dict[str, int]:
-    """Roll one mesh and analyse a group of the same mesh frequency; returns the status of those that fail.
-
-    `how`: positions, and method of the root stress.
-    """
-    positions, root_stress = how
+    """Roll one mesh and analyse a group of the same mesh frequency; returns the status of those that fail."""
     began = time.perf_counter()
     seen: dict[str, list[tuple[np.void, float]]] = {name: [] for name in group}
 
