@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from ruamel.yaml import YAML
 
+import pitchpoint
 from tests.contracts.source import PACKAGE
 
 ROOT = Path(__file__).parents[2]
@@ -126,3 +127,13 @@ def docstrings(path: Path) -> str:
     kinds = ast.Module | ast.FunctionDef | ast.ClassDef
     tree = ast.parse(path.read_text("utf-8"))
     return "\n".join(ast.get_docstring(node) or "" for node in ast.walk(tree) if isinstance(node, kinds))
+
+
+def test_every_public_name_is_in_a_group_of_the_reference() -> None:
+    tree = ast.parse((DOCS / "make_api.py").read_text(encoding="utf-8"))
+    groups = next(
+        ast.literal_eval(node.value)
+        for node in tree.body
+        if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "GROUPS"
+    )
+    assert {name for names in groups.values() for name in names} == set(pitchpoint.__all__) - {"__version__"}
