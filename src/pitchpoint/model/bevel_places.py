@@ -34,10 +34,11 @@ def bevel_gap(pair: BevelPair, mesh: BevelMesh) -> float:
 def apex_of(machine: Model | Parts, gear: str) -> tuple[Array, Array] | None:
     """Apex of a bevel gear in the world [m] and the unit vector from the apex into the gear.
 
-    None if the gear has no body, or the position of its body is unknown.
+    None if the gear has no body, only one that has it as a cylindrical gear (an error reported elsewhere), or
+    one of unknown position.
     """
     body = machine.body_of(gear)
-    if body is None:
+    if body is None or gear not in machine.bodies[body].bevel_gears:
         return None
     origin, axes = body_frame(machine, body)
     if origin is None:

@@ -126,6 +126,8 @@ def test_gears_of_one_body_and_gears_without_a_body():
     assert "connects two gears of the body first" in told(one)
     none = bevel_file().replace("bevel_gears: {b: 0.0}, ", "").replace("motion: torsion", "motion: fixed")
     assert "no body carries it" in told(none)
+    as_cylindrical = bevel_file().replace("bevel_gears: {b: 0.0}", "gears: {b: 0.0}")
+    assert "names the gear 'b', which does not exist" in told(as_cylindrical)
 
 
 def test_carriers_are_refused():
