@@ -7,20 +7,14 @@ few per cent; flexible contact for the table; `contact-levels` for the rigid sti
 
 from __future__ import annotations
 
-import shutil
-from pathlib import Path
-
 import pytest
 
-from pitchpoint.io.contact_table import write_contact_table
 from pitchpoint.io.yaml_model import load_model
-from pitchpoint.model.contact_inputs import contact_inputs
 from pitchpoint.solvers.contact_analysis.law_fit import fit_analytic_law
-from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.compile import compile_model
+from tests.support.advanced_contact import EXAMPLE, folder_with_table
 
-FOLDER = Path(__file__).parents[2] / "examples" / "advanced-contact"
 NUMBERS = {
     "rigid": (18.6e-6, 3.72e-6, 5921.0),
     "flexible": (17.8e-6, 2.04e-6, 5919.0),
@@ -30,17 +24,7 @@ NUMBERS = {
 
 @pytest.fixture(scope="module")
 def channels(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("advanced")
-    for path in FOLDER.glob("*.yaml"):
-        shutil.copy(path, folder)
-    flexible = load_model(folder / "flexible.yaml")
-    tables = {
-        side: contact_table(flexible, "stage", TableRequest(torque=600.0), flank)
-        for side, flank in (("front", 1), ("back", -1))
-    }
-    inputs = contact_inputs(flexible, "stage", flexible.meshes["stage"].contact)
-    # dampings are not part of a table
-    write_contact_table(folder / "stage.gcp.h5", tables, inputs)
+    folder = folder_with_table(tmp_path_factory.mktemp("advanced"))
     return {
         name: run_time(compile_model(load_model(folder / f"{name}.yaml"), "steady")).channels
         for name in NUMBERS
@@ -59,7 +43,7 @@ def test_numbers_of_the_page(channels, name):
 @pytest.mark.parametrize("name", NUMBERS)
 def test_mean_mesh_force_is_the_brake_torque_over_the_base_radius(channels, name):
     """Friction changes it by less than its coefficient times tan α_wt = 0.38."""
-    model = load_model(FOLDER / "flexible.yaml")
+    model = load_model(EXAMPLE / "flexible.yaml")
     nominal = 300.0 / model.pairs["stage"].gear2.r_b
     assert channels[name]["mesh_force[stage]"]["mean"] == pytest.approx(nominal, rel=0.06 * 0.38)
 
@@ -70,7 +54,7 @@ def test_table_against_flexible_contact(channels):
 
 
 def test_the_rigid_stiffness_is_that_of_the_fit():
-    model = load_model(FOLDER / "flexible.yaml")
+    model = load_model(EXAMPLE / "flexible.yaml")
     fit = fit_analytic_law(model, torque=200.0)
-    rigid = load_model(FOLDER / "rigid.yaml").meshes["stage"].contact
+    rigid = load_model(EXAMPLE / "rigid.yaml").meshes["stage"].contact
     assert rigid.stiffness == pytest.approx(fit.rigid_stiffness, rel=2e-3)

@@ -16,15 +16,15 @@ from pitchpoint.solvers.contact_analysis.solve import solve_contact
 
 FOLDER = Path(__file__).parents[2] / "examples" / "misaligned-helical"
 NUMBERS = {
-    ("plain", 0.0): (1.01, 1.33, 1003e6, 0.99e-6),
-    ("plain", 40e-6): (3.07, 2.41, 1391e6, 1.69e-6),
-    ("crowned", 0.0): (1.58, 1.66, 1163e6, 0.21e-6),
-    ("crowned", 40e-6): (1.88, 1.57, 1318e6, 1.02e-6),
+    ("plain", 0.0): (1.01, 1.33, 1005e6, 0.99e-6),
+    ("plain", 40e-6): (3.07, 2.41, 1393e6, 1.72e-6),
+    ("crowned", 0.0): (1.58, 1.65, 1165e6, 0.21e-6),
+    ("crowned", 40e-6): (1.88, 1.57, 1319e6, 1.03e-6),
 }
 LEVELS = {
-    "rigid": (24.81e-6, 0.8571e-6, 1.396, 1066e6, 0.030),
+    "rigid": (24.81e-6, 0.8587e-6, 1.396, 1066e6, 0.030),
     "flexible": (25.63e-6, 0.9510e-6, 1.493, 1224e6, 0.0),
-    "precomputed": (25.63e-6, 0.9535e-6, 1.493, 1224e6, 0.00021),
+    "precomputed": (25.63e-6, 0.9534e-6, 1.493, 1224e6, 0.00021),
     "law": (25.18e-6, 0.7268e-6, None, None, 0.014),
 }
 KEYS = ("face_load_factor", "line_load_ratio", "flank_pressure", "transmission_error_pp")

@@ -137,8 +137,12 @@ def edge_reach(force):
     tan_a = math.tan(pair.alpha_wt)
 
     def reach(k):
-        """Path of the edge of one gear."""
-        return bisect(lambda eta: tip_gap(eta, r[k], r[1 - k], tip[k], tan_a)[0] - force / K, 0.0, 0.5 * p_bt)
+        """Path of the edge of one gear, whose flank is half the approach ahead of the mean."""
+        gap = force / K
+        return (
+            bisect(lambda eta: tip_gap(eta, r[k], r[1 - k], tip[k], tan_a)[0] - gap, 0.0, 0.5 * p_bt)
+            - gap / 2
+        )
 
     return (reach(0) + reach(1)) / p_bt
 

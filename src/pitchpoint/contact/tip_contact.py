@@ -10,6 +10,7 @@ x - G(eta), exact and along the common normal, which is that of the flank of gea
 
 All lengths are signed as in ISO 21771 (internal gear: negative base radius and length of roll, negative
 centre distance), and the same formulas give the tip edge of gear 2 before A, with eta = xi_A - xi2.
+Contact states have the mean (xi1 + xi2)/2 of both flanks, see `tip_gap_from_mean`.
 
 Derivation: docs/theory/geometry.md, "Contact of a tip edge".
 """
@@ -129,6 +130,66 @@ def tip_gap(eta, r_1, r_2, L, tan_a):
         R * (first - dx) * per_roll,
         along * (inverse + along * per_roll),
         chi,
+    )
+
+
+@kernel
+def tip_gap_from_mean(eta, r_1, r_2, L, tan_a):
+    """Gap of a tip edge as `tip_gap`, by the mean path position of both flanks.
+
+    Parameters
+    ----------
+    eta
+        Distance of the mean path position xi = (xi1 + xi2)/2 beyond the end of the path: xi - xi_E for the
+        tip of gear 1, xi_A - xi for that of gear 2 [m].
+    r_1, r_2, L, tan_a
+        As in `tip_gap`.
+
+    Returns
+    -------
+    tuple
+        G [m]; dG/d(eta); dG/d(tan alpha) at constant eta [m]; length of roll on the mate, signed [m]; its
+        derivatives by eta and by tan alpha; turn of the common normal [rad]. Infinite G and zeros as in
+        `tip_gap`.
+
+    Notes
+    -----
+    At first contact the flank with the edge is ahead of its mate by the gap, and half of it ahead of the
+    mean: G = tip_gap(eta + G/2), by a second-order step and a Newton step from eta. Under load the teeth move
+    back by their deflections u1 and u2 to this distance, exactly for u1 = u2.
+
+    Examples
+    --------
+    FZG-C pair, the mean of both flanks 0.3 mm beyond E:
+
+    >>> found = tip_gap_from_mean(0.3e-3, 33.8289e-3, 50.7434e-3, 23.7232e-3, math.tan(0.3927))
+    >>> round(float(found[0]) * 1e6, 4), round(float(found[3]) * 1e3, 4)
+    (2.9446, 11.9499)
+    """
+    gap, slope, _, _, _, _, bend, _ = tip_gap(eta, r_1, r_2, L, tan_a)
+    if gap == math.inf:
+        return math.inf, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    ahead = gap / (2.0 - slope)
+    ahead = (gap + 0.5 * bend * ahead * ahead) / (2.0 - slope)
+    gap, slope, by_tan, roll, roll_by_eta, roll_by_tan, bend, turned = tip_gap(
+        eta + ahead, r_1, r_2, L, tan_a
+    )
+    if gap == math.inf:
+        return math.inf, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    rest = (0.5 * gap - ahead) / (1.0 - 0.5 * slope)
+    gap += slope * rest
+    roll += roll_by_eta * rest
+    slope += bend * rest
+    share = 1.0 / (1.0 - 0.5 * slope)
+    by_tan *= share
+    return (
+        gap,
+        slope * share,
+        by_tan,
+        roll,
+        roll_by_eta * share,
+        roll_by_tan + 0.5 * roll_by_eta * by_tan,
+        turned,
     )
 
 

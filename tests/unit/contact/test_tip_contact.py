@@ -17,6 +17,7 @@ from pitchpoint.contact.tip_contact import (
     tip_gap,
     tip_gap_curvature,
     tip_gap_floor,
+    tip_gap_from_mean,
 )
 
 pytestmark = pytest.mark.nojit
@@ -189,6 +190,40 @@ def test_derivatives(name, where, eta):
     assert by_tan / (R * sin) == pytest.approx(by_a, rel=1e-4, abs=1e-17 / h)
 
 
+@pytest.mark.parametrize("radius", [0.0, 0.2e-3])
+@pytest.mark.parametrize("eta", [0.0, 3e-5, 0.4e-3, 2e-3])
+@pytest.mark.parametrize("where", GEARS)
+@pytest.mark.parametrize("name", PAIRS)
+def test_edge_touches_where_both_flanks_are_half_the_gap_from_their_mean(name, where, eta, radius):
+    """Rigid gears at a mean path position: with the flanks ahead and behind by G/2 the edge just touches."""
+    pair, gear = PAIRS[name], GEARS[where]
+    section, way = Section(pair), 1.0 if gear == 0 else -1.0
+    gap, _, _, roll, *_, turned = tip_gap_from_mean(eta, *pair.arguments(gear, radius))
+    mean = pair.end(gear) + way * eta
+    point = tip_at(section, gear, mean + way * 0.5 * gap, radius)
+    found, foot = section.penetration(point, 1 - gear, mean - way * 0.5 * gap, radius)
+    assert found == pytest.approx(0.0, abs=ROUND_OFF + 1e-10 * gap)
+    assert abs(roll - radius) == pytest.approx(foot, rel=1e-9)
+    assert turned == pytest.approx(pair.law(gear, eta + 0.5 * gap, radius)[7], rel=1e-6)
+
+
+@pytest.mark.parametrize("eta", [2e-5, 0.4e-3, 2e-3])
+@pytest.mark.parametrize("where", GEARS)
+@pytest.mark.parametrize("name", PAIRS)
+def test_derivatives_by_the_mean(name, where, eta):
+    """The roll by tan(alpha) is that before the Newton step, whose length is below 1e-6 of eta."""
+    r_1, r_2, L, tan_a = PAIRS[name].arguments(GEARS[where])
+    _, by_eta, by_tan, _, roll_by_eta, roll_by_tan, _ = tip_gap_from_mean(eta, r_1, r_2, L, tan_a)
+    h = 1e-4 * eta
+    before, after = (tip_gap_from_mean(eta + d, r_1, r_2, L, tan_a) for d in (-h, h))
+    assert by_eta == pytest.approx((after[0] - before[0]) / (2 * h), rel=1e-6)
+    assert roll_by_eta == pytest.approx((after[3] - before[3]) / (2 * h), rel=1e-5, abs=1e-17 / h)
+    h = 1e-6
+    before, after = (tip_gap_from_mean(eta, r_1, r_2, L, tan_a + d) for d in (-h, h))
+    assert by_tan == pytest.approx((after[0] - before[0]) / (2 * h), rel=1e-5, abs=1e-17 / h)
+    assert roll_by_tan == pytest.approx((after[3] - before[3]) / (2 * h), rel=1e-5)
+
+
 @pytest.mark.parametrize("where", GEARS)
 @pytest.mark.parametrize("name", PAIRS)
 def test_gap_starts_as_a_parabola_without_cancellation(name, where):
@@ -223,6 +258,7 @@ def test_turn_of_the_normal_is_that_of_both_gears():
 def test_edge_below_the_base_circle_of_the_mate_has_no_contact():
     pair = Pair(12, 120)  # the tips of gear 2 reach beyond the base tangent of gear 1: interference
     assert pair.law(1, 1e-4) == (math.inf, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    assert tip_gap_from_mean(1e-4, *pair.arguments(1)) == (math.inf, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     assert tip_gap_curvature(*pair.arguments(1)) == math.inf
     assert math.isfinite(pair.law(0, 1e-4)[0])
 

@@ -25,6 +25,7 @@ from pitchpoint.solvers.step_choice import choose_step
 from pitchpoint.solvers.time import run_time, solve_time
 from pitchpoint.solvers.time_summary import Memory
 from pitchpoint.system.compile import compile_model
+from tests.support.advanced_contact import folder_with_table
 from tests.support.limited import within_limit
 from tests.unit.solvers.test_time_loops import oscillator
 
@@ -189,7 +190,7 @@ def scenarios():
     """All examples and those of their scenarios that are responses over time."""
     for file in sorted(EXAMPLES.glob("*/*.yaml")):
         text = file.read_text()
-        if "scenarios:" in text:
+        if "scenarios:" in text and ".gcp.h5" not in text:
             yield str(file.relative_to(EXAMPLES))
 
 
@@ -204,9 +205,7 @@ def test_no_run_with_long_steps_hangs_or_hides_a_divergence(file, name, methods,
             assert found[2], f"{method}, {factor} times: {found[1]}"
 
 
-@pytest.mark.study
-@pytest.mark.parametrize("file", list(scenarios()))
-def test_all_examples_with_all_methods_and_steps_up_to_a_thousand_times_too_long(file):
+def with_all_methods_and_steps(file):
     """No run hangs, and none keeps a number that is none without a status."""
     model = load_model(EXAMPLES / file, allow_code=True)
     for name, scenario in model.scenarios.items():
@@ -226,3 +225,15 @@ def test_all_examples_with_all_methods_and_steps_up_to_a_thousand_times_too_long
                 )
                 assert found is not None, f"{name}, {method}, {factor} times: does not end"
                 assert found[2], f"{name}, {method}, {factor} times: {found[1]}"
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("file", list(scenarios()))
+def test_all_examples_with_all_methods_and_steps_up_to_a_thousand_times_too_long(file):
+    with_all_methods_and_steps(file)
+
+
+@pytest.mark.study
+def test_contact_by_a_table_with_all_methods_and_steps_up_to_a_thousand_times_too_long(tmp_path):
+    """A diverging run leaves the table at once."""
+    with_all_methods_and_steps(folder_with_table(tmp_path) / "precomputed.yaml")

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import plane_strain_compliance
 from pitchpoint.contact.strip_pressure import RANGE, stepped_pressure
-from pitchpoint.contact.tip_contact import tip_gap
+from pitchpoint.contact.tip_contact import tip_gap_from_mean
 from pitchpoint.elements.mesh.surface.nodes import TIP_1, TIP_2
 from pitchpoint.geometry.modifications import Relief, flank_range, roll_length
 
@@ -121,7 +121,7 @@ def edge_turns(record: np.void, node: NDArray[np.void]) -> Array:
         edge = int(node["place"][n]) - 1
         eta = float(node["xi"][n]) - end if edge == 0 else float(now["xi_A"] - node["xi"][n])
         centre = tips[edge] - float(record["rounding"][edge])
-        found[n] = abs(tip_gap(eta, r_b[edge], r_b[1 - edge], centre, float(now["tan_a"]))[7])
+        found[n] = abs(tip_gap_from_mean(eta, r_b[edge], r_b[1 - edge], centre, float(now["tan_a"]))[6])
     return found
 
 

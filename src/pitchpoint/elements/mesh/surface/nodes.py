@@ -18,7 +18,7 @@ import math
 
 import numpy as np
 
-from pitchpoint.contact.tip_contact import tip_gap, tip_gap_curvature, tip_gap_floor
+from pitchpoint.contact.tip_contact import tip_gap_curvature, tip_gap_floor, tip_gap_from_mean
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.elements.mesh.flank_deviations import begin_separation, find_rows, flank_slopes
 from pitchpoint.elements.mesh.line_of_action import pooled
@@ -210,8 +210,8 @@ def _set_tip(b, node, edge, mate, eta, way, r_edge):
     r = b["r_b2"] if edge == 0 else b["r_b1"]
     L = b["rho_a1"] if edge == 0 else b["rho_a2"]
     radius = b["rounding"][edge]
-    found = tip_gap(eta, r_edge, r, L - radius, b["now"]["tan_a"])
-    gap, by_eta, by_tan, roll, roll_by_eta, roll_by_tan, _, _ = found
+    found = tip_gap_from_mean(eta, r_edge, r, L - radius, b["now"]["tan_a"])
+    gap, by_eta, by_tan, roll, roll_by_eta, roll_by_tan, _ = found
     node["x"] -= gap
     node["by_xi"] -= way * by_eta
     node["by_tan"] -= by_tan + by_eta * r_edge

@@ -37,7 +37,7 @@ _NEAR = 0.5
 """Limits this close to a violation enter the linear programme."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Point:
     """A design with its analyses: values relative to the bounds, samples of the tolerances, score [µm]."""
 
@@ -50,25 +50,36 @@ Evaluate = Callable[[Sequence[Array]], Sequence[Point]]
 """Analysis of several designs, given by values relative to the bounds, 0 to 1."""
 
 
-def polish(evaluate: Evaluate, start: Point, target: Target) -> Point:
-    """Improve a design until no difference gives a better one.
+def polish(evaluate: Evaluate, starts: Sequence[Point], target: Target) -> None:
+    """Improve designs, after a series of steps of each the best one first, until none improves any more.
 
     Parameters
     ----------
     evaluate
-        Analyses designs.
-    start
-        The design.
+        Analyses designs, and keeps the best.
+    starts
+        The designs.
     target
         What is minimised.
     """
-    best = start
-    while True:
-        before = best.score
-        for difference in _DIFFERENCES:
-            best = _descend(evaluate, best, target, difference)
-        if before - best.score < _ENOUGH:
-            return best
+    designs = [_series(evaluate, start, target) for start in sorted(starts, key=_score)]
+    while designs:
+        best = min(designs, key=_score)
+        designs.remove(best)
+        better = _series(evaluate, best, target)
+        if best.score - better.score >= _ENOUGH:
+            designs.append(better)
+
+
+def _score(point: Point) -> float:
+    return point.score
+
+
+def _series(evaluate: Evaluate, start: Point, target: Target) -> Point:
+    """Steps with all differences."""
+    for difference in _DIFFERENCES:
+        start = _descend(evaluate, start, target, difference)
+    return start
 
 
 def _descend(evaluate: Evaluate, start: Point, target: Target, difference: float) -> Point:

@@ -169,11 +169,9 @@ class Search:
         self._polish(self._leading(_STARTS))
 
     def _polish(self, designs: Sequence[Array]) -> None:
-        """Linear programmes from several designs, the best one first."""
+        """Linear programmes from several designs."""
         with suppress(ExhaustedError):
-            points = [self.evaluate([at])[0] for at in designs]
-            for point in sorted(points, key=lambda point: point.score):
-                polish(self.evaluate, point, self.target)
+            polish(self.evaluate, [self.evaluate([at])[0] for at in designs], self.target)
 
     def _evolve(self, given: Sequence[Array], designs: int) -> None:
         """Differential evolution; the first generation is a Sobol sequence and the given designs."""
