@@ -49,14 +49,13 @@ def test_the_naive_potentials_are_potentials(pair: SlicePair) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.study
 @pytest.mark.parametrize(
     ("pair", "limit"),
     [
         pytest.param(SlicePair(slices=15), 1e-3, id="spur"),
-        pytest.param(SlicePair(slices=15, eps_beta=1.2), 1e-3, id="helical", marks=pytest.mark.study),
-        pytest.param(
-            SlicePair(slices=15, relief=0.0, crown=0.0), 1.2e-3, id="plain", marks=pytest.mark.study
-        ),
+        pytest.param(SlicePair(slices=15, eps_beta=1.2), 1e-3, id="helical"),
+        pytest.param(SlicePair(slices=15, relief=0.0, crown=0.0), 1.2e-3, id="plain"),
     ],
 )
 def test_errors_at_the_default_size(pair: SlicePair, limit: float) -> None:
