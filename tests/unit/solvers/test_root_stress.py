@@ -67,7 +67,7 @@ def test_uniform_load_gives_the_stress_of_the_standard(tmp_path: Path) -> None:
         section = root_section(gear)
         stress, roll = data["root_stress"].values[0, ..., k], data[f"roll_{k + 1}"].values[0]
         F_t = 200.0 / (0.5 * model.gears["g1"].geometry.d)
-        load = F_t / (14e-3 * gear.m_n) * section.form_factor(roll) * section.stress_correction(roll)
+        load = F_t / (14e-3 * gear.m_n) * np.prod(section.factors(roll), axis=0)
         single = np.isclose(
             np.nansum(force, axis=(1, 2), keepdims=True), np.nansum(force, axis=2, keepdims=True)
         )
