@@ -87,7 +87,7 @@ class RootSection:
         return self.tooth.load_angle(rho_n), np.maximum(self.tooth.arms(rho_n)[0], _LEAST * gear.m_n)
 
     def factors(self, rho: ArrayLike) -> tuple[Array, Array]:
-        """Form factor Y_F and stress correction factor Y_S of forces at lengths of roll [m], shape of rho each.
+        """Form factor Y_F and stress correction factor Y_S of forces on the flank, shape of rho each.
 
         Parameters
         ----------

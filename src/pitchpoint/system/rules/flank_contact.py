@@ -47,7 +47,6 @@ Array = NDArray[np.float64]
 REACH = 0.5
 """Path before A and beyond E on which tip edges are in contact, in base pitches."""
 
-
 LEAST_ROLL = 0.02
 """Least radius of curvature of a flank in the local contact, in base pitches: next to base circles."""
 
@@ -108,13 +107,9 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
         low, high = gear.teeth.roll
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
         for side, teeth in enumerate((gear.teeth, gear.back)):
-            if teeth is None:
-                for name in ("own", "before", "after"):
-                    row[name][side, k] = row[name][0, k]
-                continue
-            row["own"][side, k] = keep(teeth.own)
-            row["before"][side, k] = keep(teeth.beside)
-            row["after"][side, k] = keep(teeth.beside.transpose(1, 0, 3, 2))
+            parts = teeth and (teeth.own, teeth.beside, teeth.beside.transpose(1, 0, 3, 2))
+            for j, name in enumerate(("own", "before", "after")):
+                row[name][side, k] = keep(parts[j]) if parts else row[name][0, k]
         row["depth"][k] = gear.depth
         row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width * elastic.correction)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
@@ -295,10 +290,9 @@ def flexible_surfaces(
     parts = _slices(contact, gears)
     for gear, part, offset in zip(gears, parts, offsets, strict=True):
         width, geometry = common_width(offset, pair), gear.geometry
-        compliance = _compliance_of(contact, gear, width, right=geometry.is_internal)
-        back = None
-        if contact.teeth == "finite_elements" and geometry.beta != 0.0:
-            back = _compliance_of(contact, gear, width, right=not geometry.is_internal)
+        ring, differs = geometry.is_internal, contact.teeth == "finite_elements" and geometry.beta != 0.0
+        compliance = _compliance_of(contact, gear, width, right=ring)
+        back = _compliance_of(contact, gear, width, right=not ring) if differs else None
         t, weights = leggauss(16)
         low, high = compliance.roll
         depth = contact_depth(part, 0.5 * (low + high + (high - low) * t), pair.gear1.beta_b)

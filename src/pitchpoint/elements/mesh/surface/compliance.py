@@ -101,8 +101,8 @@ def local_slopes(b, node, by_radius, by_depth):
 
 @kernel(inline=True)
 def influence(b, gear, which):
-    """Influence functions of a gear on the current flank, shape (planes, planes, 4, 4) over planes and polynomials of
-    displacement and force.
+    """Influence functions of a gear on the current flank, shape (planes, planes, 4, 4) over planes and
+    polynomials of displacement and force.
 
     `which` 0: of a tooth on itself, 1 and 2: of a tooth on the one before and after it (`own`, `before`,
     `after` of the record).

@@ -189,8 +189,8 @@ def _add_tangent(b, state, on, v, U, side, factors):
 
 @kernel
 def _add_node_tangent(b, c, by_f, by_v):
-    """Add the tangents of a node alone: `c` of the normal force by its film and velocities, `by_v` of friction
-    by sliding."""
+    """Add the tangents of a node alone: `c` of the normal force by film and velocities, `by_v` of friction by
+    sliding."""
     lever = b["lever"]
     tangent = b["sums"]["tangent"]
     rows = lever.size
