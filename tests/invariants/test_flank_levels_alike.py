@@ -45,6 +45,41 @@ def test_never_pulls(level, flank):
         assert flank * m.get("mesh_force") >= 0.0
 
 
+@every_level
+def test_power_balance_of_flanks_that_part_fast(level):
+    """Damping cancels elastic forces: power of the gears = change of the stored energy + losses. An axial
+    offset, since the common width of equal gears has a kink without one."""
+    rng = np.random.default_rng(4)
+    for _ in range(4):
+        m = OneMesh(make_pair(**HELICAL), made(level, losses=True), n_pair=N_PAIR, backlash=1e-3)
+        m.rec["contact"]["d_in"] = m.rec["contact"]["d_out"] = 1e5
+        m.frames["r"][1, 2] = 1e-4
+        m.press(rng.uniform(1e-6, 3e-5))
+        given, cycle, stored, lost = m.powers(rng.normal(size=(2, 6)) * [0.1, 0.1, 0.1, 1.0, 1.0, 10.0])
+        assert abs(given + cycle - stored - lost) < 1e-6 * abs(stored)
+
+
+@pytest.mark.parametrize("level", ["rigid", "flexible"])
+@pytest.mark.parametrize("depth", [-2e-6, 1e-6])
+def test_tangent_with_film(level, depth):
+    """Newton matrix of flanks with a squeeze film, at a gap and in contact where other planes have a gap, by
+    positions and by velocities."""
+    m = OneMesh(make_pair(**HELICAL), made(level, losses=True), n_pair=N_PAIR, backlash=1e-3)
+    m.frames["phi"] = [0.07, -0.07 * 25 / 60]
+    m.press(depth)
+    m.frames["tw"][0, 5] = 0.5
+    for name, h in (("phi", 1e-8), ("tw", 1e-6)):
+        m.evaluate(jac=1, ck=float(name == "phi"), cd=float(name == "tw"))
+        slope = m.tangent()[0, 5, 0, 5]
+        torque = []
+        for sign in (1, -1):
+            frames = m.frames.copy()
+            where = frames[name][0, 5:] if name == "tw" else frames[name][:1]
+            where += sign * h
+            torque.append(m.evaluate(frames)[0, 5])
+        assert slope == pytest.approx((torque[1] - torque[0]) / (2 * h), rel=5e-3)
+
+
 @pytest.mark.parametrize("level", ["rigid", "flexible"])
 @both_flanks
 def test_swapping_the_gears_changes_nothing(level, flank):

@@ -86,8 +86,8 @@ class RootSection:
         rho_n = np.maximum(tip_n - gear.sign * np.maximum(below, 0.0), 0.0)
         return self.tooth.load_angle(rho_n), np.maximum(self.tooth.arms(rho_n)[0], _LEAST * gear.m_n)
 
-    def form_factor(self, rho: ArrayLike) -> Array:
-        """Form factor Y_F of forces at lengths of roll [m], shape of rho.
+    def factors(self, rho: ArrayLike) -> tuple[Array, Array]:
+        """Form factor Y_F and stress correction factor Y_S of forces on the flank, shape of rho each.
 
         Parameters
         ----------
@@ -97,26 +97,13 @@ class RootSection:
         Notes
         -----
         Y_F = 6 (h_F/m_n) cos α_Fn/((s_Fn/m_n)² cos α_n), ISO 6336-3:2006, 6.2.
+
+        Y_S = (1.2 + 0.13 L) q_s^(1/(1.21 + 2.3/L)) with L = s_Fn/h_F, 7.2, stated for 1 ≤ q_s < 8.
         """
         alpha, h_F = self.load(rho)
-        gear = self.gear
-        return np.asarray(6.0 * h_F * gear.m_n * np.cos(alpha) / (self.chord**2 * math.cos(gear.alpha_n)))
-
-    def stress_correction(self, rho: ArrayLike) -> Array:
-        """Stress correction factor Y_S of forces at lengths of roll [m], shape of rho.
-
-        Parameters
-        ----------
-        rho
-            As for `load`.
-
-        Notes
-        -----
-        Y_S = (1.2 + 0.13 L) q_s^(1/(1.21 + 2.3/L)) with L = s_Fn/h_F, ISO 6336-3:2006, 7.2, stated for
-        1 ≤ q_s < 8.
-        """
-        L = self.chord / self.load(rho)[1]
-        return np.asarray((1.2 + 0.13 * L) * self.notch_parameter ** (1.0 / (1.21 + 2.3 / L)))
+        L, gear = self.chord / h_F, self.gear
+        Y_F = 6.0 * h_F * gear.m_n * np.cos(alpha) / (self.chord**2 * math.cos(gear.alpha_n))
+        return Y_F, (1.2 + 0.13 * L) * self.notch_parameter ** (1.0 / (1.21 + 2.3 / L))
 
     def stress(self, line_load: ArrayLike, rho: ArrayLike) -> Array:
         """Nominal root stress with notch factor, F_t/(b m_n) Y_F Y_S [Pa].
@@ -137,7 +124,8 @@ class RootSection:
         F_t = F_bt cos α_t acts on the reference circle.
         """
         tangential = np.asarray(line_load, dtype=np.float64) * math.cos(self.gear.alpha_t)
-        return np.asarray(tangential / self.gear.m_n * self.form_factor(rho) * self.stress_correction(rho))
+        Y_F, Y_S = self.factors(rho)
+        return np.asarray(tangential / self.gear.m_n * Y_F * Y_S)
 
 
 def root_section(gear: CylindricalGear) -> RootSection:

@@ -47,7 +47,6 @@ Array = NDArray[np.float64]
 REACH = 0.5
 """Path before A and beyond E on which tip edges are in contact, in base pitches."""
 
-
 LEAST_ROLL = 0.02
 """Least radius of curvature of a flank in the local contact, in base pitches: next to base circles."""
 
@@ -63,10 +62,13 @@ class GearInfluence:
     depth
         Depth of the reference point of the local contact, coefficients of the Legendre polynomials of the
         height, shape (4,) [m].
+    back
+        Compliance of teeth and body when the back flanks of the mesh are in contact; None: `teeth`.
     """
 
     teeth: FlankCompliance
     depth: Array
+    back: FlankCompliance | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,10 +106,10 @@ def _set_elastic(row: Any, pair: GearPair, elastic: ElasticFlanks, keep: Callabl
     for k, gear in enumerate(elastic.gears):
         low, high = gear.teeth.roll
         row["height"][k] = 0.5 * (low + high), 0.5 * (high - low)
-        first = gear.teeth.beside
-        row["own"][k] = keep(gear.teeth.own)
-        row["before"][k] = keep(first)
-        row["after"][k] = keep(first.transpose(1, 0, 3, 2))
+        for side, teeth in enumerate((gear.teeth, gear.back)):
+            parts = teeth and (teeth.own, teeth.beside, teeth.beside.transpose(1, 0, 3, 2))
+            for j, name in enumerate(("own", "before", "after")):
+                row[name][side, k] = keep(parts[j]) if parts else row[name][0, k]
         row["depth"][k] = gear.depth
         row["line"][k] = 2.0 * c[k] / (math.pi * cos_b * width * elastic.correction)
         row[f"kappa_{k + 1}"] = elastic.poisson[k] / (1.0 - elastic.poisson[k])
@@ -240,8 +242,14 @@ def common_width(offset: float, pair: GearPair) -> tuple[float, float]:
     return offset - 0.5 * pair.b_w, offset + 0.5 * pair.b_w
 
 
-def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, float]) -> FlankCompliance:
-    """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face."""
+def _compliance_of(
+    contact: FlexibleContact, gear: Gear, width: tuple[float, float], *, right: bool
+) -> FlankCompliance:
+    """Compliance of the teeth and the body of one gear on the planes between two widths from its mid-face.
+
+    `right`: of the right flanks of helical teeth by finite elements. Half a turn about the centre line of a
+    tooth makes them left ones; it reverses the face width and the order of the teeth.
+    """
     if contact.teeth == "analytic":
         return _kept_compliance(
             gear.geometry.replace(outline=None),  # the generated tooth
@@ -254,9 +262,12 @@ def _compliance_of(contact: FlexibleContact, gear: Gear, width: tuple[float, flo
             coupling=contact.coupling,
             C_M=contact.correction,
         )
-    fields = flank_fields(finite_elements_of(gear), contact.planes, width, heights=_HEIGHTS)
-    whole = FlankCompliance(fields.roll, fields.own, fields.beside, fields.windup, dict(fields.provenance))
-    return whole if contact.correction == 1.0 else whole.scaled(contact.correction)
+    span = (-width[1], -width[0]) if right else width
+    fields = flank_fields(finite_elements_of(gear), contact.planes, span, heights=_HEIGHTS)
+    if right:
+        own, beside = (part[::-1, ::-1] for part in (fields.own, fields.beside))
+        fields = replace(fields, own=own, beside=beside, provenance={**fields.provenance, "flank": "right"})
+    return fields if contact.correction == 1.0 else fields.scaled(contact.correction)
 
 
 def flexible_surfaces(
@@ -278,11 +289,14 @@ def flexible_surfaces(
     found = []
     parts = _slices(contact, gears)
     for gear, part, offset in zip(gears, parts, offsets, strict=True):
-        compliance = _compliance_of(contact, gear, common_width(offset, pair))
+        width, geometry = common_width(offset, pair), gear.geometry
+        ring, differs = geometry.is_internal, contact.teeth == "finite_elements" and geometry.beta != 0.0
+        compliance = _compliance_of(contact, gear, width, right=ring)
+        back = _compliance_of(contact, gear, width, right=not ring) if differs else None
         t, weights = leggauss(16)
         low, high = compliance.roll
         depth = contact_depth(part, 0.5 * (low + high + (high - low) * t), pair.gear1.beta_b)
-        found.append(GearInfluence(compliance, (weights * depth) @ dual(t, _HEIGHTS)))
+        found.append(GearInfluence(compliance, (weights * depth) @ dual(t, _HEIGHTS), back))
     shape = flexible_shape(contact, pair, gears)
     assert shape.table is not None
     materials = [gear.material_data for gear in gears]

@@ -101,17 +101,18 @@ def local_slopes(b, node, by_radius, by_depth):
 
 @kernel(inline=True)
 def influence(b, gear, which):
-    """Influence functions of a gear, shape (planes, planes, 4, 4) over planes and polynomials of
-    displacement and force.
+    """Influence functions of a gear on the current flank, shape (planes, planes, 4, 4) over planes and
+    polynomials of displacement and force.
 
     `which` 0: of a tooth on itself, 1 and 2: of a tooth on the one before and after it (`own`, `before`,
     `after` of the record).
     """
-    offset = b["own"][gear]
+    side = 0 if b["now"]["flank"] > 0 else 1
+    offset = b["own"][side, gear]
     if which == 1:
-        offset = b["before"][gear]
+        offset = b["before"][side, gear]
     elif which == 2:
-        offset = b["after"][gear]
+        offset = b["after"][side, gear]
     return view(pooled(b, offset), (b["slices"], b["slices"], HEIGHTS, HEIGHTS), F8)
 
 

@@ -140,7 +140,8 @@ def solve_nodes(b, n):
 
 @kernel
 def _damped(b, node, elastic, k):
-    """Total force of a node; factor of the change of the elastic force in it, derivatives by x and by rate.
+    """Total force of a node; factor of the change of the elastic force in it, derivatives by x at constant
+    elastic force, and by rate.
 
     `k`: typical stiffness of the node, to which its damping coefficient is proportional.
     """
@@ -187,8 +188,9 @@ def _add_tangent(b, state, on, v, U, side, factors):
 
 
 @kernel
-def _add_rate_tangent(b, c, by_f, by_v):
-    """Add the tangents of a node by velocities: `c` of the normal force, `by_v` of friction by sliding."""
+def _add_node_tangent(b, c, by_f, by_v):
+    """Add the tangents of a node alone: `c` of the normal force by film and velocities, `by_v` of friction by
+    sliding."""
     lever = b["lever"]
     tangent = b["sums"]["tangent"]
     rows = lever.size
@@ -212,14 +214,14 @@ def _add_node(b, watch, i, node, k, factors):
     levers_of(b, node)
     node["rate"] = node_rate(b, node)
     elastic = node["elastic"]
-    f, factors[i], by_w = _damped(b, node, elastic, k)
+    f, factors[i], film_by_x, by_w = _damped(b, node, elastic, k)
     node["force"] = f
+    sums["damping_power"] += (f - elastic) * node["rate"]
     if f == 0.0:
         return 0.0
     for p in range(normal):
         sums["force"][p] += f * lever[p]
     sums["pushed"] += f
-    sums["damping_power"] += (f - elastic) * node["rate"]
     by_f = 0.0
     by_v = 0.0
     if b["contact"]["mu"] > 0.0:
@@ -230,9 +232,11 @@ def _add_node(b, watch, i, node, k, factors):
         for p in range(normal, rows):
             sums["force"][p] += friction * lever[p]
         sums["friction_power"] += friction * slip
-    if b["request"]["jac"] != 0 and b["request"]["cd"] != 0.0:
+    if b["request"]["jac"] != 0:
         cd = b["request"]["cd"]
-        _add_rate_tangent(b, cd * by_w, by_f, cd * by_v)
+        c = b["request"]["ck"] * film_by_x + cd * by_w
+        if c != 0.0 or cd * by_v != 0.0:
+            _add_node_tangent(b, c, by_f, cd * by_v)
     return f
 
 
@@ -289,7 +293,7 @@ def flexible_flank(record, watch, _):
         if watch == 1:
             sums["nearest"] = max(sums["nearest"], node["x"])
         f = _add_node(b, watch, i, node, k, factors)
-        if f > 0.0:
+        if f > 0.0 or node["elastic"] > 0.0:
             _add_energy_slopes(b, i, node, v[FORCE], slopes[i], local)
             if watch == 1 and b["request"]["out"] != 0 and b["n_pair"] > 0:
                 add_pair_force(b, N_OUT, node["pair"] % b["n_pair"], now["flank"] * f)

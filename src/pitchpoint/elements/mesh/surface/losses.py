@@ -15,12 +15,14 @@ def farthest_gap(b):
 
 @kernel
 def with_losses(b, x, w, elastic, found):
-    """Force of a node with film and structural damping, never negative, and its derivatives by x and w.
+    """Force of a node with film and structural damping, never negative, its derivatives by x without that of
+    the film, of the film by x, and by w.
 
     `elastic`: elastic force and its derivative by x; `found`: force with the damping of the flank law, and
     its derivatives by x and by w.
     """
     f, by_x, by_w = found
+    film_by_x = 0.0
     if b["structural"] > 0.0:
         share, slope = structural_share(w, b["structural"], b["structural_speed"])
         f += elastic[0] * share
@@ -30,8 +32,7 @@ def with_losses(b, x, w, elastic, found):
     if b["oil_rate"] > 0.0:
         film, film_by_x, film_by_w = film_force(x, w, b["oil_rate"], b["oil_film"], b["oil_power"])
         f += film
-        by_x += film_by_x
         by_w += film_by_w
     if f <= 0.0:
-        return 0.0, 0.0, 0.0
-    return f, by_x, by_w
+        return 0.0, 0.0, 0.0, 0.0
+    return f, by_x, film_by_x, by_w

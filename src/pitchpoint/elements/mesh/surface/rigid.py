@@ -64,7 +64,7 @@ def _add(b, watch, node, k):
         f, by_x, by_w, elastic, stiffness, u, _ = flank_force(b["contact"], x, k, 0.0, w, soft)
         if watch == 1 or b["now"]["growth"] != 0.0 or soft > 0.0:
             _store(b, node, k, u, soft)
-    f, by_x, by_w = with_losses(b, x, w, (elastic, stiffness), (f, by_x, by_w))
+    f, by_x, film_by_x, by_w = with_losses(b, x, w, (elastic, stiffness), (f, by_x, by_w))
     node["rate"] = w
     node["elastic"] = elastic
     node["force"] = f
@@ -75,7 +75,7 @@ def _add(b, watch, node, k):
         return 0.0
     sums["nearest"] = max(sums["nearest"], abs(x))
     add_slopes(b, node, f, 0.0, 0.0, (0.0, 0.0))
-    c = b["request"]["ck"] * by_x + b["request"]["cd"] * by_w
+    c = b["request"]["ck"] * (by_x + film_by_x) + b["request"]["cd"] * by_w
     add_to_sums(b, f, c)
     return f
 
