@@ -32,6 +32,8 @@ misalignment_help = (
 NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
 MOST = 500
 """Maximum number of torques."""
+STEEPEST = 0.1
+"""Maximum misalignment, as of the keys of a mesh [rad]."""
 
 
 def mesh_with_contact(model: Model, name: str | None) -> str:
@@ -147,7 +149,7 @@ def torque_of_loads(model: Model, mesh: str) -> float:
 def misalignment_of(text: str, model: Model, mesh: str) -> float:
     """Misalignment in the plane of action [rad] from a length over the common face width, or an angle."""
     from pitchpoint.core.errors import UnitError
-    from pitchpoint.core.units import parse_quantity
+    from pitchpoint.core.units import format_quantity, parse_quantity
 
     hint = "--misalignment"
     try:
@@ -157,15 +159,22 @@ def misalignment_of(text: str, model: Model, mesh: str) -> float:
     else:
         raise click.BadParameter(f"{text} has no unit; write '{text} um' or '{text} deg'", param_hint=hint)
     try:
-        return parse_quantity(text, "length") / model.pairs[mesh].b_w
+        angle = parse_quantity(text, "length") / model.pairs[mesh].b_w
     except UnitError:
-        pass
-    try:
-        return parse_quantity(text, "angle")
-    except UnitError:
+        try:
+            angle = parse_quantity(text, "angle")
+        except UnitError:
+            raise click.BadParameter(
+                f"{text!r} is neither a length nor an angle; write '20 um' or '0.05 deg'", param_hint=hint
+            ) from None
+    if abs(angle) > STEEPEST:
+        width = format_quantity(STEEPEST * model.pairs[mesh].b_w, "length", 4)
         raise click.BadParameter(
-            f"{text!r} is neither a length nor an angle; write '20 um' or '0.05 deg'", param_hint=hint
-        ) from None
+            f"{text} is too large (limit {format_quantity(STEEPEST, 'angle', 4)}, {width} over the common "
+            "face width); write '20 um' or '0.05 deg'",
+            param_hint=hint,
+        )
+    return angle
 
 
 def operation_of(model: Model, mesh: str, options: dict[str, Any]) -> dict[str, Any]:

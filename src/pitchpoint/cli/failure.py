@@ -44,7 +44,7 @@ def exit_code_of(error: BaseException, *, debug: bool = False) -> int:
         say("  delete the folders __pycache__ of the installation, or reinstall it")
         return FAILED
     if isinstance(error, KeyboardInterrupt | click.Abort):
-        say("interrupted; partial results are kept")
+        say("interrupted")
         return code_of_interruption()
     if isinstance(error, SolverError):
         return _failed(error)

@@ -18,8 +18,8 @@ FIELD, COLUMN, STEP = 430.0, 330.0, 19.0
 """Widths of the drawing and of the column of labels, distance of the labels [pixels]."""
 HALF = 0.62
 """Half of the visible width, in pitches."""
-LOADED = ("contact begins", "contact ends")
-"""Ends of the flank in contact, towards root and tip."""
+LOADED = ("contact, root side", "contact, tip side")
+"""Ends of the flank in contact: it begins at the tip of a driven gear."""
 _POINTS = 60
 
 

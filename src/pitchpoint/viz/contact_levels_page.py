@@ -118,9 +118,10 @@ def contact_levels_page(
         "".join(f"<td{' class=num' if k > 1 else ''}>{escape(text)}</td>" for k, text in enumerate(row))
         for row in level_rows(numbers, analyses)
     ]
+    flexible = {k: v for k, v in options_of(analyses["flexible"]).items() if k != "root_stress"}
     section.add(
         "<p>Force: difference from flexible contact at random mesh phases and approaches over the mesh force."
-        f" Flexible contact: {escape(contact_words(options_of(analyses['flexible'])))}. Patterns of "
+        f" Flexible contact: {escape(contact_words(flexible))}. Patterns of "
         "pre-computed contact are recomputed at the approaches of its table.</p>"
     )
     section.add(plain_table(HEAD, [f"<tr>{row}</tr>" for row in cells]))

@@ -94,7 +94,7 @@ def _map(
             "thickness": 12,
             "outlinewidth": 0,
             "x": 1.0,
-            "xpad": 96,
+            "xpad": 116,  # diameters at two marks that coincide
         },
         hovertemplate="z %{x:.4g}, roll angle %{y:.4g}°: %{z:.5g}<extra></extra>",
     )

@@ -70,7 +70,7 @@ def test_the_drawing_fills_the_tooth_between_the_ends(tmp_path, make):
         text = active_flank_svg(model.gears[name].geometry, one, name=name, words="100 N m")
         assert 'class="pp-tool"' in text
         assert text.count('class="pp-active1"') == 2
-        for words in ("contact begins", "contact ends", "d_Nf, undeformed", "root form d_Ff"):
+        for words in ("contact, root side", "contact, tip side", "d_Nf, undeformed", "root form d_Ff"):
             assert words in text
     page = contact_page(data, gears={name: model.gears[name].geometry for name in ("g1", "g2")})
     assert "Flanks in contact" in page

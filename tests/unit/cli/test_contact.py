@@ -232,6 +232,8 @@ def test_a_stop_before_the_first_torque(
         (["-t", "3:4:9999"], "9999 torques (limit 500)"),
         (["--misalignment", "3"], "3 has no unit; write '3 um' or '3 deg'"),
         (["--misalignment", "3 kg"], "is neither a length nor an angle"),
+        (["--misalignment", "1 rad"], "1 rad is too large (limit 5.73 deg, 1.4 mm over"),
+        (["--misalignment", "-3 mm"], "-3 mm is too large"),
         (["--mesh", "stag"], "no mesh 'stag'; did you mean stage?"),
         (["--positions", "3"], "--positions"),
         (["--shafts", "-t", "3"], "--torque has no effect with --shafts"),

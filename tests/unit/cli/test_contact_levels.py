@@ -39,7 +39,10 @@ def test_printed_lines_are_parts_of_a_model_file(
     options = ["--torque", "302 N m", "--table", "small", "--misalignment", "5 um"]
     page = tmp_path / "levels.html"
     assert run_command(["contact-levels", file, *options, "--picture", str(page)]) == 0
-    assert page.read_text(encoding="utf-8").count('<div class="plot"') == 4
+    text = page.read_text(encoding="utf-8")
+    assert text.count('<div class="plot"') == 4
+    assert "contact overlap small" in text
+    assert "root stress" not in text  # the page has no values of it
     text = capsys.readouterr().out
     for words in ("rigid", "flexible", "pre-computed", "law din3990", "computed for this comparison"):
         assert words in text

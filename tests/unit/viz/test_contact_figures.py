@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -122,6 +124,9 @@ def test_section_with_all_plots(slanted: xr.Dataset) -> None:
     text = "".join(section.parts)
     assert text.count('<div class="plot"') == 11
     assert "This run is not complete." in text
+    assert "misalignment 0.01146 deg" in text
+    widths = [head.count("<th") for head in re.findall("<thead>.*?</thead>", text)]
+    assert sum(widths) > 12 and max(widths) <= 11  # results that are wider than the page take two tables
     assert "level rigid, 11 contact planes" in text
     assert "Maximum over mean, K_Hβ, at 800 N m" in text
     assert "<h3>" not in text

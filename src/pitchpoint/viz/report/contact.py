@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING
@@ -20,6 +21,7 @@ from pitchpoint.analysis.flank_contact.contact_pattern import (
 from pitchpoint.analysis.flank_contact.load_factors import load_over_width
 from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.analysis.flank_contact.root_stress import root_stress_of_tooth, root_stress_over_width
+from pitchpoint.core.units import format_quantity
 from pitchpoint.viz import contact_plots as plots
 from pitchpoint.viz.contact_table import (
     FLANKS,
@@ -43,6 +45,8 @@ if TYPE_CHECKING:
 
 MAX_CURVES = 5
 """Maximum number of torques in a plot with one curve each."""
+MAX_COLUMNS = 10
+"""Maximum number of columns after the first one of a table that fits on a page."""
 DETAILS = ("mean_transmission_error", "mean_secant_stiffness", "mean_mesh_stiffness")
 """Results that a table of several meshes has no room for."""
 OIL = (
@@ -127,7 +131,19 @@ def _meshes(analyses: Mapping[str, ContactData]) -> str:
             for name, one in analyses.items()
         }
     )
-    return plain_table(head, [_row(*row) for row in rows], words=1) if rows else ""
+    return _split(head, rows) if rows else ""
+
+
+def _split(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Table, in parts of equal width if it does not fit on a page; each part begins with the first column."""
+    parts = max(1, math.ceil((len(head) - 1) / MAX_COLUMNS))
+    most = max(1, math.ceil((len(head) - 1) / parts))
+    return "".join(
+        plain_table(
+            (head[0], *head[k : k + most]), [_row(row[0], *row[k : k + most]) for row in rows], words=1
+        )
+        for k in range(1, len(head), most)
+    )
 
 
 def _row(name: str, *cells: str) -> str:
@@ -288,7 +304,9 @@ def _about(data: xr.Dataset) -> str:
     angle = float(data["misalignment"].mean() if "misalignment" in data else options.get("misalignment", 0.0))
     side += ", shafts in equilibrium" if options.get("shafts") else ""
     more = "".join(f", {words}" for words in operation_words(options))
-    tilted = (f", misalignment {amount(angle, 'rad')}" if abs(angle) > NEGLIGIBLE else "") + more
+    tilted = (
+        f", misalignment {format_quantity(angle, 'angle', 4)}" if abs(angle) > NEGLIGIBLE else ""
+    ) + more
     return (
         f"Mesh {options['mesh']}, {side}: {contact_words(options)}; "
         f"{data.sizes['mesh_phase_position']} mesh phases{tilted}."
@@ -307,7 +325,9 @@ def _flanks(data: xr.Dataset, torque: int) -> str:
 
 def _table(torques: Array, found: Mapping[str, Array]) -> str:
     """Table with one row per torque."""
-    body, chosen = [], columns(found)
-    for k, torque in enumerate(torques):
-        body.append(_row(amount(float(torque), "N m"), *(c.text(float(found[c.key][k])) for c in chosen)))
-    return plain_table(("torque", *(c.heading for c in chosen)), body, words=1)
+    chosen = columns(found)
+    rows = [
+        [amount(float(torque), "N m"), *(c.text(float(found[c.key][k])) for c in chosen)]
+        for k, torque in enumerate(torques)
+    ]
+    return _split(("torque", *(c.heading for c in chosen)), rows)
