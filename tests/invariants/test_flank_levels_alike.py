@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from pitchpoint.core.status import OK, UNBOUNDED
 from pitchpoint.geometry import GearPair
 from pitchpoint.model.components.flank_contact import OilFilm, StructuralDamping
 from tests.support.flank_levels import N_PAIR, flexible, precomputed, rigid
@@ -57,6 +58,22 @@ def test_power_balance_of_flanks_that_part_fast(level):
         m.press(rng.uniform(1e-6, 3e-5))
         given, cycle, stored, lost = m.powers(rng.normal(size=(2, 6)) * [0.1, 0.1, 0.1, 1.0, 1.0, 10.0])
         assert abs(given + cycle - stored - lost) < 1e-6 * abs(stored)
+
+
+@pytest.mark.parametrize("level", ["rigid", "flexible"])
+def test_more_pairs_than_a_mesh_can_have_end_with_a_status(level):
+    """Gears that a diverging solution moves towards each other overlap in ever more pairs, beyond the memory
+    of the nodes."""
+    m = OneMesh(make_pair(**HELICAL), made(level), n_pair=N_PAIR, backlash=1e-3)
+    m.frames["phi"] += [3e-3 / m.row["r_b1"], 0.0]
+    found = []
+    for closer in np.linspace(0.0, 12e-3, 25):
+        frames = m.frames.copy()
+        frames["r"][1, 0] -= closer
+        found.append(m.attempt(frames)[0])
+        assert int(m.row["n_nodes"]) <= int(m.row["max_nodes"])
+    assert found[0] == OK
+    assert UNBOUNDED in found
 
 
 @pytest.mark.parametrize("level", ["rigid", "flexible"])

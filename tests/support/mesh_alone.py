@@ -24,14 +24,19 @@ class MeshAlone:
 
     def evaluate(self, frames=None, jac=0, ck=1.0, cd=0.0):
         """Wrenches on both bodies, shape (2, 6); observations and tangents stay in `out` and `kk`."""
+        status, wrenches = self.attempt(frames, jac, ck, cd)
+        assert status == OK
+        return wrenches
+
+    def attempt(self, frames=None, jac=0, ck=1.0, cd=0.0):
+        """Status, and wrenches as `evaluate`."""
         fr = (self.frames if frames is None else frames).copy()
         fr["F"] = 0.0
         self.kk[:] = 0.0
         self.out[:] = 0.0
         self.ctl["jac"], self.ctl["ck"], self.ctl["cd"] = jac, ck, cd
         self.ctl["fr"], self.ctl["nb"] = fr.ctypes.data, fr.size
-        assert invoke(type(self).kind, self.ctl.ctypes.data, self.rec.ctypes.data, 1) == OK
-        return fr["F"].copy()
+        return invoke(type(self).kind, self.ctl.ctypes.data, self.rec.ctypes.data, 1), fr["F"].copy()
 
     def get(self, name):
         place = next(k for k, (known, _, _) in enumerate(self.layout.OUTPUTS) if known == name)

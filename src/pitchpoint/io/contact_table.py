@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 SUFFIX = ".gcp.h5"
 """Usual extension."""
-VERSION = 1
+VERSION = 2
 """Version of the format."""
 LARGEST_FILE = 1 << 28
 """Largest size of a file that is read [bytes]."""

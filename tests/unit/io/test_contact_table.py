@@ -217,8 +217,8 @@ def large(inside: h5py.File) -> None:
     ("change", "words"),
     [
         (
-            lambda f: f.attrs.__setitem__("format", "gear-contact-potential-2"),
-            "has the version 2 of the format, not 1",
+            lambda f: f.attrs.__setitem__("format", "gear-contact-potential-1"),
+            "has the version 1 of the format, not 2",
         ),
         (lambda f: f.attrs.__setitem__("format", "pitchpoint-1"), "another format"),
         (lambda f: f.attrs.__delitem__("format"), "another format"),

@@ -31,7 +31,7 @@ class FlankCompliance:
     tangent, spread evenly over the width of plane j at the length of roll ρ_j, displaces plane i (mean over
     its width, along the base tangent) at the length of roll ρ_i by Σ P_m(t_i) C[i, j, m, n] P_n(t_j) f with
     the Legendre polynomials P_0 ... P_{M−1} of the height coordinate −1 ≤ t ≤ 1, which is linear in ρ. Left
-    flank; `right_flank` converts.
+    flank; on right flanks the block of the next tooth is transposed.
 
     Raises
     ------
@@ -124,19 +124,6 @@ class FlankCompliance:
                 blocks[k, :, k + 1, :] += side
                 blocks[k + 1, :, k, :] += side.T
         return np.asarray(blocks.reshape(neighbours * n, neighbours * n))
-
-    def right_flank(self) -> FlankCompliance:
-        """Compliance of the right flanks, with the teeth counted counter-clockwise as before.
-
-        Notes
-        -----
-        The mirror image in the transverse plane exchanges the flanks and the sense of counting: tooth k moves
-        per force on tooth k − 1 as a left flank does per force on tooth k + 1. By reciprocity the block of
-        the next tooth is transposed, [i, j, m, n] → [j, i, n, m]; the tooth itself remains.
-        """
-        other = "right" if self.provenance.get("flank", "left") == "left" else "left"
-        turned = np.ascontiguousarray(self.beside.transpose(1, 0, 3, 2))
-        return replace(self, beside=turned, provenance={**self.provenance, "flank": other})
 
     def scaled(self, C_M: float) -> FlankCompliance:
         """Compliance of a gear with the correction factor C_M of the stiffness.

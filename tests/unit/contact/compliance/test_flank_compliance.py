@@ -11,7 +11,6 @@ from numpy.polynomial.legendre import leggauss, legvander
 
 from pitchpoint.contact.compliance.blank import Blank
 from pitchpoint.contact.compliance.description import FlankCompliance
-from pitchpoint.contact.compliance.ends import reduced_ends, reduced_thickness
 from pitchpoint.contact.compliance.foundation import foundation
 from pitchpoint.contact.compliance.gear import COUPLINGS, flank_compliance, gear_slice
 from pitchpoint.contact.compliance.heights import congruence, fitted
@@ -199,21 +198,6 @@ def test_small_helix_angle_meets_the_spur_gear():
     assert other.windup == pytest.approx(one.windup, rel=1e-8)
 
 
-def test_right_flank_is_the_mirror_image():
-    """The transposed block, twice the original; the tooth and the wind-up remain."""
-    found = flank_compliance(GEARS["spur"], planes=4, body="ring")
-    right = found.right_flank()
-    assert right.beside == pytest.approx(found.beside.transpose(1, 0, 3, 2), rel=0.0)
-    assert np.array_equal(right.own, found.own) and right.windup == found.windup
-    assert np.array_equal(right.right_flank().beside, found.beside)
-    assert (right.provenance["flank"], right.right_flank().provenance["flank"]) == ("right", "left")
-    # a chain of teeth seen in the mirror: the order of the teeth is reversed
-    rho = np.random.default_rng(2).uniform(*found.roll, size=(3, 4))
-    reverse = np.arange(12).reshape(3, 4)[::-1].ravel()
-    mirrored = right.matrix(rho[::-1], 3)[np.ix_(reverse, reverse)]
-    assert mirrored == pytest.approx(found.matrix(rho, 3), rel=1e-13)
-
-
 @pytest.mark.parametrize(
     "z, blank, after, previous",
     [
@@ -241,24 +225,6 @@ def test_correction_factor():
     assert (plain.provenance["C_M"], measured.provenance["C_M"]) == (1.0, 0.8)
     with pytest.raises(ModelError, match="C_M"):
         plain.scaled(0.0)
-
-
-def test_reduced_ends():
-    """Acute end of a left flank of a right-hand tooth: the upper one; symmetric, positive, spur unchanged."""
-    gear = GEARS["helical"]
-    plain = flank_compliance(gear, planes=30, coupling="springs")
-    soft = reduced_ends(plain, gear)
-    ratio = soft.own[:, :, 0, 0].diagonal() / plain.own[:, :, 0, 0].diagonal()
-    z = (np.arange(30) + 0.5) / 30 * gear.b - 0.5 * gear.b
-    assert ratio == pytest.approx(np.sqrt(gear.s_n / reduced_thickness(gear, z)), rel=1e-12)
-    assert ratio[-1] > 1.2 and ratio[0] == 1.0
-    left_hand = reduced_ends(plain, gear.replace(beta=-gear.beta))
-    right_flank = reduced_ends(plain.right_flank(), gear)
-    assert left_hand.own[0, 0, 0, 0] == right_flank.own[0, 0, 0, 0] == pytest.approx(soft.own[-1, -1, 0, 0])
-    rho = np.random.default_rng(3).uniform(*soft.roll, size=(3, 30))
-    assert np.linalg.eigvalsh(soft.matrix(rho, 3))[0] > 0.0
-    spur = flank_compliance(GEARS["spur"], planes=3)
-    assert np.array_equal(reduced_ends(spur, GEARS["spur"]).own, spur.own)
 
 
 @pytest.mark.parametrize(

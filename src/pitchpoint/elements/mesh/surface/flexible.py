@@ -18,7 +18,7 @@ from pitchpoint.contact.local_approach import energy_slopes
 from pitchpoint.contact.unilateral import contact_energy, solve_contact, solve_tangent, tangent_block
 from pitchpoint.contact.unilateral_work import FORCE, LISTED
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import OK, UNBOUNDED
 from pitchpoint.elements.mesh.observations import add_pair_force
 from pitchpoint.elements.mesh.record import N_OUT, RECORD
 from pitchpoint.elements.mesh.sums import FRICTION_ROWS
@@ -43,7 +43,8 @@ from pitchpoint.elements.mesh.surface.scratch import flexible_arrays, slope_arra
 
 @kernel
 def place_nodes(b, watch):
-    """Place all nodes of the current flank that may have forces; returns their number."""
+    """Place all nodes of the current flank that may have forces; returns their number, or -1 if gears far
+    from their places have more than the pool holds."""
     now = b["now"]
     begin_surface(b)
     bounds = tip_bounds(b)
@@ -63,6 +64,8 @@ def place_nodes(b, watch):
                 if watch == 1 and place == 0:
                     b["sums"]["nearest"] = max(b["sums"]["nearest"], x)
                 continue
+            if found == nodes.size:
+                return -1
             node = nodes[found]
             if found == 0:
                 first = q
@@ -273,8 +276,8 @@ def flexible_flank(record, watch, _):
         return OK
     now = b["now"]
     n = place_nodes(b, watch)
-    if n == 0:
-        return OK
+    if n <= 0:
+        return OK if n == 0 else UNBOUNDED
     nodes = node_array(b)
     sums = b["sums"]
     x, local, C, slots, kept = flexible_arrays(b, n)

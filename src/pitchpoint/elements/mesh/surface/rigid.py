@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from pitchpoint.contact.flank_law import flank_energy, flank_force
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.core.status import OK
+from pitchpoint.core.status import OK, UNBOUNDED
 from pitchpoint.elements.mesh.observations import add_pair_force
 from pitchpoint.elements.mesh.record import N_OUT, RECORD
 from pitchpoint.elements.mesh.surface.losses import farthest_gap, with_losses
@@ -108,6 +108,8 @@ def rigid_flank(record, watch, _):
                 if watch == 1 and place == 0:
                     b["sums"]["nearest"] = max(b["sums"]["nearest"], x)
                 continue
+            if found == nodes.size:  # gears far from their places
+                return UNBOUNDED
             node = nodes[found]
             node["pair"] = now["tooth"] - q
             node["plane"] = s
