@@ -32,8 +32,6 @@ misalignment_help = (
 NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
 MOST = 500
 """Maximum number of torques."""
-STEEPEST = 0.1
-"""Maximum misalignment, as of the keys of a mesh [rad]."""
 
 
 def mesh_with_contact(model: Model, name: str | None) -> str:
@@ -150,6 +148,7 @@ def misalignment_of(text: str, model: Model, mesh: str) -> float:
     """Misalignment in the plane of action [rad] from a length over the common face width, or an angle."""
     from pitchpoint.core.errors import UnitError
     from pitchpoint.core.units import format_quantity, parse_quantity
+    from pitchpoint.model.components.mesh import STEEPEST
 
     hint = "--misalignment"
     try:

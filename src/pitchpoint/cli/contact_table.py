@@ -11,7 +11,7 @@ import click
 
 from pitchpoint.cli.contact_input import mesh_option, misalignment_of
 from pitchpoint.cli.options import common, model_file, one_of, output, quantity
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.contact.potential_fit import PotentialTable
@@ -47,6 +47,7 @@ def contact_table(file: str, as_json: bool, allow_code: bool, quiet: bool, **opt
     """
     from pitchpoint.cli.failure import OK
     from pitchpoint.cli.reading import read_model
+    from pitchpoint.contact.potential_accuracy import inaccuracy
     from pitchpoint.io.contact_table import SUFFIX, write_contact_table
     from pitchpoint.io.target import check_target
     from pitchpoint.model.contact_inputs import contact_inputs
@@ -63,12 +64,14 @@ def contact_table(file: str, as_json: bool, allow_code: bool, quiet: bool, **opt
     began = time.perf_counter()
     tables = compute(model, mesh, options, quiet or as_json)
     written = write_contact_table(target, tables, contact_inputs(model, mesh, model.meshes[mesh].contact))
+    poor = inaccuracy({flank: found.errors for flank, found in tables.items()})
     summary = {
         "mesh": mesh,
         "file": str(written),
         "bytes": written.stat().st_size,
         "wall_s": time.perf_counter() - began,
         "flanks": {flank: _summary(found) for flank, found in tables.items()},
+        "notes": [] if poor is None else [poor.changed(where=f"contact table of {mesh}")],
     }
     if as_json:
         emit_json(summary)
@@ -136,5 +139,6 @@ def _print(summary: dict[str, Any]) -> None:
     ]
     head = ["error over the nominal value", "front, rms", "front, max", "back, rms", "back, max"]
     table("Errors against flexible contact at random states", head, rows)
+    show_notes(summary["notes"])
     size = summary["bytes"] / 1e6
     show(f"written to {summary['file']}, {size:.1f} MB, in {summary['wall_s']:.1f} s")

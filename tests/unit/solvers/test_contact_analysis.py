@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from pitchpoint.analysis.flank_contact.load_factors import face_load_factor, load_over_width
 from pitchpoint.analysis.flank_contact.losses import sliding_radius
 from pitchpoint.analysis.flank_contact.teeth import mesh_teeth, pair_positions
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers.contact_analysis.levels import compare_levels
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from tests.support.contact_files import fzg
 
@@ -101,6 +103,24 @@ def test_what_it_refuses(tmp_path: Path) -> None:
     with pytest.raises(SolverError, match="no mesh 'x'; there are: stage") as caught:
         solve_contact(model, "x", torque=1.0)
     assert caught.value.status == INCONSISTENT
-    for torque in (0.0, [1.0, float("nan")]):
-        with pytest.raises(SolverError, match="is not a load"):
+    for torque in (0.0, [1.0, float("nan")], [], ["x"], "5", True, [[1.0], [2.0, 3.0]]):
+        with pytest.raises(SolverError, match="is not a load; give a number other than 0, in N m"):
             solve_contact(model, torque=torque)
+    for analyse in (solve_contact, compare_levels):
+        for angle in (1.0, -0.11, float("nan"), "x", True):
+            with pytest.raises(SolverError, match=r"is out of range \(limit -0.1 to 0.1 rad\); give the gap"):
+                analyse(model, torque=5.0, misalignment=angle)
+    with pytest.raises(SolverError, match="2 values; give one"):
+        compare_levels(model, torque=[1.0, 2.0])
+
+
+def test_load_in_few_planes_is_noted(tmp_path: Path) -> None:
+    """A gap of 50 mrad leaves one of nine planes under load; K_Hβ of it is 1.5 × 9."""
+    analysed(tmp_path, "spur", 1)
+    model = load_model(tmp_path / "pair.yaml")
+    data = solve_contact(model, torque=[500.0, 100.0], positions=4, misalignment=0.05)
+    (note,) = data.attrs["notes"].split("; ")
+    assert "load in only 1 of 9 planes at 500 N m" in note
+    assert "up to 13.5 (1.5 × planes)" in note
+    assert face_load_factor(load_over_width(data)) == pytest.approx([13.5, 13.5])
+    assert solve_contact(model, torque=500.0, positions=4).attrs["notes"] == ""

@@ -1,19 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """Tables of the elastic potential computed from flexible contact, and runs with them."""
 
+import json
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from pitchpoint.cli.contact_table import LISTED
+from pitchpoint.cli.main import run_command
 from pitchpoint.contact.potential_range import TableSize
 from pitchpoint.core.errors import ModelError, SolverError
 from pitchpoint.core.status import OK
-from pitchpoint.io.contact_table import write_contact_table
+from pitchpoint.io.contact_table import read_contact_table, write_contact_table
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.contact_inputs import contact_inputs
+from pitchpoint.model.remarks.collect import remarks_of
 from pitchpoint.solvers.contact_analysis.precompute import PotentialEvaluator, TableRequest, contact_table
+from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.compile import compile_model
+from pitchpoint.viz.contact_table import contact_words, options_of
 from tests.support.flank_models import pair_text
 
 SIZE = TableSize(16, 10, 5, 3)
@@ -97,3 +105,42 @@ def test_teeth_that_differ_have_no_table():
     text = pair_text().replace("-0.1}", "-0.1, faults: {chip: {type: pitch_error, tooth: 3, amount: 10 um}}}")
     with pytest.raises(SolverError, match="differ from each other"):
         contact_table(loads_model(text), "stage", REQUEST)
+
+
+def test_an_analysis_describes_the_flexible_contact_of_the_table(flexible, table_file):
+    """It is that of flexible contact."""
+    one, two = (solve_contact(m, torque=200.0, positions=4) for m in (flexible, precomputed(table_file)))
+    assert np.array_equal(one["transmission_error"], two["transmission_error"])
+    about = {"level": "flexible", "planes": 5, "body": "ring", "correction": 1.0}
+    assert options_of(two).items() >= about.items()
+    assert contact_words(options_of(two)) == contact_words(options_of(one))
+
+
+def test_a_request_that_no_table_can_cover():
+    for change in ({"torque": 0.0}, {"misalignment": 0.2}, {"misalignment": float("nan")}):
+        with pytest.raises(SolverError, match="is not a load|is out of range"):
+            TableRequest(**({"torque": 5.0} | change))
+
+
+def test_errors_of_a_table_above_their_limits_are_noted(flexible, table_file, monkeypatch, capsys, tmp_path):
+    """In the terminal, in JSON, and as a remark on the model; the worse of both flanks and quantities."""
+    errors = ({"force": (0.02, 0.1, 0.5)}, {"force": (0.02, 0.1, 0.5), "tilting_moment": (0.2, 0.9, 0.5)})
+    listed = dict.fromkeys(LISTED, (0.0, 0.0, 0.5))
+    stored = read_contact_table(table_file)
+    tables = {
+        flank: replace(stored.tables[flank], errors=listed | each)
+        for flank, each in zip(("front", "back"), errors, strict=True)
+    }
+    said = "rms error of the tilting moment on the back flanks is 20 % of F_bt b/2 (limit 5 %); compute"
+    monkeypatch.setattr("pitchpoint.cli.contact_table.compute", lambda *_: tables)
+    file, target = tmp_path / "m.yaml", tmp_path / "t.gcp.h5"
+    file.write_text(pair_text(), encoding="utf-8")
+    command = ["contact-table", str(file), "--torque", "400", "-o", str(target)]
+    assert run_command(command) == 0
+    assert f"note: contact table of stage: {said}" in " ".join(capsys.readouterr().out.split())
+    assert run_command([*command, "--json"]) == 0
+    assert said in json.loads(capsys.readouterr().out)["notes"][0]
+    (remark,) = remarks_of(precomputed(target))
+    assert str(remark).startswith("meshes.stage.contact.file (line ")
+    assert said in remark
+    assert remarks_of(precomputed(table_file)) == ()

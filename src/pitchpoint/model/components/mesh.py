@@ -134,6 +134,10 @@ class TransmissionError:
     )
 
 
+STEEPEST = 0.1
+"""Maximum misalignment of shaft axes, and of flanks in their plane of action [rad]."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Misalignment:
     """Shaft axes misaligned by the housing: tilt of axis 2 relative to axis 1, towards positive z."""
@@ -143,16 +147,16 @@ class Misalignment:
         "tilt in the plane of both axes, f_Sigma_delta over the bearing span; positive along the line from "
         "gear 1 to the pitch point",
         0.0,
-        minimum=-0.1,
-        maximum=0.1,
+        minimum=-STEEPEST,
+        maximum=STEEPEST,
     )
     out_of_plane: float = quantity(
         "angle",
         "tilt across that plane, f_Sigma_beta over the bearing span; positive 90 deg counter-clockwise of "
         "that line",
         0.0,
-        minimum=-0.1,
-        maximum=0.1,
+        minimum=-STEEPEST,
+        maximum=STEEPEST,
     )
     severity: float = quantity(
         "dimensionless", "scales both tilts: 0 aligned, 1 the given values", 1.0, minimum=0.0, maximum=1.0

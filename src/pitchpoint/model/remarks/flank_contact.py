@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Remarks on keys without effect of meshes with contact of tooth surfaces."""
+"""Remarks on meshes with contact of tooth surfaces: keys without effect, inaccurate tables."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from pitchpoint.contact.potential_accuracy import inaccuracy
 from pitchpoint.core.errors import Message, remark
-from pitchpoint.model.components.flank_contact import FlexibleContact, RigidContact
+from pitchpoint.model.components.flank_contact import FlexibleContact, PrecomputedContact, RigidContact
 from pitchpoint.model.keys import defaults_of
 
 if TYPE_CHECKING:
@@ -32,6 +33,15 @@ def contact_keys(model: Model) -> Iterator[Message]:
             yield from _analytic_keys(mesh.contact, at)
         elif isinstance(mesh.contact, RigidContact):
             yield from _depth(mesh.contact, at)
+
+
+def inaccurate_tables(model: Model) -> Iterator[Message]:
+    """Contact tables whose measured errors exceed their limits."""
+    for name, mesh in model.meshes.items():
+        if isinstance(mesh.contact, PrecomputedContact) and mesh.contact.tables is not None:
+            poor = inaccuracy({flank: one.errors for flank, one in mesh.contact.tables.tables.items()})
+            if poor is not None:
+                yield poor.changed(where=f"meshes.{name}.contact.file", kind="remark")
 
 
 def _analytic_keys(contact: FlexibleContact, at: str) -> Iterator[Message]:

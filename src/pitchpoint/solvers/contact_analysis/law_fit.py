@@ -18,6 +18,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT, OK, REFUSED, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.load_checks import checked_torque
 from pitchpoint.solvers.contact_analysis.solve import mesh_of
 
 if TYPE_CHECKING:
@@ -124,8 +125,7 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0)
             "give it `contact: {level: flexible}`",
             INCONSISTENT,
         )
-    if not math.isfinite(torque) or torque == 0.0:
-        raise SolverError(f"torque {torque} is not a load; give a torque other than 0", INCONSISTENT)
+    torque = checked_torque(torque)
     flanks = FlankStates(model, name)
     force = flanks.force_of(torque)
     nodes, eps_alpha = _loaded_nodes(flanks, force)

@@ -19,9 +19,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.contact.potential_build import Runner, one_after_another
 from pitchpoint.contact.potential_range import TableSize
-from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
-from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.model.components.flank_contact import (
     FlankContact,
     FlexibleContact,
@@ -31,6 +29,7 @@ from pitchpoint.model.components.flank_contact import (
 from pitchpoint.model.write import plain_component
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.law_fit import LawFit, fit_analytic_law
+from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torque
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options
 from pitchpoint.solvers.contact_analysis.mesh_path import MeshPath
 from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
@@ -148,8 +147,8 @@ def compare_levels(
         If a state has no solution, or the teeth of a gear differ from each other.
     """
     name = mesh_of(model, mesh)
-    if not np.isfinite(torque) or torque == 0.0:
-        raise SolverError(f"torque {torque} is not a load; give a torque other than 0", INCONSISTENT)
+    torque = checked_torque(torque)
+    check_misalignment(misalignment)
     if misalignment is not None:
         model = _misaligned(model, name, misalignment)
     flexible = model.replace(f"meshes.{name}.contact", _flexible(model.meshes[name].contact))
@@ -209,8 +208,6 @@ class _Reference:
 
 def _misaligned(model: Model, name: str, misalignment: float) -> Model:
     """Model whose housing misaligns the flanks by an angle in their plane of action [rad]."""
-    if not np.isfinite(misalignment):
-        raise SolverError(f"misalignment {misalignment} is not an angle; give a finite number", INCONSISTENT)
     alpha = model.pairs[name].alpha_wt
     tilts = {"in_plane": misalignment * math.sin(alpha), "out_of_plane": misalignment * math.cos(alpha)}
     return model.replace(f"meshes.{name}.misalignment", tilts)

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from pitchpoint.model.components.flank_contact import default_clamp
+from pitchpoint.model.components.flank_contact import PrecomputedContact, default_clamp
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.system.rules.flank_contact import flexible_options
 
 MARKS = ("A", "B", "C", "D", "E")
 """Points of the path of contact: start, start of single contact, pitch point, end of single contact, end."""
@@ -68,12 +69,14 @@ def mesh_geometry(flanks: FlankStates) -> tuple[dict[str, Any], dict[str, Any]]:
 
 def contact_options(flanks: FlankStates) -> dict[str, str | int | float]:
     """Level of the contact and its options, by their keys in the model file; defaults that depend on others
-    as texts.
+    as texts. Of a pre-computed contact those of the flexible one of its table, which is the one analysed.
     """
     from pitchpoint.model.keys import keys_of
 
     contact = flanks.model.meshes[flanks.mesh].contact
     assert contact is not None
+    if isinstance(contact, PrecomputedContact):
+        contact = flexible_options(contact)
     found: dict[str, str | int | float] = {"level": contact.level}
     for name, key in keys_of(type(contact)).items():
         value = getattr(contact, name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Notes on a contact analysis: contact below the root form circle, and beyond the range of tip edges."""
+"""Notes on a contact analysis: contact below the root form circle, beyond tip edges, and in few planes."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ FINE = 1e-3
 """Length of roll below the root form circle that is not reported, in base pitches."""
 NEAR = 0.9
 """Share of the range of tip edges beyond which contacts are reported."""
+FEW = 3
+"""Loaded planes below which the load distribution over the face width is not resolved."""
 
 
 def contact_notes(
@@ -37,7 +39,7 @@ def contact_notes(
     if not any(nodes.size for nodes in loaded):
         return ()
     node = np.concatenate(loaded)
-    return (*_interference(flanks, node), *_far_edges(flanks, node))
+    return (*_interference(flanks, node), *_far_edges(flanks, node), *_few_planes(flanks, found, loaded))
 
 
 def _held(states: NDArray[np.void], nodes: NDArray[np.void]) -> NDArray[np.bool_]:
@@ -85,5 +87,24 @@ def _far_edges(flanks: FlankStates, node: NDArray[np.void]) -> list[Message]:
             f"mesh {flanks.mesh}: tip edges touch up to {share} base pitches beyond the path of contact, and "
             f"only contacts within {reach / pair.p_et:.2g} are calculated: the deflection is too large for "
             "these teeth"
+        )
+    ]
+
+
+def _few_planes(
+    flanks: FlankStates,
+    found: list[tuple[NDArray[np.void], NDArray[np.void]]],
+    loaded: list[NDArray[np.void]],
+) -> list[Message]:
+    """Torque with the fewest planes under load over the mesh cycle; of two planes both may be."""
+    planes = int(flanks.record["slices"])
+    least, at = min((np.unique(nodes["plane"]).size, k) for k, nodes in enumerate(loaded) if nodes.size)
+    if least >= min(FEW, planes):
+        return []
+    torque = float(found[at][0]["force"].mean()) * float(flanks.record["r_b1"])
+    return [
+        note(
+            f"mesh {flanks.mesh}: load in only {least} of {planes} planes at {torque:.4g} N m, so that K_Hβ "
+            f"is only rough, extrapolated from them up to {1.5 * planes:g} (1.5 × planes): give more planes"
         )
     ]

@@ -22,6 +22,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, OK, sentence
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torque
 
 if TYPE_CHECKING:
     from pitchpoint.contact.potential_fit import PotentialTable
@@ -54,6 +55,11 @@ class TableRequest:
     torque: float
     misalignment: float | None = None
     centre_distance: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check torque and misalignment; `TableRange` checks the rest."""
+        checked_torque(self.torque)
+        check_misalignment(self.misalignment)
 
 
 class PotentialEvaluator:

@@ -17,6 +17,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torques
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 from pitchpoint.solvers.contact_analysis.notes import contact_notes
 from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
@@ -64,8 +65,8 @@ def solve_contact(
     positions
         Equidistant mesh phases over one base pitch.
     misalignment
-        Angle between the flanks in the plane of action [rad]: the gap increases by it towards +z. None: that
-        of the housing, `misalignment` of the mesh.
+        Angle between the flanks in the plane of action [rad], at most 0.1: the gap increases by it towards
+        +z. None: that of the housing, `misalignment` of the mesh.
     flank
         1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
     root_stress
@@ -88,18 +89,16 @@ def solve_contact(
     Raises
     ------
     SolverError
-        If the mesh has no contact of tooth surfaces, or a state has no solution; with the partial result.
+        If the mesh has no contact of tooth surfaces, torque or misalignment are out of range, or a state has
+        no solution; with the partial result.
     """
     name = mesh_of(model, mesh)
     check_method(root_stress)
-    torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
-    if not np.all(np.isfinite(torques)) or np.any(torques == 0.0):
-        raise SolverError(f"torque {torque} is not a load; give torques other than 0", INCONSISTENT)
-    if misalignment is not None and not math.isfinite(misalignment):
-        raise SolverError(f"misalignment {misalignment} is not an angle; give a finite number", INCONSISTENT)
+    torques = checked_torques(torque)
+    check_misalignment(misalignment)
     began = time.perf_counter()
     flanks = FlankStates(model, name, flank)
-    kappa = flanks.misalignment if misalignment is None else misalignment
+    kappa = flanks.misalignment if misalignment is None else float(misalignment)
     phase = np.arange(positions) / positions
     found: list[tuple[NDArray[np.void], NDArray[np.void]]] = []
     status, text = OK, sentence(OK)

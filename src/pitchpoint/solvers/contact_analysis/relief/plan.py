@@ -11,6 +11,7 @@ import numpy as np
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torques
 from pitchpoint.solvers.contact_analysis.relief.analyses import Conditions
 from pitchpoint.solvers.contact_analysis.relief.target import Target
 from pitchpoint.solvers.contact_analysis.relief.variables import Variable
@@ -73,6 +74,9 @@ class ReliefPlan:
     seed: int = 1
 
     def __post_init__(self) -> None:
+        checked_torques(self.torques)
+        for angle in self.misalignments:
+            check_misalignment(angle)
         for wrong, what in self._faults():
             if wrong:
                 raise SolverError(f"relief design: {what}", INCONSISTENT)
@@ -85,10 +89,6 @@ class ReliefPlan:
         return [
             (not self.vary, "give at least one variable"),
             (not all(bounds), "the lower bound of a variable is not below its upper bound; exchange them"),
-            (
-                not self.torques or not all(math.isfinite(t) and t != 0.0 for t in self.torques),
-                "give torques other than 0",
-            ),
             (not fitting, "give one weight for each torque"),
             (
                 not (np.isfinite(weights).all() and (weights >= 0.0).all() and weights.any()),
@@ -97,10 +97,6 @@ class ReliefPlan:
             (
                 not all(math.isfinite(t) and t >= 0.0 for t in self.tolerances.values()),
                 "give tolerances >= 0",
-            ),
-            (
-                not all(math.isfinite(k) for k in self.misalignments),
-                "give finite misalignments",
             ),
             (self.positions < 8, "give at least 8 positions"),
             (self.analyses < LEAST_ANALYSES, f"give at least {LEAST_ANALYSES} analyses"),
