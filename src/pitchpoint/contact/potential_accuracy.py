@@ -15,8 +15,8 @@ LIMITS = {
 
 Usual tables have 0.015 to 0.1 % for the force, and below 1 % for the tilting moment; the limits are ten and
 five times the upper ends. The excitation, the change of the force over the mesh cycle, begins at some percent
-of the force: with an error of 1 % it is no longer that of the gears. The tilting moment of misaligned flanks is
-some tens of percent of F_bt b/2, and 5 % of it displaces the force by 2.5 % of the face width.
+of the force: with an error of 1 % it is no longer that of the gears. The tilting moment of misaligned flanks
+is some tens of percent of F_bt b/2, and 5 % of that displaces the force by 2.5 % of the face width.
 """
 
 
@@ -28,6 +28,10 @@ def inaccuracy(errors: Mapping[str, Mapping[str, tuple[float, float, float]]]) -
     errors
         Errors of a `PotentialTable` (rms, maximum and rms of the quantity, in nominal values) by flank,
         "front" and "back".
+
+    Notes
+    -----
+    Derivation: docs/theory/stiffness.md, "Pre-computed flank contact".
 
     Examples
     --------

@@ -107,7 +107,7 @@ def test_what_it_refuses(tmp_path: Path) -> None:
         with pytest.raises(SolverError, match="is not a load; give a number other than 0, in N m"):
             solve_contact(model, torque=torque)
     for analyse in (solve_contact, compare_levels):
-        for angle in (1.0, -0.11, float("nan"), "x", True):
+        for angle in (1.0, -0.11, float("nan"), float("-inf"), "x", True):
             with pytest.raises(SolverError, match=r"is out of range \(limit -0.1 to 0.1 rad\); give the gap"):
                 analyse(model, torque=5.0, misalignment=angle)
     with pytest.raises(SolverError, match="2 values; give one"):
