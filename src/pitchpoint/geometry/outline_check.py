@@ -264,12 +264,15 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
     """
     part_of = flank_part(gear, path)
     path, index = path[part_of], index[part_of]
-    back = np.nonzero(np.diff(gear.sign * np.abs(path)) <= 0.0)[0]
+    step = np.diff(gear.sign * np.abs(path))
+    back = np.nonzero(step <= 0.0)[0]
     if back.size:
         raise OutlineError(
             part,
             int(index[back[0] + 1]),
-            "reverses towards the root on the flank",
+            "is the change of height to this point: the flank reverses towards the root",
+            value=f"{1e3 * step[back[0]]:.4g} mm",
+            limit="> 0 mm from root to tip",
             remedy="put the points in order from root to tip, or omit those that scatter",
         )
     if path.size < MIN_FLANK:
@@ -305,41 +308,4 @@ def check_flank(gear: CylindricalGear, path: ComplexArray, index: IntArray, part
                 value=f"{100.0 * share:.3g} % of the roll",
                 limit=f"{100.0 * UNCOVERED:g} %",
                 remedy="give more of the flank, or the tip and root diameters of this tooth",
-            )
-
-
-def check_simple(gear: CylindricalGear, plane: ComplexArray, index: IntArray | None, part: str) -> None:
-    """Check that the outline crosses neither itself nor that of the next tooth.
-
-    Parameters
-    ----------
-    gear
-        External or internal gear, whose generated tooth is the nominal one.
-    plane
-        Points of one pitch, shape (n,) [m].
-    index
-        Numbers of the points in the input, shape (n,), or None.
-    part
-        Name of the input.
-
-    Raises
-    ------
-    OutlineError
-        If the outline crosses itself or that of the next tooth.
-    """
-    turn = np.exp(2j * math.pi / abs(gear.z))
-    chain = np.concatenate([plane, plane * turn, plane[:1] * turn * turn])
-    a, b = chain[:-1], chain[1:]
-    for first in range(0, plane.size, 64):
-        p, q = (side[first : first + 64][: plane.size - first, None] for side in (a, b))
-        apart = ((q - p).conj() * (a - p)).imag * ((q - p).conj() * (b - p)).imag < 0.0
-        apart &= ((b - a).conj() * (p - a)).imag * ((b - a).conj() * (q - a)).imag < 0.0
-        found = np.argwhere(apart)
-        if found.size:
-            at = first + int(found[0, 0])
-            raise OutlineError(
-                part,
-                None if index is None else int(index[at]),
-                "crosses itself or the next tooth",
-                remedy="put the points in order along the outline",
             )

@@ -21,7 +21,6 @@ from pitchpoint.geometry.outline_check import (
     MIN_TOOTH,
     check_flank,
     check_height,
-    check_simple,
     flank_part,
     missing_material,
     one_pitch,
@@ -31,6 +30,7 @@ from pitchpoint.geometry.outline_check import (
 from pitchpoint.geometry.outline_check import (
     OutlineError as OutlineError,
 )
+from pitchpoint.geometry.outline_order import check_path, check_simple
 from pitchpoint.geometry.tooth_form import tooth_form
 
 if TYPE_CHECKING:
@@ -162,6 +162,7 @@ def outline_from_tooth(gear: CylindricalGear, points: ArrayLike, part: str = "to
     check_height(gear, plane, index, part)
     for side, mirrored in ((right, plane[right].conj()), (left, plane[left])):
         check_flank(gear, mirrored, index[side], part)
+    check_path(plane, index, part)
     check_simple(gear, plane, index, part)
     return ToothOutline(tuple((float(w.real), float(w.imag)) for w in plane))
 
@@ -183,8 +184,8 @@ def outline_from_flanks(
     Raises
     ------
     OutlineError
-        If a flank has too few points, is not monotonic in radius, omits too much of the usable flank or is
-        too far off the nominal one.
+        If a flank has too few points, is not monotonic in radius, crosses or runs back along itself, omits
+        too much of the usable flank or is too far off the nominal one.
 
     Examples
     --------
@@ -218,6 +219,7 @@ def outline_from_flanks(
             if gear.sign * (abs(read[-1]) - abs(read[0])) < 0.0:
                 read, index = read[::-1], index[::-1]
             check_flank(gear, read, index, part)
+            check_path(read, index, part)
             path = _continued(gear, path, read)
         halves.append(path)
     edge = form.half_pitch_angle

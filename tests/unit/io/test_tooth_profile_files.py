@@ -44,9 +44,10 @@ def off(file: Path, flank: str = "left") -> float:
     return float(np.abs(found.outline.gap(found, flank, ROLL)).max())
 
 
-def flank_lines(turn: float, side: float) -> list[str]:
-    """Involute of the left (side 1) or right (-1) flank, turned into the tooth by an angle."""
+def flank_lines(turn: float, side: float, below: bool = False) -> list[str]:
+    """Involute of the left (side 1) or right (-1) flank, turned into the tooth; with the fillet below it."""
     r, half, n = tooth_form(REAL).flank(60)
+    n = 0 if below else n
     points = 1e3 * r[n:] * np.exp(1j * side * (half[n:] - turn))
     return [HEAD, *(f"{p.real:.9f},{p.imag:.9f}" for p in points)]
 
@@ -130,6 +131,21 @@ def swapped(first: int, second: int) -> list[str]:
 
 
 GOOD = [HEAD, *tooth_lines()]
+WHEEL = points_csv(REAL, 20).splitlines()
+TOOTH = (len(WHEEL) - 1) // 30
+
+
+def back(lines: list[str], line: int, count: int = 8) -> list[str]:
+    """Lines of a file that run back by a number of points after a line (from 1), then go on."""
+    return [*lines[:line], *lines[line - 1 - count : line - 1][::-1], *lines[line:]]
+
+
+def early(lines: list[str], line: int, count: int) -> list[str]:
+    """Lines of a file with one line (from 1) put some places earlier."""
+    at = line - 1
+    return [*lines[: at - count], lines[at], *lines[at - count : at], *lines[at + 1 :]]
+
+
 # (lines of the file, keys, words that the sentence must hold)
 BAD: dict[str, tuple[list[str], str, list[str]]] = {
     "no heading": (tooth_lines(), "tooth: real.csv", ["has no header line", "line 1", "x [mm],y [mm]"]),
@@ -166,8 +182,37 @@ BAD: dict[str, tuple[list[str], str, list[str]]] = {
         "tooth: real.csv",
         ["off the nominal involute", "0.6 mm, 0.2 m_n", "line "],
     ),
-    "points out of order": (swapped(14, 17), "tooth: real.csv", ["reverses", "line 15"]),
-    "two points of the root exchanged": (swapped(3, 6), "tooth: real.csv", ["crosses itself", "line "]),
+    "points out of order": (
+        swapped(14, 17),
+        "tooth: real.csv",
+        ["reverses", "line 15", " mm is", "limit > 0 mm"],
+    ),
+    "back along fillet and root": (
+        back(GOOD, 48),
+        "tooth: real.csv",
+        ["180 deg turn", "runs back", "line 49)", "limit 150 deg", "in order"],
+    ),
+    "root point in the fillet": (
+        early(GOOD, 50, 2),
+        "tooth: real.csv",
+        ["deg turn", "runs back", "limit 150 deg"],
+    ),
+    "back along the root below a flank": (
+        back(flank_lines(0.0, 1.0, below=True), 14),
+        "left: real.csv",
+        ["180 deg turn", "line 15)", "limit 150 deg"],
+    ),
+    "back along another tooth": (
+        back(WHEEL, 5 * TOOTH + 20),
+        "tooth: real.csv",
+        ["180 deg turn", "in tooth 5", f"line {5 * TOOTH + 21})", "limit 150 deg"],
+    ),
+    "point of another tooth too early": (
+        early(WHEEL, 6 * TOOTH + 27, 60),
+        "tooth: real.csv",
+        ["crosses itself after this point in tooth 6", "line "],
+    ),
+    "two points of the root exchanged": (swapped(3, 6), "tooth: real.csv", ["runs back", "line 4)"]),
     "wrong flank": (flank_lines(0.0, -1.0), "left: real.csv", ["other side of the tooth", "y > 0"]),
     "short flank": (
         flank_lines(0.0, 1.0)[:30],

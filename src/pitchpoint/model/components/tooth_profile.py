@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.model.keys import integer, key, quantity
 
 if TYPE_CHECKING:
@@ -50,7 +50,8 @@ class ToothProfile:
     deviations; the stiffness remains that of the generated tooth. A CSV file has a header line with units,
     such as `x [mm],y [mm]`, then one point per line in the order of the outline, as written by
     `pitchpoint gears --export`; a column `tooth` may number the teeth, other columns are ignored. A flank or
-    tip that deviates by more than 0.2 modules is rejected.
+    tip that deviates by more than 0.2 modules is rejected, as are points that cross or run back along the
+    outline, in any tooth of the file.
     """
 
     tooth: Points | None = _points("one tooth, root to root: CSV file, or list of [x, y]")
@@ -89,14 +90,43 @@ class ToothProfile:
             return outline_from_flanks(gear, **parts)
         except OutlineError as error:
             name = error.part if error.part in self.given else "both"
-            problem = error.problem
-            raise GeometryError(
-                f"{problem.text}{self._source(name, error.point)}",
-                where=f"tooth_profile.{name}",
-                value=problem.value,
-                limit=problem.limit,
-                remedy=problem.remedy,
-            ) from None
+            raise self._fault(name, error.problem, error.point) from None
+
+    def check_teeth(self) -> None:
+        """Check the order of the points of all teeth of the files but `number`, which `outline` checks.
+
+        Points in the wrong place leave the tooth `number` as it is if they belong to another tooth. The error
+        (GeometryError) is that of the first line.
+        """
+        from pitchpoint.geometry.outline_check import OutlineError, plane_points
+        from pitchpoint.geometry.outline_order import check_path
+
+        for name in self.given:
+            points: Points = getattr(self, name)
+            rows: dict[int, list[int]] = {}
+            for row, tooth in enumerate(points.teeth):
+                rows.setdefault(tooth, []).append(row)
+            rows.pop(self.number, None)
+            faults: list[tuple[int, int, Message]] = []
+            for tooth, own in rows.items():
+                try:
+                    plane, index = plane_points([points.xy[i] for i in own], name, 1)
+                    check_path(plane, index, name)
+                except OutlineError as error:
+                    faults.append((own[error.point or 0], tooth, error.problem))
+            if faults:
+                row, tooth, problem = min(faults)
+                raise self._fault(name, problem.changed(text=f"{problem.text} in tooth {tooth}"), row)
+
+    def _fault(self, name: str, problem: Message, point: int | None) -> GeometryError:
+        """Error of a point of a part, with key, file and line."""
+        return GeometryError(
+            f"{problem.text}{self._source(name, point)}",
+            where=f"tooth_profile.{name}",
+            value=problem.value,
+            limit=problem.limit,
+            remedy=problem.remedy,
+        )
 
     def _turned(self, name: str, angle: float) -> NDArray[np.float64]:
         import numpy as np

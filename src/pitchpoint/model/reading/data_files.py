@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.core.errors import UnitError
+from pitchpoint.core.errors import GeometryError, UnitError
 from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.components.tooth_profile import Points, ToothProfile
 from pitchpoint.model.keys import BAD, Key, Place
@@ -112,7 +112,7 @@ def pitch(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def tooth_profile(reader: Reader, key: Key, data: Any, path: Place) -> Any:
-    """Read the points of a tooth profile and select those of the tooth `number`."""
+    """Read the points of a tooth profile and select those of the tooth `number`; check the order of all."""
     found = reader.component(ToothProfile, data, path)
     if found is BAD:
         return BAD
@@ -126,7 +126,13 @@ def tooth_profile(reader: Reader, key: Key, data: Any, path: Place) -> Any:
             limit=f"{min(source.teeth)} to {max(source.teeth)}",
             remedy="set number to a tooth of the file",
         )
-    return BAD if empty else chosen
+    if empty:
+        return BAD
+    try:
+        found.check_teeth()
+    except GeometryError as error:
+        return reader.hand_on(path[:-1], error.problem)
+    return chosen
 
 
 def points(reader: Reader, key: Key, data: Any, path: Place) -> Any:
