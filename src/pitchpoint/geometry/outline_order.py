@@ -49,7 +49,7 @@ def check_path(plane: ComplexArray, index: IntArray, part: str) -> None:
     Examples
     --------
     >>> check_path(np.array([0.0, 1.0, 1.0 + 1j, 0.5 + 1j]), np.arange(4), "tooth")
-    >>> check_path(np.array([0.0, 2.0, 1.0, 3.0]), np.arange(4), "tooth")
+    >>> check_path(np.array([0.0, 2.0, 1.0, 3.0]), np.arange(4), "tooth")  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     ...
     pitchpoint.geometry.outline_check.OutlineError: tooth[2]: 180 deg turn ...
