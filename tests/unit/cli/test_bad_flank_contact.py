@@ -160,7 +160,7 @@ def test_profile_files_that_turn_back(fault: str, tmp_path: Path, capsys: pytest
     text = capsys.readouterr().err
     assert "1 problem" in text
     assert "gears.g1.tooth_profile.tooth (line 3): -" in text
-    assert "reverses towards the root on the flank" in text
+    assert "the flank reverses towards the root" in text
     assert "limit > 0 mm from root to tip" in text
     assert "file 'tooth.csv', line" in text
 
