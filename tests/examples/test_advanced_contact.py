@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import pytest
 
+from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.contact_analysis.law_fit import fit_analytic_law
+from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shafts
 from pitchpoint.solvers.time import run_time
 from pitchpoint.system.compile import compile_model
 from tests.support.advanced_contact import EXAMPLE, folder_with_table
@@ -23,8 +25,12 @@ NUMBERS = {
 
 
 @pytest.fixture(scope="module")
-def channels(tmp_path_factory):
-    folder = folder_with_table(tmp_path_factory.mktemp("advanced"))
+def folder(tmp_path_factory):
+    return folder_with_table(tmp_path_factory.mktemp("advanced"))
+
+
+@pytest.fixture(scope="module")
+def channels(folder):
     return {
         name: run_time(compile_model(load_model(folder / f"{name}.yaml"), "steady")).channels
         for name in NUMBERS
@@ -58,3 +64,18 @@ def test_the_rigid_stiffness_is_that_of_the_fit():
     fit = fit_analytic_law(model, torque=200.0)
     rigid = load_model(EXAMPLE / "rigid.yaml").meshes["stage"].contact
     assert rigid.stiffness == pytest.approx(fit.rigid_stiffness, rel=2e-3)
+
+
+def test_contact_on_shafts_by_the_table(folder):
+    """The roll has the forces of the table, the contact is that of flexible teeth at its approaches."""
+    flexible, table = (
+        solve_contact_on_shafts(load_model(folder / f"{name}.yaml"), scenario="steady", positions=16)
+        for name in ("flexible", "precomputed")
+    )
+    assert float(table["torque"][0]) == pytest.approx(float(flexible["torque"][0]), rel=1e-4)
+    assert flexible.attrs["force_of_roll"] < 1e-12
+    assert 0.0 < table.attrs["force_of_roll"] < 5e-3
+    assert "touch at" not in table.attrs["notes"]
+    for name in ("flank_pressure", "face_load_factor", "root_stress_1"):
+        found, exact = (contact_numbers(data)[name][0] for data in (table, flexible))
+        assert found == pytest.approx(exact, rel=2e-3)

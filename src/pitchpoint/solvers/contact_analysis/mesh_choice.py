@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.nearest import hint
 from pitchpoint.core.status import INCONSISTENT
-from pitchpoint.model.components.flank_contact import PrecomputedContact
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.gear_trains import mesh_orders, rotations
 from pitchpoint.solvers.quasistatic.path import turned_gear
@@ -33,10 +32,6 @@ def unsuitable(model: Model) -> dict[str, str]:
             found[name] = "the contact of bevel gears is not analysed"
         elif part.contact is None:
             found[name] = "it has a stiffness law; give the mesh `contact: {level: flexible}`"
-        elif isinstance(part.contact, PrecomputedContact):
-            found[name] = (
-                "its contact is pre-computed, without loads of single tooth pairs; give `level: flexible`"
-            )
         elif any(model.body_of(gear) is None for gear in part.gears):
             found[name] = "its gears are not on bodies; put both on bodies or shafts"
     return found

@@ -23,6 +23,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.force_directions import flank_tilt
 from pitchpoint.elements.mesh.line_of_action import flank_phase
+from pitchpoint.model.components.flank_contact import PrecomputedContact
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.mesh_choice import chosen_meshes, rolled_together, unsuitable
@@ -44,6 +45,8 @@ IDLE = "it carries no load; load the bodies on both sides of the mesh"
 """Reason of a mesh without load."""
 BOTH = 1e-6
 """Share of the force above which the other flank has it."""
+OF_TABLES = 0.05
+"""The same with pre-computed contact, whose forces differ by the error of its table."""
 
 
 @dataclass(frozen=True)
@@ -303,7 +306,8 @@ def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tup
     )
     apart = np.abs(states["force"] - force)
     data.attrs["force_of_roll"] = float(apart.max() / force.mean())
-    wedged = int(np.sum(apart > BOTH * states["force"].max()))
+    limit = OF_TABLES if isinstance(model.meshes[mesh].contact, PrecomputedContact) else BOTH
+    wedged = int(np.sum(apart > limit * states["force"].max()))
     if wedged:
         side = "front" if flank > 0 else "back"
         text = (
