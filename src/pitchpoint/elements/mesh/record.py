@@ -106,13 +106,10 @@ _SURFACE = [
     ("work", "i8"),  # flexible: further scratch in the pool, see `surface.compliance` and `surface.flexible`
     ("n_slots", "i8"),  # nodes of the last solution, -1: none
     ("n_slot_pairs", "i8"),  # number of tooth pairs whose forces start the next solution
+    # influence functions by flank and gear, offsets in the pool; see `surface.compliance`
     ("own", "i8", (2, 2)),
     ("before", "i8", (2, 2)),
-    (
-        "after",
-        "i8",
-        (2, 2),
-    ),  # influence functions by flank and gear, offsets in the pool; see `surface.compliance`
+    ("after", "i8", (2, 2)),
     ("height", "f8", (2, 2)),  # length of roll at the height 0, and its half range
     ("windup", "f8"),  # compliance of both blanks in torsion, along the base tangent [m/N]
     ("depth", "f8", (2, 4)),  # depth of the reference points of the local contact over the height [m]
