@@ -29,6 +29,10 @@ FloatArray = NDArray[np.float64]
 U, U_S, U_X, U_KAPPA, U_A, FURTHER = 0, 1, 2, 3, 4, 5
 """Columns of the values at a point: potential, its derivatives, then further quantities."""
 
+PAIR_FORCE = "pair_force_"
+"""Beginning of the names of quantities that belong to tooth pairs, in the order of their numbers: a mesh
+cycle later each pair has taken the place of the next one."""
+
 NO_CONTACT = 1e-14
 """Share of the largest potential below which a point counts as without contact."""
 FLATTEST = 0.02
@@ -97,7 +101,10 @@ class PotentialTable:
         head[VALUES] = HEAD + sum(len(b) for b in blocks)
         head[RATIOS] = head[VALUES] + self.coefficients[:1].size * self.axes[PHASE].n_coefficients
         wrapped = np.concatenate([self.coefficients, self.coefficients[:3]])
-        ratios = np.concatenate([self.ratios, self.ratios[:, :1]], axis=1)
+        end = self.ratios[:, :1].copy()
+        of_pairs = np.array([name.startswith(PAIR_FORCE) for name in self.quantities], dtype=bool)
+        end[of_pairs] = np.roll(end[of_pairs], 1, axis=0)
+        ratios = np.concatenate([self.ratios, end], axis=1)
         packed = np.concatenate(
             [
                 head,

@@ -17,6 +17,7 @@ from pitchpoint.contact.potential_build import (
     build_potential_table,
     one_after_another,
 )
+from pitchpoint.contact.potential_fit import PAIR_FORCE
 from pitchpoint.contact.potential_range import TableRange, TableSize
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
@@ -144,7 +145,7 @@ class PotentialEvaluator:
 
 def quantities(pairs: int) -> dict[str, str]:
     """Unit of the ratio of every further quantity to the force, by name."""
-    return {**FURTHER, **{f"pair_force_{k}": "1" for k in range(pairs)}}
+    return {**FURTHER, **{f"{PAIR_FORCE}{k}": "1" for k in range(pairs)}}
 
 
 def table_span(evaluator: PotentialEvaluator, request: TableRequest) -> TableRange:
