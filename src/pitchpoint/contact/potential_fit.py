@@ -19,7 +19,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.potential_axes import TableAxis
-from pitchpoint.contact.potential_table import APPROACH, AXES, HEAD, PHASE, QUANTITIES, RATIOS, VALUES
+from pitchpoint.contact.potential_table import (
+    APPROACH,
+    AXES,
+    HEAD,
+    MOST_QUANTITIES,
+    PHASE,
+    QUANTITIES,
+    RATIOS,
+    VALUES,
+)
 from pitchpoint.contact.stiffness.description import refuse
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import NOT_FINITE, REFUSED
@@ -74,6 +83,7 @@ class PotentialTable:
 
     def __post_init__(self) -> None:
         """Check shapes and numbers."""
+        check_quantities(self.quantities)
         shape = coefficients_shape(self.axes)
         points = (len(self.quantities), *(axis.count for axis in self.axes))
         for name, array, wanted in (
@@ -143,6 +153,29 @@ class PotentialTable:
         if lever is not None:
             values[..., FURTHER] = lever * values[..., U_X]
         return fit_potential(axes, values, {} if lever is None else {"lever": "m"})
+
+
+def check_quantities(quantities: Mapping[str, str]) -> None:
+    """Refuse more further quantities than a table may have.
+
+    Parameters
+    ----------
+    quantities
+        Unit of every further quantity, by name.
+
+    Raises
+    ------
+    ModelError
+        If there are more than `MOST_QUANTITIES`.
+
+    Examples
+    --------
+    >>> check_quantities({"pair_force_0": "1"})
+    """
+    if len(quantities) > MOST_QUANTITIES:
+        words = "is too large a number of further quantities"
+        remedy = "use flexible contact, or fewer tooth pairs in contact: each is a quantity"
+        raise refuse("table.quantities", words, len(quantities), f"<= {MOST_QUANTITIES}", remedy)
 
 
 def coefficients_shape(axes: tuple[TableAxis, ...]) -> tuple[int, ...]:

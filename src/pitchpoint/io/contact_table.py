@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 SUFFIX = ".gcp.h5"
 """Usual extension."""
-VERSION = 2
+VERSION = 3
 """Version of the format."""
 LARGEST_FILE = 1 << 28
 """Largest size of a file that is read [bytes]."""
@@ -42,8 +42,6 @@ LARGEST_ARRAY = 1 << 24
 """Largest number of values of an array."""
 LONGEST_TEXT = 1 << 22
 """Largest size of the description [bytes]."""
-MOST_QUANTITIES = 32
-"""Largest number of further quantities."""
 FLANKS = ("front", "back")
 """Flanks whose tables a file contains."""
 AXES = {"phase": "1", "approach": "m", "misalignment": "rad", "centre_distance": "m"}
@@ -274,7 +272,7 @@ def _dataset(file: h5py.Group, name: str) -> h5py.Dataset:
 def _quantities(said: Any) -> dict[str, str]:
     """Units of further quantities by name."""
     found = dict(said)
-    if len(found) > MOST_QUANTITIES or not all(isinstance(unit, str) for unit in found.values()):
+    if not all(isinstance(unit, str) for unit in found.values()):
         raise ValueError("the further quantities are not valid")
     return found
 

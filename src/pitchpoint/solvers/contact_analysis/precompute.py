@@ -31,7 +31,13 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-FURTHER = {"friction_force": "1", "friction_moment": "m"}
+FURTHER = {
+    "friction_force": "1",
+    "path_before": "m",
+    "path_beyond": "m",
+    "width_before": "m",
+    "width_beyond": "m",
+}
 """Further quantities of a table, before the forces of the pairs: unit of their ratio to the force."""
 _MARGIN = 1.15
 """Highest approach of a table over the highest of the scan."""
@@ -129,6 +135,8 @@ class PotentialEvaluator:
         held = np.arange(nodes.shape[1]) < placed["n_nodes"][:, None]
         force = np.where(held, nodes["elastic"], 0.0)
         xi = nodes["xi"]
+        z = nodes["z"] - self.middle
+        before, beyond = force * np.heaviside(-xi, 0.5), force * np.heaviside(xi, 0.5)
         pair = nodes["pair"] % self.pairs
         columns = [
             placed["energy"],
@@ -136,8 +144,8 @@ class PotentialEvaluator:
             placed["force"],
             by_kappa,
             by_a,
-            np.sum(force * np.sign(xi), axis=1),
-            np.sum(force * np.abs(xi), axis=1),
+            np.sum(beyond - before, axis=1),
+            *(np.sum(part * place, axis=1) for place in (xi, z) for part in (before, beyond)),
             *(np.sum(np.where(pair == k, force, 0.0), axis=1) for k in range(self.pairs)),
         ]
         return np.column_stack(columns)
