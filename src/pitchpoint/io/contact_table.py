@@ -47,6 +47,8 @@ FLANKS = ("front", "back")
 AXES = {"phase": "1", "approach": "m", "misalignment": "rad", "centre_distance": "m"}
 """Names and units of the axes."""
 _PERIODS = {"phase": 1.0}
+_OF_RATIOS = "f4"
+"""Type of the ratios, which are linear between the points: single precision is far below their error."""
 _NAMED = 3
 """Differing inputs that a message names."""
 _PACKING: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "shuffle": True}
@@ -142,7 +144,7 @@ def _write_table(group: h5py.Group, table: PotentialTable) -> None:
         group.create_dataset(name, data=axis.points, dtype="f8").attrs["units"] = np.bytes_(unit)
     group.create_dataset("coefficients", data=table.coefficients, dtype="f8", **_PACKING)
     packing = _PACKING if table.ratios.size else {}
-    group.create_dataset("ratios", data=table.ratios, dtype="f8", **packing)
+    group.create_dataset("ratios", data=table.ratios, dtype=_OF_RATIOS, **packing)
 
 
 def read_contact_table(path: str | os.PathLike[str], inputs: Mapping[str, Any] | None = None) -> StoredTable:
@@ -222,7 +224,7 @@ def _stored(name: str, file: h5py.File) -> StoredTable:
         axes = _axes(group, options["axes"])
         quantities = _quantities(options["quantities"])
         coefficients = _array(group, "coefficients", coefficients_shape(axes))
-        ratios = _array(group, "ratios", (len(quantities), *(axis.count for axis in axes)))
+        ratios = _array(group, "ratios", (len(quantities), *(axis.count for axis in axes)), _OF_RATIOS)
         errors = {str(key): _errors(sizes) for key, sizes in dict(options["errors"]).items()}
         tables[flank] = PotentialTable(axes, coefficients, ratios, quantities, errors)
     stored, digest = dict(said["inputs"]), said["inputs_hash"]
@@ -248,11 +250,12 @@ def _axes(file: h5py.Group, options: Any) -> tuple[TableAxis, TableAxis, TableAx
     return found[0], found[1], found[2], found[3]
 
 
-def _array(file: h5py.Group, name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
-    """Array of a given shape, checked before memory is reserved."""
+def _array(file: h5py.Group, name: str, shape: tuple[int, ...], kind: str = "f8") -> NDArray[np.float64]:
+    """Array of a given shape and type, checked before memory is reserved."""
     item = _dataset(file, name)
-    if item.shape != shape or item.dtype != "f8":
-        raise ValueError(f"{name} has the shape {item.shape} and type {item.dtype} instead of {shape}, f8")
+    if item.shape != shape or item.dtype != kind:
+        words = f"has the shape {item.shape} and type {item.dtype} instead of {shape}, {kind}"
+        raise ValueError(f"{name} {words}")
     if math.prod(shape) > LARGEST_ARRAY:
         raise ValueError(f"{name} has {math.prod(shape)} values (limit {LARGEST_ARRAY})")
     values: NDArray[np.float64] = item[...].astype("f8", copy=False)
