@@ -162,6 +162,7 @@ def pivot(C, node, n, scale, state, on, v, U):
     [3.0, 0.0]
     """
     state["pivoted"] += 1
+    state["exact"] = 0
     limit = TOLERANCE * scale
     fewest = n + 1
     chances = _CHANCES

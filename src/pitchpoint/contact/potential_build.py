@@ -16,7 +16,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.potential_axes import TableAxis
-from pitchpoint.contact.potential_fit import FURTHER, U_A, U_KAPPA, U_S, U_X, PotentialTable, fit_potential
+from pitchpoint.contact.potential_fit import (
+    FURTHER,
+    U_A,
+    U_KAPPA,
+    U_S,
+    U_X,
+    PotentialTable,
+    check_quantities,
+    fit_potential,
+)
 from pitchpoint.contact.potential_range import TableRange, TableSize, fixed_axes, phase_axis, scan_states
 from pitchpoint.contact.potential_table import force_ratios, potential
 from pitchpoint.contact.stiffness.description import positive, refuse
@@ -196,6 +205,7 @@ def build_potential_table(
     True
     """
     size, quantities = size or TableSize(), dict(quantities or {})
+    check_quantities(quantities)
     if isinstance(checks, bool) or checks < 1:
         raise refuse("checks", "is not a number of states", checks, ">= 1", "give a number")
     x, kappa, a = fixed_axes(span, size)
@@ -239,14 +249,14 @@ def measured_errors(
     """
     packed = table.packed
     read = np.array([potential(packed, *state) for state in states])
-    ratios = np.zeros((len(states), len(table.quantities)))
+    ratios = np.zeros((len(states), 3, len(table.quantities)))
     for state, row in zip(states, ratios, strict=True):
         force_ratios(packed, *state, row)
     found = {}
     for name, column, scale in zip(ERRORS, (U_X, U_S, U_KAPPA, U_A), nominal.scales, strict=True):
         found[name] = _sizes(read[:, column] / scale, exact[:, column] / scale)
     for k, name in enumerate(table.quantities):
-        product = ratios[:, k] * read[:, U_X]
+        product = ratios[:, 0, k] * read[:, U_X]
         found[name] = _sizes(product / nominal.force, exact[:, FURTHER + k] / nominal.force)
     return found
 

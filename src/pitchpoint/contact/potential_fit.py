@@ -19,7 +19,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.potential_axes import TableAxis
-from pitchpoint.contact.potential_table import APPROACH, AXES, HEAD, PHASE, QUANTITIES, RATIOS, VALUES
+from pitchpoint.contact.potential_table import (
+    APPROACH,
+    AXES,
+    HEAD,
+    MOST_QUANTITIES,
+    PHASE,
+    QUANTITIES,
+    RATIOS,
+    VALUES,
+)
 from pitchpoint.contact.stiffness.description import refuse
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import NOT_FINITE, REFUSED
@@ -28,6 +37,10 @@ FloatArray = NDArray[np.float64]
 
 U, U_S, U_X, U_KAPPA, U_A, FURTHER = 0, 1, 2, 3, 4, 5
 """Columns of the values at a point: potential, its derivatives, then further quantities."""
+
+PAIR_FORCE = "pair_force_"
+"""Beginning of the names of quantities that belong to tooth pairs, in the order of their numbers: a mesh
+cycle later each pair has taken the place of the next one."""
 
 NO_CONTACT = 1e-14
 """Share of the largest potential below which a point counts as without contact."""
@@ -70,6 +83,7 @@ class PotentialTable:
 
     def __post_init__(self) -> None:
         """Check shapes and numbers."""
+        check_quantities(self.quantities)
         shape = coefficients_shape(self.axes)
         points = (len(self.quantities), *(axis.count for axis in self.axes))
         for name, array, wanted in (
@@ -97,7 +111,10 @@ class PotentialTable:
         head[VALUES] = HEAD + sum(len(b) for b in blocks)
         head[RATIOS] = head[VALUES] + self.coefficients[:1].size * self.axes[PHASE].n_coefficients
         wrapped = np.concatenate([self.coefficients, self.coefficients[:3]])
-        ratios = np.concatenate([self.ratios, self.ratios[:, :1]], axis=1)
+        end = self.ratios[:, :1].copy()
+        of_pairs = np.array([name.startswith(PAIR_FORCE) for name in self.quantities], dtype=bool)
+        end[of_pairs] = np.roll(end[of_pairs], 1, axis=0)
+        ratios = np.concatenate([self.ratios, end], axis=1)
         packed = np.concatenate(
             [
                 head,
@@ -136,6 +153,29 @@ class PotentialTable:
         if lever is not None:
             values[..., FURTHER] = lever * values[..., U_X]
         return fit_potential(axes, values, {} if lever is None else {"lever": "m"})
+
+
+def check_quantities(quantities: Mapping[str, str]) -> None:
+    """Refuse more further quantities than a table may have.
+
+    Parameters
+    ----------
+    quantities
+        Unit of every further quantity, by name.
+
+    Raises
+    ------
+    ModelError
+        If there are more than `MOST_QUANTITIES`.
+
+    Examples
+    --------
+    >>> check_quantities({"pair_force_0": "1"})
+    """
+    if len(quantities) > MOST_QUANTITIES:
+        words = "is too large a number of further quantities"
+        remedy = "use flexible contact, or fewer tooth pairs in contact: each is a quantity"
+        raise refuse("table.quantities", words, len(quantities), f"<= {MOST_QUANTITIES}", remedy)
 
 
 def coefficients_shape(axes: tuple[TableAxis, ...]) -> tuple[int, ...]:

@@ -33,6 +33,9 @@ COEFFICIENTS, CELLS, LOW, HIGH, SCALE, BUCKETS, POINTS, EDGES = 0, 1, 2, 3, 4, 5
 points; then the edges of the cells, the first cell of each bucket, 16 numbers per cell, the points. The 16
 numbers are the coefficients of the four B-splines in powers of the distance from the left edge."""
 
+MOST_QUANTITIES = 40
+"""Largest number of further quantities of a table."""
+
 BEYOND_APPROACH, BEYOND_MISALIGNMENT, BEYOND_CENTRE = 1, 2, 4
 """Bits of the axes outside whose range a state is; NaN counts as outside."""
 
@@ -120,42 +123,56 @@ def potential(table, s, x, kappa, a):
 
 @kernel
 def force_ratios(table, s, x, kappa, a, out):
-    """Ratios of the further quantities to the force V V_x: out[k] of quantity k.
+    """Ratios of the further quantities to the force V V_x, and their slopes by x and kappa, shape (3, n).
 
     Interpolation is linear between the tabulated points of all axes, so that a ratio remains between the
-    tabulated ones, and constant outside the range.
+    tabulated ones, and constant outside the range. `out` may be shorter than the quantities of the table.
 
     >>> import numpy as np
     >>> from pitchpoint.contact.potential_fit import PotentialTable
     >>> table = PotentialTable.of_spring(2.0e8, 1.0e-5, 5.0e-5, lever=0.03).packed
-    >>> out = np.zeros(1)
+    >>> out = np.zeros((3, 1))
     >>> force_ratios(table, 0.3, 3.0e-5, 0.0, 0.0, out)
-    >>> float(out[0])
-    0.03
+    >>> bool(np.allclose(out[:, 0], [0.03, 0.0, 0.0]))
+    True
     """
-    n = int(table[QUANTITIES])
-    i_s, t_s = _between(table, int(table[AXES + PHASE]), _phase(s))
-    i_x, t_x = _between(table, int(table[AXES + APPROACH]), x)
-    i_k, t_k = _between(table, int(table[AXES + MISALIGNMENT]), kappa)
-    i_a, t_a = _between(table, int(table[AXES + CENTRE]), a)
+    size = int(table[QUANTITIES])
+    n = min(size, out.shape[1])
+    value = out[0]
+    by_x = out[1]
+    by_k = out[2]
+    i_s, t_s, _ = _between(table, int(table[AXES + PHASE]), _phase(s))
+    i_x, t_x, h_x = _between(table, int(table[AXES + APPROACH]), x)
+    i_k, t_k, h_k = _between(table, int(table[AXES + MISALIGNMENT]), kappa)
+    i_a, t_a, _ = _between(table, int(table[AXES + CENTRE]), a)
     n_x = int(table[int(table[AXES + APPROACH]) + POINTS])
     n_k = int(table[int(table[AXES + MISALIGNMENT]) + POINTS])
     n_a = int(table[int(table[AXES + CENTRE]) + POINTS])
     for q in range(n):
-        out[q] = 0.0
+        value[q] = 0.0
+        by_x[q] = 0.0
+        by_k[q] = 0.0
     for corner in range(16):
         k_s = corner & 1
         k_x = corner >> 1 & 1
         k_k = corner >> 2 & 1
         k_a = corner >> 3
-        weight = (t_s if k_s else 1.0 - t_s) * (t_x if k_x else 1.0 - t_x)
-        weight *= (t_k if k_k else 1.0 - t_k) * (t_a if k_a else 1.0 - t_a)
-        if weight == 0.0:  # also beyond the last point of an axis
+        weight = (t_s if k_s else 1.0 - t_s) * (t_a if k_a else 1.0 - t_a)
+        # also beyond the last point of an axis
+        if weight == 0.0 or (k_x and h_x == 0.0) or (k_k and h_k == 0.0):
             continue
+        of_x = t_x if k_x else 1.0 - t_x
+        of_k = t_k if k_k else 1.0 - t_k
         row = (((i_s + k_s) * n_k + i_k + k_k) * n_a + i_a + k_a) * n_x + i_x + k_x
-        first = int(table[RATIOS]) + row * n
+        first = int(table[RATIOS]) + row * size
+        w = weight * of_x * of_k
+        w_x = weight * of_k * (h_x if k_x else -h_x)
+        w_k = weight * of_x * (h_k if k_k else -h_k)
         for q in range(n):
-            out[q] += weight * table[first + q]
+            ratio = table[first + q]
+            value[q] += w * ratio
+            by_x[q] += w_x * ratio
+            by_k[q] += w_k * ratio
 
 
 @kernel(inline=True)
@@ -245,19 +262,20 @@ def _cubic(table, p, t, out):
 
 @kernel(inline=True)
 def _between(table, o, x):
-    """Tabulated point below x and the share of the next one."""
+    """Tabulated point below x, the share of the next one, and its slope; 0 outside the range."""
     n = int(table[o + POINTS])
     cells = int(table[o + CELLS])
     if cells == 0:
-        return 0, 0.0
+        return 0, 0.0, 0.0
     p = o + EDGES + cells + 1 + int(table[o + BUCKETS]) + 16 * cells
     if not x > table[p]:
-        return 0, 0.0
+        return 0, 0.0, 0.0
     if x >= table[p + n - 1]:
-        return n - 1, 0.0
+        return n - 1, 0.0, 0.0
     i = min(int((x - table[p]) / (table[p + n - 1] - table[p]) * (n - 1)), n - 2)
     while i > 0 and x < table[p + i]:
         i -= 1
     while i < n - 2 and x >= table[p + i + 1]:
         i += 1
-    return i, (x - table[p + i]) / (table[p + i + 1] - table[p + i])
+    slope = 1.0 / (table[p + i + 1] - table[p + i])
+    return i, (x - table[p + i]) * slope, slope

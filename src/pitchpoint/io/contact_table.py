@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 SUFFIX = ".gcp.h5"
 """Usual extension."""
-VERSION = 2
+VERSION = 3
 """Version of the format."""
 LARGEST_FILE = 1 << 28
 """Largest size of a file that is read [bytes]."""
@@ -42,13 +42,13 @@ LARGEST_ARRAY = 1 << 24
 """Largest number of values of an array."""
 LONGEST_TEXT = 1 << 22
 """Largest size of the description [bytes]."""
-MOST_QUANTITIES = 32
-"""Largest number of further quantities."""
 FLANKS = ("front", "back")
 """Flanks whose tables a file contains."""
 AXES = {"phase": "1", "approach": "m", "misalignment": "rad", "centre_distance": "m"}
 """Names and units of the axes."""
 _PERIODS = {"phase": 1.0}
+_OF_RATIOS = "f4"
+"""Type of the ratios, which are linear between the points: single precision is far below their error."""
 _NAMED = 3
 """Differing inputs that a message names."""
 _PACKING: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "shuffle": True}
@@ -144,7 +144,7 @@ def _write_table(group: h5py.Group, table: PotentialTable) -> None:
         group.create_dataset(name, data=axis.points, dtype="f8").attrs["units"] = np.bytes_(unit)
     group.create_dataset("coefficients", data=table.coefficients, dtype="f8", **_PACKING)
     packing = _PACKING if table.ratios.size else {}
-    group.create_dataset("ratios", data=table.ratios, dtype="f8", **packing)
+    group.create_dataset("ratios", data=table.ratios, dtype=_OF_RATIOS, **packing)
 
 
 def read_contact_table(path: str | os.PathLike[str], inputs: Mapping[str, Any] | None = None) -> StoredTable:
@@ -224,7 +224,7 @@ def _stored(name: str, file: h5py.File) -> StoredTable:
         axes = _axes(group, options["axes"])
         quantities = _quantities(options["quantities"])
         coefficients = _array(group, "coefficients", coefficients_shape(axes))
-        ratios = _array(group, "ratios", (len(quantities), *(axis.count for axis in axes)))
+        ratios = _array(group, "ratios", (len(quantities), *(axis.count for axis in axes)), _OF_RATIOS)
         errors = {str(key): _errors(sizes) for key, sizes in dict(options["errors"]).items()}
         tables[flank] = PotentialTable(axes, coefficients, ratios, quantities, errors)
     stored, digest = dict(said["inputs"]), said["inputs_hash"]
@@ -250,11 +250,12 @@ def _axes(file: h5py.Group, options: Any) -> tuple[TableAxis, TableAxis, TableAx
     return found[0], found[1], found[2], found[3]
 
 
-def _array(file: h5py.Group, name: str, shape: tuple[int, ...]) -> NDArray[np.float64]:
-    """Array of a given shape, checked before memory is reserved."""
+def _array(file: h5py.Group, name: str, shape: tuple[int, ...], kind: str = "f8") -> NDArray[np.float64]:
+    """Array of a given shape and type, checked before memory is reserved."""
     item = _dataset(file, name)
-    if item.shape != shape or item.dtype != "f8":
-        raise ValueError(f"{name} has the shape {item.shape} and type {item.dtype} instead of {shape}, f8")
+    if item.shape != shape or item.dtype != kind:
+        words = f"has the shape {item.shape} and type {item.dtype} instead of {shape}, {kind}"
+        raise ValueError(f"{name} {words}")
     if math.prod(shape) > LARGEST_ARRAY:
         raise ValueError(f"{name} has {math.prod(shape)} values (limit {LARGEST_ARRAY})")
     values: NDArray[np.float64] = item[...].astype("f8", copy=False)
@@ -274,7 +275,7 @@ def _dataset(file: h5py.Group, name: str) -> h5py.Dataset:
 def _quantities(said: Any) -> dict[str, str]:
     """Units of further quantities by name."""
     found = dict(said)
-    if len(found) > MOST_QUANTITIES or not all(isinstance(unit, str) for unit in found.values()):
+    if not all(isinstance(unit, str) for unit in found.values()):
         raise ValueError("the further quantities are not valid")
     return found
 

@@ -303,14 +303,19 @@ def test_ratios_are_linear_between_points_and_constant_outside() -> None:
     columns = [0.5 * up**2, *(up * v for v in slopes)]
     values = np.stack([*columns, columns[2] * ratio, 3.0 * columns[2]], -1)
     packed = fit_potential(places, values, {"one": "m", "two": "1"}).packed
-    out = np.zeros(2)
+    out = np.zeros((3, 2))
     for s, x, kappa, a in ((0.3, 0.8, 0.23, 2.47), (0.99, 1.4, -1.0, 2.9), (0.0, 0.35, 0.5, 2.0)):
         force_ratios(packed, s, x, kappa, a, out)
-        assert out == pytest.approx([1.0 + 0.5 * x + 0.25 * kappa * a, 3.0], rel=1e-12)
+        assert out[0] == pytest.approx([1.0 + 0.5 * x + 0.25 * kappa * a, 3.0], rel=1e-12)
+    force_ratios(packed, 0.3, 0.8, 0.23, 2.47, out)
+    assert out[1:] == pytest.approx(np.array([[0.5, 0.0], [0.25 * 2.47, 0.0]]), abs=1e-9)
     force_ratios(packed, 0.3, 9.0, 2.0, 0.0, out)
-    assert out[0] == pytest.approx(1.0 + 0.5 * 1.4 + 0.25 * 1.0 * 2.0, rel=1e-12)
+    assert out[:, 0] == pytest.approx([1.0 + 0.5 * 1.4 + 0.25 * 1.0 * 2.0, 0.0, 0.0], rel=1e-12)
     force_ratios(packed, 0.3, -9.0, 0.1, 2.0, out)  # below contact: as at the lowest point in contact
-    assert out[0] == pytest.approx(1.0 + 0.5 * 0.1 + 0.25 * 0.1 * 2.0, rel=1e-12)
+    assert out[0, 0] == pytest.approx(1.0 + 0.5 * 0.1 + 0.25 * 0.1 * 2.0, rel=1e-12)
+    first = np.zeros((3, 1))
+    force_ratios(packed, 0.3, -9.0, 0.1, 2.0, first)
+    assert np.array_equal(first, out[:, :1])
 
 
 def test_the_same_without_the_compiler(wavy: PotentialTable, tmp_path) -> None:

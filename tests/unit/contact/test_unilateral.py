@@ -10,8 +10,9 @@ import pytest
 from scipy.optimize import lsq_linear, minimize
 
 from pitchpoint.contact.local_approach import N_NODE, local_energy
+from pitchpoint.contact.pivoting import pivot
 from pitchpoint.contact.unilateral import solve_contact, solve_tangent, tangent_block
-from pitchpoint.contact.unilateral_work import LISTED, ContactWorkspace
+from pitchpoint.contact.unilateral_work import FORCE, LISTED, PENETRATION, ContactWorkspace
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.status import NOT_FINITE, OK, SINGULAR
 from tests.support.unilateral import (
@@ -371,3 +372,22 @@ def test_tangent_is_the_derivative_of_the_forces(stale):
     sides = solve(p, np.array([x + step * direction, x - step * direction])).f
     found = (sides[0] - sides[1]) / (2.0 * step)
     assert by_force == pytest.approx(found, abs=(2e-2 if stale else 1e-7) * np.abs(found).max())
+
+
+@pytest.mark.nojit
+def test_tangent_is_exact_after_pivoting():
+    """Pivoting ends with a factor of its last but one forces, whatever the factor before it was."""
+    p, size = smooth(6, np.random.default_rng(13))
+    x = size * np.array([1.0, 0.8, -0.4, 0.9, 0.7, -0.5])
+    state, on, v, U = solve(p, x).work.arrays()
+    assert tangent_block(p.C, state, on, v, U) == OK
+    v[PENETRATION, :6] *= 1.0 + 1e-7
+    assert plain(pivot)(p.C, p.node, 6, size, state, on, v, U) == OK
+    assert tangent_block(p.C, state, on, v, U) == OK
+    m = int(state["m"])
+    inside = on[LISTED, :m]
+    K = p.C[np.ix_(inside, inside)] + np.diag(p.slope(v[FORCE, :6])[inside])
+    b = np.zeros(8)
+    b[:m] = 1.0
+    solve_tangent(state, v, U, b)
+    assert b[:m] == pytest.approx(np.linalg.solve(K, np.ones(m)), rel=1e-12)

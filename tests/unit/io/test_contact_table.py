@@ -16,9 +16,13 @@ import numpy as np
 import pytest
 
 from pitchpoint.contact.potential_axes import TableAxis
+from pitchpoint.contact.potential_build import NominalValues, build_potential_table
 from pitchpoint.contact.potential_fit import PotentialTable, fit_potential
+from pitchpoint.contact.potential_range import TableRange
+from pitchpoint.contact.potential_table import MOST_QUANTITIES
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import package_version
+from pitchpoint.elements.mesh.record import RECORD
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.io.contact_table import (
     LARGEST_FILE,
@@ -72,7 +76,8 @@ def file(tmp_path: Path) -> Path:
 def test_a_written_table_is_read(file: Path) -> None:
     table, found = small_table(), read_contact_table(file, INPUTS)
     front = found.tables["front"]
-    assert np.array_equal(front.packed, table.packed)
+    assert np.array_equal(front.coefficients, table.coefficients)
+    assert np.array_equal(front.ratios, table.ratios.astype(np.float32))
     assert front.errors == table.errors
     assert list(front.quantities.items()) == [("loss", "m"), ("friction", "1")]
     assert [axis.name for axis in front.axes] == [axis.name for axis in table.axes]
@@ -218,7 +223,7 @@ def large(inside: h5py.File) -> None:
     [
         (
             lambda f: f.attrs.__setitem__("format", "gear-contact-potential-1"),
-            "has the version 1 of the format, not 2",
+            "has the version 1 of the format, not 3",
         ),
         (lambda f: f.attrs.__setitem__("format", "pitchpoint-1"), "another format"),
         (lambda f: f.attrs.__delitem__("format"), "another format"),
@@ -297,3 +302,33 @@ def test_nothing_that_is_not_finite_becomes_a_table() -> None:
         dataclasses.replace(table, ratios=table.ratios[:1])
     with pytest.raises(ModelError, match="errors.*not finite"):
         dataclasses.replace(table, errors={"force": (float("nan"), 1.0, 1.0)})
+
+
+def of_quantities(count: int) -> PotentialTable:
+    """A table with further quantities, all zero."""
+    table = PotentialTable.of_spring(1e8, 0.0, 3e-5)
+    names = {f"pair_force_{k}": "1" for k in range(count)}
+    return dataclasses.replace(table, ratios=np.zeros((count, 8, 6, 1, 1)), quantities=names)
+
+
+def test_every_table_that_can_be_written_can_be_read_and_evaluated(tmp_path: Path) -> None:
+    """As many quantities as the scratch of a mesh holds; more are refused when made and when read."""
+    most = of_quantities(MOST_QUANTITIES)
+    assert RECORD["gcp_ratios"].shape == (3, MOST_QUANTITIES)
+    file = write_contact_table(tmp_path / f"pair{SUFFIX}", both(most), INPUTS)
+    assert np.array_equal(read_contact_table(file).tables["front"].packed, most.packed)
+    words = rf"{MOST_QUANTITIES + 1} is too large a number.*limit <= {MOST_QUANTITIES}.; use flexible contact"
+    with pytest.raises(ModelError, match=words):
+        of_quantities(MOST_QUANTITIES + 1)
+    larger = np.zeros((MOST_QUANTITIES + 1, 8, 6, 1, 1), "f4")
+    changed(file, replaced("ratios", larger))
+    changed(file, of_front(lambda d: d["quantities"].append(["one more", "1"])))
+    with pytest.raises(ContactTableError, match=words) as caught:
+        read_contact_table(file)
+    assert str(file) in str(caught.value)
+
+
+def test_too_many_quantities_are_refused_before_they_are_computed() -> None:
+    names = {f"pair_force_{k}": "1" for k in range(MOST_QUANTITIES + 1)}
+    with pytest.raises(ModelError, match="is too large a number of further quantities"):
+        build_potential_table(None, TableRange((0.0, 3e-5)), NominalValues(1e3, 0.01, 0.02), None, names)

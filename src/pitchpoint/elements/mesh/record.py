@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from pitchpoint.contact.flank_law import FLANK_LAW
+from pitchpoint.contact.potential_table import MOST_QUANTITIES
 from pitchpoint.elements.mesh.sums import scratch_of_sums
 
 #: Sources of the stiffness, field `source`.
@@ -29,9 +30,6 @@ axis."""
 #: Values per tooth in the table of a gear: grid of its gap, of its additional compliance and of its level, -1
 #: if none; first and last station between which gap and compliance, and the level, vary over z.
 N_ROW = 7
-
-N_RATIO = 34
-"""Maximum number of further quantities of a tabulated potential: two of friction, and one per tooth pair."""
 
 _BODIES = [(name, "i8") for name in ("i", "j", "ii", "ij", "ji", "jj")]
 
@@ -122,7 +120,7 @@ _SURFACE = [
     ("overlap", "f8"),  # additional compliance of one node [m/N]
     ("gcp", "i8", 2),
     ("gcp_size", "i8", 2),  # tabulated potentials of front and back flank: offsets in the pool and sizes
-    ("gcp_ratios", "f8", N_RATIO),  # scratch
+    ("gcp_ratios", "f8", (3, MOST_QUANTITIES)),  # scratch: further quantities and slopes, see `force_ratios`
     ("beyond", "i8"),  # result: axes outside whose range a flank in contact has been, bits of the table
     ("oil_rate", "f8"),  # film damping of one plane along the base tangent [N s/m], 0: none
     ("oil_film", "f8"),  # film thickness h along the base tangent

@@ -17,6 +17,7 @@ from pitchpoint.contact.potential_build import (
     build_potential_table,
     one_after_another,
 )
+from pitchpoint.contact.potential_fit import PAIR_FORCE
 from pitchpoint.contact.potential_range import TableRange, TableSize
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
@@ -30,7 +31,13 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-FURTHER = {"friction_force": "1", "friction_moment": "m"}
+FURTHER = {
+    "friction_force": "1",
+    "path_before": "m",
+    "path_beyond": "m",
+    "width_before": "m",
+    "width_beyond": "m",
+}
 """Further quantities of a table, before the forces of the pairs: unit of their ratio to the force."""
 _MARGIN = 1.15
 """Highest approach of a table over the highest of the scan."""
@@ -128,6 +135,8 @@ class PotentialEvaluator:
         held = np.arange(nodes.shape[1]) < placed["n_nodes"][:, None]
         force = np.where(held, nodes["elastic"], 0.0)
         xi = nodes["xi"]
+        z = nodes["z"] - self.middle
+        before, beyond = force * np.heaviside(-xi, 0.5), force * np.heaviside(xi, 0.5)
         pair = nodes["pair"] % self.pairs
         columns = [
             placed["energy"],
@@ -135,8 +144,8 @@ class PotentialEvaluator:
             placed["force"],
             by_kappa,
             by_a,
-            np.sum(force * np.sign(xi), axis=1),
-            np.sum(force * np.abs(xi), axis=1),
+            np.sum(beyond - before, axis=1),
+            *(np.sum(part * place, axis=1) for place in (xi, z) for part in (before, beyond)),
             *(np.sum(np.where(pair == k, force, 0.0), axis=1) for k in range(self.pairs)),
         ]
         return np.column_stack(columns)
@@ -144,7 +153,7 @@ class PotentialEvaluator:
 
 def quantities(pairs: int) -> dict[str, str]:
     """Unit of the ratio of every further quantity to the force, by name."""
-    return {**FURTHER, **{f"pair_force_{k}": "1" for k in range(pairs)}}
+    return {**FURTHER, **{f"{PAIR_FORCE}{k}": "1" for k in range(pairs)}}
 
 
 def table_span(evaluator: PotentialEvaluator, request: TableRequest) -> TableRange:
