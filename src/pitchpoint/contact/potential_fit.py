@@ -23,7 +23,7 @@ from pitchpoint.contact.potential_table import (
     APPROACH,
     AXES,
     HEAD,
-    MOST_QUANTITIES,
+    MAX_QUANTITIES,
     PHASE,
     QUANTITIES,
     RATIOS,
@@ -166,16 +166,16 @@ def check_quantities(quantities: Mapping[str, str]) -> None:
     Raises
     ------
     ModelError
-        If there are more than `MOST_QUANTITIES`.
+        If there are more than `MAX_QUANTITIES`.
 
     Examples
     --------
     >>> check_quantities({"pair_force_0": "1"})
     """
-    if len(quantities) > MOST_QUANTITIES:
+    if len(quantities) > MAX_QUANTITIES:
         words = "is too large a number of further quantities"
         remedy = "use flexible contact, or fewer tooth pairs in contact: each is a quantity"
-        raise refuse("table.quantities", words, len(quantities), f"<= {MOST_QUANTITIES}", remedy)
+        raise refuse("table.quantities", words, len(quantities), f"<= {MAX_QUANTITIES}", remedy)
 
 
 def coefficients_shape(axes: tuple[TableAxis, ...]) -> tuple[int, ...]:

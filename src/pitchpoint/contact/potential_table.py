@@ -33,8 +33,8 @@ COEFFICIENTS, CELLS, LOW, HIGH, SCALE, BUCKETS, POINTS, EDGES = 0, 1, 2, 3, 4, 5
 points; then the edges of the cells, the first cell of each bucket, 16 numbers per cell, the points. The 16
 numbers are the coefficients of the four B-splines in powers of the distance from the left edge."""
 
-MOST_QUANTITIES = 40
-"""Largest number of further quantities of a table."""
+MAX_QUANTITIES = 40
+"""Maximum number of further quantities of a table."""
 
 BEYOND_APPROACH, BEYOND_MISALIGNMENT, BEYOND_CENTRE = 1, 2, 4
 """Bits of the axes outside whose range a state is; NaN counts as outside."""

@@ -19,7 +19,7 @@ from pitchpoint.contact.potential_axes import TableAxis
 from pitchpoint.contact.potential_build import NominalValues, build_potential_table
 from pitchpoint.contact.potential_fit import PotentialTable, fit_potential
 from pitchpoint.contact.potential_range import TableRange
-from pitchpoint.contact.potential_table import MOST_QUANTITIES
+from pitchpoint.contact.potential_table import MAX_QUANTITIES
 from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import package_version
 from pitchpoint.elements.mesh.record import RECORD
@@ -313,14 +313,14 @@ def of_quantities(count: int) -> PotentialTable:
 
 def test_every_table_that_can_be_written_can_be_read_and_evaluated(tmp_path: Path) -> None:
     """As many quantities as the scratch of a mesh holds; more are refused when made and when read."""
-    most = of_quantities(MOST_QUANTITIES)
-    assert RECORD["gcp_ratios"].shape == (3, MOST_QUANTITIES)
+    most = of_quantities(MAX_QUANTITIES)
+    assert RECORD["gcp_ratios"].shape == (3, MAX_QUANTITIES)
     file = write_contact_table(tmp_path / f"pair{SUFFIX}", both(most), INPUTS)
     assert np.array_equal(read_contact_table(file).tables["front"].packed, most.packed)
-    words = rf"{MOST_QUANTITIES + 1} is too large a number.*limit <= {MOST_QUANTITIES}.; use flexible contact"
+    words = rf"{MAX_QUANTITIES + 1} is too large a number.*limit <= {MAX_QUANTITIES}.; use flexible contact"
     with pytest.raises(ModelError, match=words):
-        of_quantities(MOST_QUANTITIES + 1)
-    larger = np.zeros((MOST_QUANTITIES + 1, 8, 6, 1, 1), "f4")
+        of_quantities(MAX_QUANTITIES + 1)
+    larger = np.zeros((MAX_QUANTITIES + 1, 8, 6, 1, 1), "f4")
     changed(file, replaced("ratios", larger))
     changed(file, of_front(lambda d: d["quantities"].append(["one more", "1"])))
     with pytest.raises(ContactTableError, match=words) as caught:
@@ -329,6 +329,6 @@ def test_every_table_that_can_be_written_can_be_read_and_evaluated(tmp_path: Pat
 
 
 def test_too_many_quantities_are_refused_before_they_are_computed() -> None:
-    names = {f"pair_force_{k}": "1" for k in range(MOST_QUANTITIES + 1)}
+    names = {f"pair_force_{k}": "1" for k in range(MAX_QUANTITIES + 1)}
     with pytest.raises(ModelError, match="is too large a number of further quantities"):
         build_potential_table(None, TableRange((0.0, 3e-5)), NominalValues(1e3, 0.01, 0.02), None, names)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from pitchpoint.contact.flank_law import FLANK_LAW
-from pitchpoint.contact.potential_table import MOST_QUANTITIES
+from pitchpoint.contact.potential_table import MAX_QUANTITIES
 from pitchpoint.elements.mesh.sums import scratch_of_sums
 
 #: Sources of the stiffness, field `source`.
@@ -120,7 +120,7 @@ _SURFACE = [
     ("overlap", "f8"),  # additional compliance of one node [m/N]
     ("gcp", "i8", 2),
     ("gcp_size", "i8", 2),  # tabulated potentials of front and back flank: offsets in the pool and sizes
-    ("gcp_ratios", "f8", (3, MOST_QUANTITIES)),  # scratch: further quantities and slopes, see `force_ratios`
+    ("gcp_ratios", "f8", (3, MAX_QUANTITIES)),  # scratch: further quantities and slopes, see `force_ratios`
     ("beyond", "i8"),  # result: axes outside whose range a flank in contact has been, bits of the table
     ("oil_rate", "f8"),  # film damping of one plane along the base tangent [N s/m], 0: none
     ("oil_film", "f8"),  # film thickness h along the base tangent
