@@ -49,7 +49,10 @@ def points_of(up: np.ndarray, level_up: np.ndarray, level_down: np.ndarray) -> l
     return [{"direction": d, "mesh_frequency": float(f), "deflection": {"rms": float(a)}} for d, f, a in rows]
 
 
-@pytest.mark.parametrize("n", [41, 81, 161, pytest.param(641, marks=pytest.mark.study)])
+LONG = [pytest.param(n, marks=pytest.mark.study) for n in (81, 161, 641)]
+
+
+@pytest.mark.parametrize("n", [41, *LONG])
 def test_both_jumps_of_a_hardening_oscillator(n: int) -> None:
     case = {"damping": 0.02, "force": 0.05, "cubic": 0.3}
     f = np.linspace(0.4, 1.6, n)
