@@ -236,6 +236,12 @@ def test_storage(spur, tmp_path, monkeypatch):
     store.stored_tooth_fe(model)
     store.stored_tooth_fe(model)
     assert len(calls) == 2
+    # changed bytes: the method of compression and the flags in the directory of the archive
+    good = store.file_of(model).read_bytes()
+    start = good.index(b"PK\x01\x02")
+    for at, byte in ((10, 8), (10, 12), (10, 14), (10, 99), (8, 1), (8, 32)):
+        store.file_of(model).write_bytes(good[: start + at] + bytes([byte]) + good[start + at + 1 :])
+        assert (store.stored_tooth_fe(model).same == spur.same).all()
     others = [
         replace(model, E=2e11),
         replace(model, gear=gear.replace(x=0.1)),
