@@ -198,8 +198,8 @@ def rim_ratio(gear: CylindricalGear, blank: Blank) -> float:
     >>> round(rim_ratio(CylindricalGear(z=40, m_n=2e-3), Blank(rim_thickness=4.5e-3)), 9)
     1.0
     """
-    radii = blank_radii(gear, blank)
-    return abs(radii.root - radii.rim) / (gear.m_n if gear.is_internal else 0.5 * (gear.d_a - gear.d_fE))
+    rim = min(blank_radii(gear, blank).depth, blank.rim_thickness or math.inf)
+    return rim / (gear.m_n if gear.is_internal else 0.5 * (gear.d_a - gear.d_fE))
 
 
 def rim_factor(gear: CylindricalGear, blank: Blank) -> float:

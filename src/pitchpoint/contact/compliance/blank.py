@@ -45,7 +45,7 @@ class BlankRadii:
     Parameters
     ----------
     root, rim, clamp
-        Radii [m]; rim = clamp without a web.
+        Radii [m]; rim = clamp without a web, or with one as wide as the face.
     web_share
         Web thickness over face width [-]; 1 without a web.
     """
@@ -104,7 +104,7 @@ def blank_radii(gear: CylindricalGear, blank: Blank) -> BlankRadii:
     Examples
     --------
     >>> gear = CylindricalGear(z=43, m_n=1e-3)
-    >>> radii = blank_radii(gear, Blank(rim_thickness=3e-3, bore_diameter=12e-3))
+    >>> radii = blank_radii(gear, Blank(rim_thickness=3e-3, web_thickness=2e-3, bore_diameter=12e-3))
     >>> [round(1e3 * r, 3) for r in (radii.root, radii.rim, radii.clamp)]
     [20.25, 17.25, 6.0]
     """
@@ -135,7 +135,7 @@ def blank_radii(gear: CylindricalGear, blank: Blank) -> BlankRadii:
             limit=f"{'below' if sign > 0 else 'above'} the root diameter {2e3 * root:.6g} mm",
             remedy="use a smaller bore" if sign > 0 else "use a larger outer diameter",
         )
-    if rim is None or sign * (rim - clamp) <= 0.0:
-        rim = clamp
-    share = 1.0 if blank.web_thickness is None or rim == clamp else blank.web_thickness / gear.b
+    share = 1.0 if blank.web_thickness is None else blank.web_thickness / gear.b
+    if rim is None or share == 1.0 or sign * (rim - clamp) <= 0.0:
+        return BlankRadii(root, clamp, clamp, 1.0)
     return BlankRadii(root, rim, clamp, share)
