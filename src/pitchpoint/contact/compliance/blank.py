@@ -126,7 +126,7 @@ def blank_radii(gear: CylindricalGear, blank: Blank) -> BlankRadii:
     elif form.is_internal:
         clamp = root + RIM_OF_RING * gear.m_n if rim is None else rim
     else:
-        clamp = root / SOLID_RATIO if rim is None else min(root / SOLID_RATIO, max(rim, 0.0))
+        clamp = root / SOLID_RATIO
     if not sign * (root - clamp) > 0.0 or not clamp > 0.0:
         raise GeometryError(
             "leaves no rim behind the teeth",

@@ -239,6 +239,8 @@ def test_default_blanks():
     outside = {"bore_diameter": 80e-3}
     assert blank_radii(ring, Blank(rim_thickness=3e-3, **outside)) == blank_radii(ring, Blank(**outside))
     assert blank_radii(gear, replace(rim, web_thickness=gear.b)) == blank_radii(gear, solid)
+    for deep in (0.3, 0.45, 0.5):
+        assert blank_radii(gear, Blank(rim_thickness=deep * gear.d_f)) == blank_radii(gear, Blank())
 
 
 def test_wrong_input_is_refused():
