@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Helical gears with webs: the condensed ring against all elements of all teeth in one sparse system."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.sparse import coo_matrix
+from scipy.sparse.linalg import splu
+
+from pitchpoint.contact.tooth_fe.contour import Contour
+from pitchpoint.contact.tooth_fe.loads import flank_cases
+from pitchpoint.contact.tooth_fe.ring import ring, with_loads
+from pitchpoint.contact.tooth_fe.section_mesh import Density, section_mesh
+from pitchpoint.contact.tooth_fe.solid import Solid, freedoms
+from pitchpoint.contact.tooth_fe.width_basis import WidthBasis
+from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.geometry.tooth_form import tooth_form
+from tests.support.plane_teeth import NU, E
+
+COUNT, LOADED = 3, 3
+COARSE = Density(order=2, across=(0.0, 1.0), body=(0.0, 1.0))
+
+
+def turned(k: int, z: int) -> np.ndarray:
+    """Values in the axes of tooth k by those in the axes of tooth 0."""
+    c, s = math.cos(2.0 * math.pi * k / z), math.sin(2.0 * math.pi * k / z)
+    return np.kron([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]], np.eye(COUNT))
+
+
+def restriction(solid: Solid) -> np.ndarray:
+    """Polynomials of the rim in those of the web, fitted at many points."""
+    if solid.web is None:
+        return np.eye(3 * COUNT)
+    z = 0.5 * solid.web.width * np.linspace(-1.0, 1.0, 41)
+    found = np.linalg.lstsq(solid.web.values(z), solid.rim.values(z), rcond=None)[0]
+    return np.kron(np.eye(3), found)
+
+
+def directly(solid: Solid, cases) -> np.ndarray:
+    """Displacements of three neighbouring teeth by forces on them [m²/N]."""
+    mesh, z, d = solid.mesh, solid.z, 3 * COUNT
+    own = np.setdiff1d(np.arange(mesh.points.size), mesh.counter)
+    number = np.empty((z, mesh.points.size), np.int64)
+    number[:, own] = np.arange(z * own.size).reshape(z, -1)
+    number[:, mesh.counter] = np.roll(number, -1, axis=0)[:, mesh.clockwise]
+    size, n = z * own.size * d, mesh.elements[0].size
+    on_rim, shared = np.unique(mesh.elements[~mesh.web]), restriction(solid)
+    rows, columns, data = [], [], []
+    for e, nodes in enumerate(mesh.elements.reshape(-1, n)):
+        is_web = solid.web is not None and mesh.web[e]
+        S = solid.web.slopes if solid.web is not None and is_web else solid.rim.slopes
+        B, mixed, C = (part[e] for part in solid.matrices)
+        K = np.kron(B, np.eye(COUNT)) + np.kron(C, S.T @ S) + np.kron(mixed, S) + np.kron(mixed, S).T
+        to = np.zeros_like(K)
+        for i, node in enumerate(nodes):
+            to[i * d : i * d + d, i * d : i * d + d] = shared if is_web and node in on_rim else np.eye(d)
+        K = to.T @ K @ to
+        for k in range(z):
+            axes = np.kron(np.eye(n), turned(k, z))
+            at = (number[k][nodes][:, None] * d + np.arange(d)).ravel()
+            rows.append(np.repeat(at, at.size))
+            columns.append(np.tile(at, at.size))
+            data.append((axes.T @ K @ axes).ravel())
+    where = np.concatenate(rows), np.concatenate(columns)
+    matrix = coo_matrix((np.concatenate(data), where), shape=(size, size)).tocsc()
+    F = np.zeros((size, LOADED * COUNT))
+    for k in range(LOADED):
+        for case in cases:
+            forces = case.values.reshape(n, d, COUNT)
+            for node, force in zip(mesh.elements[case.element].ravel(), forces, strict=True):
+                start = number[k][node] * d
+                F[start : start + d, k * COUNT : (k + 1) * COUNT] += turned(k, z).T @ force
+    fixed = (np.unique(number[:, mesh.clamped])[:, None] * d + np.arange(d)).ravel()
+    free = np.setdiff1d(np.arange(size), fixed)
+    return np.asarray(F[free].T @ splu(matrix[free][:, free]).solve(F[free]))
+
+
+@pytest.mark.parametrize(
+    ("gear", "blank"),
+    [
+        (CylindricalGear(z=8, m_n=1e-3, x=0.4, b=6e-3, beta=0.3), (2e-3, None, None)),
+        (CylindricalGear(z=9, m_n=1e-3, x=0.3, b=6e-3, beta=-0.3), (1.5e-3, 2.6e-3, 2e-3)),
+        (CylindricalGear.internal(z=30, m_n=1e-3, b=6e-3, beta=0.3), (19.5e-3, 18e-3, 2e-3)),
+    ],
+    ids=["solid", "web", "internal web"],
+)
+def test_condensed_ring_is_the_whole_helical_gear(gear, blank):
+    clamped, rim, web = blank
+    contour = Contour(tooth_form(gear))
+    mesh = section_mesh(contour, gear.m_n, clamped, COARSE, rim)
+    twist = 2.0 * math.tan(gear.beta) / abs(gear.d)
+    basis = None if web is None else WidthBasis(web, COUNT)
+    solid = Solid(mesh, abs(gear.z), E, NU, twist, WidthBasis(gear.b, COUNT), basis)
+    cases = flank_cases(solid, contour, np.array([0.5 * sum(contour.roll)]), np.eye(1))
+    (free,) = freedoms(COUNT, True)
+    borders = np.union1d(mesh.clockwise, mesh.counter)
+    sector = solid.condensed(np.arange(len(mesh.elements)), free, mesh.clamped, borders, cases)
+    number = np.arange(COUNT)
+    found = ring([with_loads(sector, number, number + k * COUNT) for k in range(LOADED)], solid.z).compliance
+    assert found == pytest.approx(directly(solid, cases), rel=1e-9, abs=1e-10 * found.max())
