@@ -28,7 +28,8 @@ class Blank:
         diameter. Internal gear: outer diameter, at which it is clamped; None: `rim_thickness`, or 3.5 m_n
         behind the root circle.
     rim_thickness
-        Thickness of the rim behind the root circle [m]; None: solid to the bore.
+        Thickness of the rim behind the root circle [m]; None: solid to the bore. Without a web it has no
+        effect, except on an internal gear without outer diameter.
     web_thickness
         Axial thickness of the web between rim and bore [m], requires `rim_thickness`; None: face width.
     """

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Helical gears with webs: the condensed ring against all elements of all teeth in one sparse system."""
+"""Finite elements of helical gears: the ring against all teeth in one sparse system; local indentation."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,9 +13,10 @@ from scipy.sparse.linalg import splu
 
 from pitchpoint.contact.tooth_fe.contour import Contour
 from pitchpoint.contact.tooth_fe.loads import flank_cases
+from pitchpoint.contact.tooth_fe.local_part import contact_depth, half_pitch, half_plane, indentation
 from pitchpoint.contact.tooth_fe.ring import ring, with_loads
 from pitchpoint.contact.tooth_fe.section_mesh import Density, section_mesh
-from pitchpoint.contact.tooth_fe.solid import Solid, freedoms
+from pitchpoint.contact.tooth_fe.solid import Freedoms, Solid, freedoms
 from pitchpoint.contact.tooth_fe.width_basis import WidthBasis
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.tooth_form import tooth_form
@@ -101,3 +103,52 @@ def test_condensed_ring_is_the_whole_helical_gear(gear, blank):
     number = np.arange(COUNT)
     found = ring([with_loads(sector, number, number + k * COUNT) for k in range(LOADED)], solid.z).compliance
     assert found == pytest.approx(directly(solid, cases), rel=1e-9, abs=1e-10 * found.max())
+
+
+def moved_in_the_normal_section(solid: Solid, contour: Contour, rho: np.ndarray) -> np.ndarray:
+    """Displacement under a line load by the border of the half pitch, which moves like the half-space.
+
+    The solid is equal along the helix, and so are load and displacement, all three components of it.
+    """
+    mesh, free = solid.mesh, Freedoms(np.arange(3), np.zeros(3, np.int64))
+    elements, border = half_pitch(mesh)
+    kept = np.union1d(border, np.intersect1d(mesh.clamped, mesh.elements[elements]))
+    cases = flank_cases(solid, contour, rho, np.eye(rho.size))
+    half = solid.condensed(elements, free, np.empty(0, np.int64), kept, cases)
+    steep = solid.twist * contour.form.r_b
+    cos_b, found = 1.0 / math.hypot(1.0, steep), np.empty(rho.size)
+    for k in range(rho.size):
+        origin, into = (f(rho[k : k + 1])[0] for f in (contour.involute, contour.inward_normal))
+        away = mesh.points[half.nodes] - origin
+        # coordinates along the normal of the surface and, perpendicular to normal and contact line, across it
+        x, y = cos_b * (away * into.conjugate()).real, (away * into.conjugate()).imag
+        depth = cos_b * float(contact_depth(contour, rho[k : k + 1])[0])
+        u = half_plane(x + 1j * y, depth, solid.E, solid.nu)
+        plane = (u.real * cos_b + 1j * u.imag) * into * np.exp(-1j * solid.axes[half.nodes])
+        found[k] = half.R[:, k] @ np.column_stack([plane.real, plane.imag, u.real * cos_b * steep]).ravel()
+    return found
+
+
+@pytest.mark.parametrize(
+    "gear",
+    [
+        CylindricalGear(z=30, m_n=1e-3, beta=0.35),
+        CylindricalGear(z=30, m_n=1e-3, beta=-0.6),
+        CylindricalGear.internal(z=60, m_n=1e-3, beta=0.35),
+    ],
+    ids=["20", "-34", "internal"],
+)
+def test_indentation_of_helical_teeth_is_that_of_a_line_load(gear):
+    """Plane strain over cos β_b, within 8 % of the part by the border of the half pitch."""
+    contour = Contour(tooth_form(gear))
+    clamped = contour.form.r_f - contour.form.sign * 4.0 * gear.m_n
+    mesh = section_mesh(contour, gear.m_n, clamped, Density())
+    solid = Solid(mesh, abs(gear.z), E, NU, 2.0 * math.tan(gear.beta) / abs(gear.d), WidthBasis(gear.b, 1))
+    rho = np.linspace(*contour.roll, 7)[1:-1]
+    _, moved = indentation(solid, contour, rho)
+    expected = moved_in_the_normal_section(solid, contour, rho)
+    assert moved / math.cos(gear.beta_b) == pytest.approx(expected, rel=0.08)
+    # without the inclination of the contact line
+    spur = replace(solid, twist=0.0)
+    straight = moved_in_the_normal_section(spur, contour, rho)
+    assert straight == pytest.approx(indentation(spur, contour, rho)[1], rel=1e-9)
