@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Finite elements of helical gears: the ring against all teeth in one sparse system; local indentation."""
+"""Finite elements of helical gears: whole gear, local indentation, web."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import pytest
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import splu
 
+from pitchpoint.contact.compliance.blank import Blank, blank_radii
 from pitchpoint.contact.tooth_fe.contour import Contour
 from pitchpoint.contact.tooth_fe.loads import flank_cases
 from pitchpoint.contact.tooth_fe.local_part import contact_depth, half_pitch, half_plane, indentation
@@ -152,3 +153,43 @@ def test_indentation_of_helical_teeth_is_that_of_a_line_load(gear):
     spur = replace(solid, twist=0.0)
     straight = moved_in_the_normal_section(spur, contour, rho)
     assert straight == pytest.approx(indentation(spur, contour, rho)[1], rel=1e-9)
+
+
+def plate_deflection(inner: float, outer: float, thickness: float) -> float:
+    """Deflection of an annular plate clamped at its bore, level at its rim, per axial force [m/N].
+
+    S. P. Timoshenko and S. Woinowsky-Krieger, Theory of Plates and Shells (1959), 17; with the shear.
+    """
+    k = 1.5 * (1.0 - NU * NU) / (math.pi * E * thickness**3)  # w = A + B r² + C ln r + k r² ln r
+    rows = [
+        [1.0, inner**2, math.log(inner)],
+        [0.0, 2.0 * inner, 1.0 / inner],
+        [0.0, 2.0 * outer, 1.0 / outer],
+    ]
+    slopes = [-k * r * (2.0 * math.log(r) + 1.0) for r in (inner, outer)]
+    A, B, C = np.linalg.solve(rows, [-k * inner**2 * math.log(inner), *slopes])
+    bending = abs(A + B * outer**2 + (C + k * outer**2) * math.log(outer))
+    return bending + 1.2 * (1.0 + NU) * math.log(outer / inner) / (math.pi * E * thickness)
+
+
+@pytest.mark.parametrize("beta", [0.0, 0.3])
+def test_all_teeth_twist_and_bend_the_web(beta):
+    """A web of 0.5 instead of 1 mm: torsion of the disc, and bending of a plate by the axial force."""
+    gear = CylindricalGear(z=20, m_n=1e-3, x=0.3, b=6e-3, beta=beta)
+    contour, z, count = Contour(tooth_form(gear)), gear.z, 4
+    found, expected = [], []
+    for web in (0.5e-3, 1e-3):
+        blank = Blank(bore_diameter=8e-3, rim_thickness=2e-3, web_thickness=web)
+        radii = blank_radii(gear, blank)
+        mesh = section_mesh(contour, gear.m_n, radii.clamp, Density(order=3, growth=2.0), radii.rim)
+        twist = 2.0 * math.tan(beta) / gear.d
+        solid = Solid(mesh, z, E, NU, twist, WidthBasis(gear.b, count), WidthBasis(web, count))
+        cases = flank_cases(solid, contour, np.array([0.5 * sum(contour.roll)]), np.eye(1))
+        borders, one = np.union1d(mesh.clockwise, mesh.counter), np.zeros(1, np.int64)
+        every = np.arange(len(mesh.elements))
+        sector = solid.condensed(every, freedoms(count, True)[0], mesh.clamped, borders, cases)
+        by_teeth = ring([with_loads(sector, one, one + k) for k in range(z - 1)], z).compliance[0]
+        found.append(by_teeth.sum() + by_teeth[1])  # the last tooth moves like the next one
+        axial = math.tan(gear.beta_b) ** 2 * gear.b * plate_deflection(radii.clamp, radii.rim, web)
+        expected.append(z * (radii.torsion(gear.r_b, 0.5 * E / (1.0 + NU)) + axial))
+    assert found[0] - found[1] == pytest.approx(expected[0] - expected[1], rel=0.02)
