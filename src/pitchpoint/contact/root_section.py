@@ -195,7 +195,7 @@ def rim_ratio(gear: CylindricalGear, blank: Blank) -> float:
 
     Examples
     --------
-    >>> round(rim_ratio(CylindricalGear(z=40, m_n=2e-3), Blank(rim_thickness=4.5e-3)), 9)
+    >>> round(rim_ratio(CylindricalGear(z=40, m_n=2e-3), Blank(rim_thickness=4.5e-3, web_thickness=5e-3)), 9)
     1.0
     """
     radii = blank_radii(gear, blank)
@@ -223,7 +223,7 @@ def rim_factor(gear: CylindricalGear, blank: Blank) -> float:
     Examples
     --------
     >>> gear = CylindricalGear(z=40, m_n=2e-3)
-    >>> round(rim_factor(gear, Blank(rim_thickness=4.5e-3)), 4), rim_factor(gear, Blank())
+    >>> round(rim_factor(gear, Blank(rim_thickness=4.5e-3, web_thickness=5e-3)), 4), rim_factor(gear, Blank())
     (1.2918, 1.0)
     """
     ratio = rim_ratio(gear, blank)

@@ -64,9 +64,10 @@ def test_factors_end_at_their_limits() -> None:
     assert helix_factor(math.radians(20.0), 0.5) == pytest.approx(1.0 - 0.5 / 6.0)
     gear = CylindricalGear(z=40, m_n=2e-3)
     for share, factor in ((1.21, 1.0), (1.19, 1.6 * math.log(2.242 / 1.19)), (0.5, 1.6 * math.log(4.484))):
-        blank = Blank(rim_thickness=share * 4.5e-3)
+        blank = Blank(rim_thickness=share * 4.5e-3, web_thickness=5e-3)
         assert rim_ratio(gear, blank) == pytest.approx(share)
         assert rim_factor(gear, blank) == pytest.approx(factor)
+    assert rim_factor(gear, Blank(rim_thickness=0.5 * 4.5e-3)) == 1.0  # without a web the gear is solid
     for share, factor in ((3.51, 1.0), (2.0, 1.15 * math.log(4.162))):
         assert rim_factor(RING, Blank(rim_thickness=share * 3e-3)) == pytest.approx(factor)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -16,7 +17,10 @@ from pitchpoint.contact.tooth_fe.section_mesh import Density
 from pitchpoint.contact.tooth_fe.solve import tooth_fe
 from pitchpoint.contact.tooth_fe.tooth_model import Resolution, ToothModel
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+from pitchpoint.geometry.materials import material
 from pitchpoint.geometry.tooth_form import tooth_form
+from pitchpoint.geometry.tooth_outline import ToothOutline
+from pitchpoint.system.rules import flank_contact
 from tests.support.plane_teeth import PlaneTooth, approach, clamped_radius
 
 SMALL = Resolution(heights=4, widths=6, fillet_points=5, density=Density(body=(0.0, 1.0), across=(0.0, 1.0)))
@@ -236,6 +240,12 @@ def test_storage(spur, tmp_path, monkeypatch):
     store.stored_tooth_fe(model)
     store.stored_tooth_fe(model)
     assert len(calls) == 2
+    # changed bytes: the method of compression and the flags in the directory of the archive
+    good = store.file_of(model).read_bytes()
+    start = good.index(b"PK\x01\x02")
+    for at, byte in ((10, 8), (10, 12), (10, 14), (10, 99), (8, 1), (8, 32)):
+        store.file_of(model).write_bytes(good[: start + at] + bytes([byte]) + good[start + at + 1 :])
+        assert (store.stored_tooth_fe(model).same == spur.same).all()
     others = [
         replace(model, E=2e11),
         replace(model, gear=gear.replace(x=0.1)),
@@ -246,3 +256,17 @@ def test_storage(spur, tmp_path, monkeypatch):
     (tmp_path / "file").touch()
     monkeypatch.setattr(store, "user_cache", lambda: tmp_path / "file")
     assert store.stored_tooth_fe(model) is spur
+
+
+def test_a_given_outline_has_the_stored_elements_of_the_generated_tooth(monkeypatch):
+    """Finite elements use the generated tooth: no other file, no other calculation."""
+    monkeypatch.setattr(flank_contact, "stored_tooth_fe", store.file_of)
+    gear = CylindricalGear(z=17, m_n=1e-3, b=8e-3)
+    given = gear.replace(outline=ToothOutline(((7e-3, -1e-3), (9e-3, 0.0), (7e-3, 1e-3))))
+    settings = {"material_data": material("steel"), "bore_diameter": 0.0}
+    settings |= {"rim_thickness": None, "web_thickness": None}
+    files = {
+        flank_contact.finite_elements_of(SimpleNamespace(geometry=geometry, **settings))
+        for geometry in (gear, given)
+    }
+    assert len(files) == 1

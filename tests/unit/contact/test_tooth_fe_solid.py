@@ -77,6 +77,25 @@ def test_mesh_has_the_area_of_the_pitch(name):
 
 
 @pytest.mark.parametrize("name", GEARS)
+def test_elements_of_thin_rims_are_not_inside_out(name):
+    """Down to the smallest rim that is not refused, in steps of a fiftieth of a module."""
+    gear = GEARS[name]
+    contour = Contour(tooth_form(gear))
+    grid = np.linspace(-1.0, 1.0, 9)
+    first, second = (g.ravel() for g in np.meshgrid(grid, grid))
+    form, refused = contour.form, 0
+    for rim in gear.m_n * np.arange(0.1, 0.8, 0.02):
+        try:
+            mesh = section_mesh(contour, gear.m_n, form.r_f - form.sign * rim, Density())
+        except GeometryError:
+            refused += 1
+            continue
+        found = strain(mesh, np.arange(len(mesh.elements)), (first, second), 0.0).area
+        assert (np.sign(found) == np.sign(found[:, :1])).all()
+    assert 5 < refused < 16
+
+
+@pytest.mark.parametrize("name", GEARS)
 def test_normals_are_perpendicular_to_the_flank(name):
     contour = Contour(tooth_form(GEARS[name]))
     low, high = contour.roll
@@ -294,6 +313,8 @@ def test_all_teeth_loaded_wind_up_the_body():
         ({"gear": SHARP}, "root_fillet_radius"),
         ({"web_thickness": 12e-3, "rim_thickness": 2e-3, "bore_diameter": 8e-3}, "web_thickness"),
         ({"bore_diameter": 40e-3}, "bore_diameter"),
+        ({"bore_diameter": 27.1e-3}, "bore_diameter: rim of 0.2 mm is too thin .*above 0.2727"),
+        ({"web_thickness": 4e-3, "rim_thickness": 0.2e-3}, "rim_thickness: rim of 0.2 mm"),
         ({"gear": CylindricalGear(z=4, m_n=1e-3, x=0.8)}, "number_of_teeth"),
         ({"E": math.nan}, "youngs_modulus"),
         ({"E": True}, "youngs_modulus"),

@@ -201,6 +201,14 @@ def test_rolling_teeth_of_a_prescribed_stiffness_do_not_slide() -> None:
     assert power("{law: din3990}", 0.0) > 10.0
 
 
+@pytest.mark.parametrize("contact", ["flexible, body: ring", "flexible, teeth: finite_elements", "rigid"])
+def test_a_rim_alone_has_no_effect_on_the_contact_of_flanks(contact: str) -> None:
+    text = TEXT.replace("stiffness: {law}", f"contact: {{{{level: {contact}}}}}")
+    (remark,) = keys_without_effect(loads_model(text.format(**(PARTS | {"a": ", rim_thickness: 4 mm"}))))
+    assert remark.startswith("gears.a.rim_thickness: has no effect without web_thickness")
+    assert keys_without_effect(loads_model(text.format(**(PARTS | {"a": BLANK})))) == ()
+
+
 def test_energy_leaves_the_blank_to_the_inertia() -> None:
     (text,) = sentences(a=BLANK, law="{law: energy}")
     assert "only the inertia does" in text

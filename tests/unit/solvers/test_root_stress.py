@@ -84,7 +84,9 @@ def test_uniform_load_gives_the_stress_of_the_standard(tmp_path: Path) -> None:
 
 def test_helix_and_rim_factors_apply() -> None:
     """A rim of 0.8 h_t has Y_B = 1.6 ln(2.242/0.8); both factors change the stress only."""
-    model = pair(*hands("right", "left"), more=", rim_thickness: 5.4 mm, bore_diameter: 30 mm")
+    model = pair(
+        *hands("right", "left"), more=", rim_thickness: 5.4 mm, web_thickness: 6 mm, bore_diameter: 30 mm"
+    )
     data = analysed(model)
     assert data["helix_factor"].values == pytest.approx(
         helix_factor(math.radians(15.0), model.pairs["m"].eps_beta)

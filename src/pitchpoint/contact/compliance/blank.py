@@ -28,7 +28,8 @@ class Blank:
         diameter. Internal gear: outer diameter, at which it is clamped; None: `rim_thickness`, or 3.5 m_n
         behind the root circle.
     rim_thickness
-        Thickness of the rim behind the root circle [m]; None: solid to the bore.
+        Thickness of the rim behind the root circle [m]; None: solid to the bore. Without a web it has no
+        effect, except on an internal gear without outer diameter.
     web_thickness
         Axial thickness of the web between rim and bore [m], requires `rim_thickness`; None: face width.
     """
@@ -45,7 +46,7 @@ class BlankRadii:
     Parameters
     ----------
     root, rim, clamp
-        Radii [m]; rim = clamp without a web.
+        Radii [m]; rim = clamp without a web, or with one as wide as the face.
     web_share
         Web thickness over face width [-]; 1 without a web.
     """
@@ -104,7 +105,7 @@ def blank_radii(gear: CylindricalGear, blank: Blank) -> BlankRadii:
     Examples
     --------
     >>> gear = CylindricalGear(z=43, m_n=1e-3)
-    >>> radii = blank_radii(gear, Blank(rim_thickness=3e-3, bore_diameter=12e-3))
+    >>> radii = blank_radii(gear, Blank(rim_thickness=3e-3, web_thickness=2e-3, bore_diameter=12e-3))
     >>> [round(1e3 * r, 3) for r in (radii.root, radii.rim, radii.clamp)]
     [20.25, 17.25, 6.0]
     """
@@ -126,7 +127,7 @@ def blank_radii(gear: CylindricalGear, blank: Blank) -> BlankRadii:
     elif form.is_internal:
         clamp = root + RIM_OF_RING * gear.m_n if rim is None else rim
     else:
-        clamp = root / SOLID_RATIO if rim is None else min(root / SOLID_RATIO, max(rim, 0.0))
+        clamp = root / SOLID_RATIO
     if not sign * (root - clamp) > 0.0 or not clamp > 0.0:
         raise GeometryError(
             "leaves no rim behind the teeth",
@@ -135,7 +136,7 @@ def blank_radii(gear: CylindricalGear, blank: Blank) -> BlankRadii:
             limit=f"{'below' if sign > 0 else 'above'} the root diameter {2e3 * root:.6g} mm",
             remedy="use a smaller bore" if sign > 0 else "use a larger outer diameter",
         )
-    if rim is None or sign * (rim - clamp) <= 0.0:
-        rim = clamp
-    share = 1.0 if blank.web_thickness is None or rim == clamp else blank.web_thickness / gear.b
+    share = 1.0 if blank.web_thickness is None else blank.web_thickness / gear.b
+    if rim is None or share == 1.0 or sign * (rim - clamp) <= 0.0:
+        return BlankRadii(root, clamp, clamp, 1.0)
     return BlankRadii(root, rim, clamp, share)

@@ -15,6 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.contact.compliance.gear import GearSlice
 from pitchpoint.contact.compliance.local import LineContact, line_contact
 from pitchpoint.contact.hertz import flank_radius
+from pitchpoint.contact.tooth_fe import local_part
+from pitchpoint.contact.tooth_fe.contour import Contour
 from pitchpoint.geometry.gear_pair import GearPair
 
 Array = NDArray[np.float64]
@@ -74,11 +76,8 @@ def contact_depth(part: GearSlice, rho: ArrayLike, beta_b: float) -> Array:
     >>> round(1e3 * float(contact_depth(gear_slice(gear), 7.3534e-3, 0.0)), 4)
     0.8252
     """
-    form = part.tooth.form
-    roll = np.asarray(rho, dtype=np.float64) / form.r_b
-    psi = form.psi_b - form.sign * (roll - np.arctan(roll))
-    half = form.r_b * np.hypot(1.0, roll) * np.sin(psi)
-    return np.asarray(half / np.cos(part.tooth.load_angle(rho)) * math.cos(beta_b))
+    contour, roll = Contour(part.tooth.form), np.asarray(rho, dtype=np.float64)
+    return local_part.contact_depth(contour, roll) * math.cos(beta_b)
 
 
 def pair_slice(

@@ -17,6 +17,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from pitchpoint.contact.tooth_fe.contour import ComplexArray, Contour, FloatArray
+from pitchpoint.core.errors import GeometryError
 
 IntArray = NDArray[np.int64]
 
@@ -161,6 +162,11 @@ def section_mesh(
     rim
         Radius between rim and web [m]; None without web.
 
+    Raises
+    ------
+    GeometryError
+        If the rim is thinner than the depth of the arc below the tooth, about 0.3 modules.
+
     Examples
     --------
     >>> from pitchpoint.geometry.cylindrical_gear import CylindricalGear
@@ -228,6 +234,14 @@ def _body(
     sign, r_f = form.sign, form.r_f
     end = clamped if rim is None else rim
     depth = sign * (r_f - end)
+    arc = float((sign * (r_f - np.abs(top))).max())
+    if depth <= arc:  # elements would be turned inside out
+        raise GeometryError(
+            "is too thin for finite elements of teeth",
+            where="bore_diameter" if rim is None else "rim_thickness",
+            value=f"rim of {1e3 * depth:.4g} mm",
+            limit=f"above {1e3 * arc:.4g} mm",
+        )
     first = depth if depth < 1.6 * _DEEP * module else _DEEP * module
     ring = r_f - sign * first
     # half of the difference between equal angles and those of the upper edge

@@ -177,12 +177,12 @@ def _blanks(model: Model) -> Iterator[Message]:
         where = f"gears.{name}.{' and '.join(keys)}"
         weighs = _blank_weighs(model, name)
         energy = [n for n, law in laws.items() if isinstance(law, Energy)]
-        if any(map(_elastic_blank, laws.values())):
-            continue
         if keys == ["rim_thickness"] and gear.type == "external":
             yield remark(
                 where, "has no effect without web_thickness: a web of the face width makes a solid gear"
             )
+        elif any(map(_elastic_blank, laws.values())):
+            continue
         elif energy:
             yield remark(
                 where,

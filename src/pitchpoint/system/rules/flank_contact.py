@@ -220,7 +220,7 @@ def finite_elements_of(gear: Gear) -> ToothFE:
     """Finite elements of a gear of a model, from the disk or computed."""
     return stored_tooth_fe(
         ToothModel(
-            gear=gear.geometry,
+            gear=gear.geometry.replace(outline=None),  # the generated tooth
             E=gear.material_data.youngs_modulus,
             nu=gear.material_data.poisson_ratio,
             bore_diameter=gear.bore_diameter or None,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -234,8 +235,12 @@ def test_default_blanks():
     assert blank_radii(ring, Blank(rim_thickness=5e-3)).depth == pytest.approx(5e-3)
     rim = Blank(rim_thickness=3e-3, bore_diameter=20e-3)
     solid = Blank(bore_diameter=20e-3)
-    r = [blank_radii(gear, b).torsion(gear.r_b, G) for b in (rim, solid)]
-    assert r[0] == pytest.approx(r[1], rel=1e-14)
+    assert blank_radii(gear, rim) == blank_radii(gear, solid)
+    outside = {"bore_diameter": 80e-3}
+    assert blank_radii(ring, Blank(rim_thickness=3e-3, **outside)) == blank_radii(ring, Blank(**outside))
+    assert blank_radii(gear, replace(rim, web_thickness=gear.b)) == blank_radii(gear, solid)
+    for deep in (0.3, 0.45, 0.5):
+        assert blank_radii(gear, Blank(rim_thickness=deep * gear.d_f)) == blank_radii(gear, Blank())
 
 
 def test_wrong_input_is_refused():
