@@ -65,7 +65,8 @@ def with_operation(data: xr.Dataset, operation: Operation) -> xr.Dataset:
     xarray.Dataset
         With `friction_coefficient` over the torque, and over the contact nodes `sliding_speed` and
         `rolling_speed` (mean of both flanks) [m/s], `film_thickness` [m], `flash_temperature` [K], as far as
-        the operation defines them; NaN where the pressure is unknown.
+        the operation defines them; the latter two are NaN where the pressure is unknown, and inside a base
+        circle, where no involute has a radius of curvature.
     """
     found = data.copy()
     if operation.friction is not None:
@@ -84,10 +85,12 @@ def with_operation(data: xr.Dataset, operation: Operation) -> xr.Dataset:
     pressure = np.fmax(_values(data, "pressure"), _values(data, "edge_pressure"))
     b_H = 2.0 * load / (math.pi * pressure)
     fields = {"sliding_speed": np.abs(v_1 - v_2), "rolling_speed": 0.5 * (v_1 + v_2)}
+    on_involutes = np.minimum(roll_1, roll_2) > 0.0
+    v_1, v_2 = np.where(on_involutes, (v_1, v_2), np.nan)
     if operation.viscosity is not None:
         radius = math.pi * b_H * b_H / (4.0 * load * soft)
         oil = (operation.viscosity, operation.pressure_viscosity)
-        fields["film_thickness"] = film_thickness(load, radius, fields["rolling_speed"], soft, *oil)
+        fields["film_thickness"] = film_thickness(load, radius, 0.5 * (v_1 + v_2), soft, *oil)
     if operation.friction is not None:
         fields["flash_temperature"] = flash_temperature(
             load, b_H, v_1, v_2, operation.friction, operation.thermal_contact

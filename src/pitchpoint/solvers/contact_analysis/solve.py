@@ -35,8 +35,8 @@ NODE_FIELDS: dict[str, tuple[str, str]] = {
     "line_load": ("N/m", "normal force per length of the contact line"),
     "pressure": ("Pa", "Hertzian pressure of the flanks on the line of action"),
     "edge_pressure": ("Pa", "Hertzian pressure of a rounded tip edge on the mating flank"),
-    "roll_1": ("m", "length of roll on gear 1"),
-    "roll_2": ("m", "length of roll on gear 2"),
+    "roll_1": ("m", "length of roll on gear 1, negative inside its base circle"),
+    "roll_2": ("m", "length of roll on gear 2, negative inside its base circle"),
 }
 """Variables over torque, phase, tooth pair and plane: units and long names."""
 
@@ -82,6 +82,7 @@ def solve_contact(
         tangent under load), unloaded_transmission_error, mesh_stiffness (tangent) and secant_stiffness [N/m],
         elastic_energy [J]; over these, `tooth_pair` and `plane`: plane_force [N], line_load [N/m],
         pressure, edge_pressure [Pa], lengths of roll roll_1, roll_2 [m]. NaN where a pair has no contact.
+        Inside a base circle the length of roll is negative, and the pressures are NaN.
         Pair n is at n + phase base pitches from A in the middle of the face. Over these and `gear` also
         root_stress [Pa], with finite elements root_stress_fe (`with_root_stress`). Geometry of the mesh over
         `gear`, `mark` (A to E) and `plane`, so that `analysis.flank_contact` needs no model.
@@ -266,17 +267,18 @@ def _node_fields(
         at, node = _loaded(states, nodes)
         where = (t, at, -node["pair"] - numbers.start, node["plane"])
         one, two = node["roll"].T
+        rolls = np.sign(record["r_b1"]) * one, np.sign(record["r_b2"]) * two
         load = node["force"] / width
         on_path = node["place"] == ON_PATH
+        inside = np.minimum(*rolls) <= 0.0  # without a radius of curvature
         with np.errstate(divide="ignore", invalid="ignore"):
-            radius = one * two / (one + two) / cos_b
-            radius[~on_path | ~(radius > 0.0)] = np.nan  # a tip edge; inside a base circle
-            edge = np.where(on_path, np.nan, _edge_radius(record, node))
+            radius = np.where(inside | ~on_path, np.nan, one * two / (one + two) / cos_b)
+            edge = np.where(inside | on_path, np.nan, _edge_radius(record, node))
         fields["plane_force"][where] = node["force"]
         fields["line_load"][where] = load
         fields["pressure"][where] = peak_pressure(load, half_width(load, radius, *soft))
         fields["edge_pressure"][where] = peak_pressure(load, half_width(load, edge, *soft))
-        fields["roll_1"][where], fields["roll_2"][where] = np.abs(one), np.abs(two)
+        fields["roll_1"][where], fields["roll_2"][where] = rolls
         turns[where] = edge_turns(record, node)
     step_pressures(flanks, fields, turns)
     return fields
