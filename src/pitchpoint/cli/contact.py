@@ -227,9 +227,11 @@ def _solved(
 
 def notes_of(found: ContactsOnShafts) -> list[str]:
     """Notes of all analyses, and meshes that were omitted."""
-    notes = [note for data in found.meshes.values() for note in str(data.attrs.get("notes", "")).split("; ")]
+    from pitchpoint.core.errors import split_notes
+
+    notes = [note for data in found.meshes.values() for note in split_notes(str(data.attrs.get("notes", "")))]
     left = [f"mesh {mesh} is omitted: {reason}" for mesh, reason in found.omitted.items()]
-    return [*dict.fromkeys(note for note in notes if note), *left]
+    return [*dict.fromkeys(notes), *left]
 
 
 def numbers(data: xr.Dataset) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError, note
+from pitchpoint.core.errors import SolverError, join_notes, note, split_notes
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
@@ -267,7 +267,7 @@ def _analyse_together(
             continue
         options = {"positions": positions, "flank": flanks.flank, "shafts": "in equilibrium"}
         data.attrs |= contact_attributes(flanks, status, time.perf_counter() - began, **options)
-        data.attrs["notes"] = "; ".join([*notes, *filter(None, [data.attrs["notes"]])])
+        data.attrs["notes"] = join_notes([*notes, *split_notes(data.attrs["notes"])])
         found.meshes[name] = data
     return ended
 
@@ -311,8 +311,9 @@ def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tup
     if wedged:
         side = "front" if flank > 0 else "back"
         text = (
-            f"mesh {mesh}: front and back flanks touch at {wedged} of {len(places)} positions; loads and "
-            f"pressures are those of the {side} flanks, the torque is that of both; give the mesh backlash"
+            f"mesh {mesh}: front and back flanks touch at {wedged} of {len(places)} positions, so that loads "
+            f"and pressures are those of the {side} flanks, and the torque is that of both: give the mesh "
+            "backlash"
         )
-        data.attrs["notes"] = "; ".join(filter(None, [note(text), data.attrs["notes"]]))
+        data.attrs["notes"] = join_notes([note(text), *split_notes(data.attrs["notes"])])
     return flanks, data

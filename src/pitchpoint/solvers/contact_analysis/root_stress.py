@@ -24,7 +24,7 @@ from pitchpoint.contact.root_section import (
     root_section,
 )
 from pitchpoint.contact.tooth_fe.fillet_stress import stress_by_planes, stress_of_teeth
-from pitchpoint.core.errors import GeometryError, SolverError
+from pitchpoint.core.errors import GeometryError, SolverError, join_notes, split_notes
 from pitchpoint.core.nomenclature import attributes
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.contact_analysis.lubrication import OVER
@@ -92,7 +92,7 @@ def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None =
     assert mesh.contact is not None
     whole = method or ("finite_elements" if has_finite_elements(mesh.contact) else "tangent")
     gears = [flanks.model.gears[name] for name in mesh.gears]
-    found, notes = data.copy(), [str(data.attrs["notes"])] if data.attrs.get("notes") else []
+    found, notes = data.copy(), split_notes(str(data.attrs.get("notes", "")))
     size = tuple(data.sizes[name] for name in OVER)
     at_tangent = np.full((*size, 2), np.nan)
     sections: dict[str, list[float]] = {name: [math.nan] * 2 for name in SECTION}
@@ -112,7 +112,7 @@ def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None =
     found.attrs["root_stress"] = f"30 deg tangent{', internal gear 60 deg' if internal else ''}"
     if whole == "finite_elements":
         found = _with_finite_elements(found, flanks, gears, notes)
-    found.attrs["notes"] = "; ".join(notes)
+    found.attrs["notes"] = join_notes(notes)
     return found
 
 
@@ -149,7 +149,7 @@ def _remarks(flanks: FlankStates, k: int, gear: Gear, chord_over_radius: float) 
 def _without(flanks: FlankStates, k: int, method: str, error: GeometryError) -> str:
     """Note that a gear has no root stress by a method."""
     name = flanks.model.meshes[flanks.mesh].gears[k]
-    return f"gear {name}: no root stress {method}, {error}".replace("; ", ", ")
+    return f"gear {name}: no root stress {method}, {error}"
 
 
 def _with_finite_elements(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import half_width, peak_pressure, plane_strain_compliance
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
@@ -230,7 +230,7 @@ def contact_dataset(
         ),
         "plane": (("plane",), flanks.widths, {"units": "m", "long_name": "position over the face width"}),
     }
-    notes = {"notes": "; ".join(contact_notes(flanks, found))}
+    notes = {"notes": join_notes(contact_notes(flanks, found))}
     return xr.Dataset(variables | geometry, coords=coords | axes, attrs=notes)
 
 
