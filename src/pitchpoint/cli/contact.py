@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.contact_input import (
+    flank_option,
     loads_of,
     mesh_with_contact,
     meshes_on_shafts,
@@ -56,11 +57,7 @@ UNDER_LOAD = ("misalignment", "center_distance")
     help="Number of mesh phases over one base pitch.",
 )
 @click.option("--misalignment", metavar="QUANTITY", help=misalignment_help)
-@click.option(
-    "--flank",
-    type=click.Choice(["front", "back"]),
-    help="Flanks in contact; default: by the sign of the default torque, else front.",
-)
+@flank_option
 @click.option(
     "--shafts",
     is_flag=True,
