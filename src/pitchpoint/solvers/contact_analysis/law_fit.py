@@ -18,7 +18,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT, OK, REFUSED, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.solvers.contact_analysis.load_checks import checked_torque
+from pitchpoint.solvers.contact_analysis.load_checks import flank_problem, refuse, torque_problem
 from pitchpoint.solvers.contact_analysis.solve import mesh_of
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0,
     Raises
     ------
     SolverError
-        If the mesh has no rigid or flexible contact, or a state has no solution.
+        If the mesh has no rigid or flexible contact, an argument is out of range, or a state has no solution.
 
     Notes
     -----
@@ -130,7 +130,8 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0,
             "give it `contact: {level: flexible}`",
             INCONSISTENT,
         )
-    torque = checked_torque(torque)
+    refuse(torque_problem(torque, several=False), flank_problem(flank))
+    torque = float(np.asarray(torque).item())
     flanks = FlankStates(model, name, flank)
     force = flanks.force_of(torque)
     nodes, eps_alpha = _loaded_nodes(flanks, force)

@@ -29,7 +29,13 @@ from pitchpoint.model.components.flank_contact import (
 from pitchpoint.model.write import plain_component
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.law_fit import LawFit, fit_analytic_law
-from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torque
+from pitchpoint.solvers.contact_analysis.load_checks import (
+    flank_problem,
+    misalignment_problem,
+    positions_problem,
+    refuse,
+    torque_problem,
+)
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options
 from pitchpoint.solvers.contact_analysis.mesh_path import MeshPath
 from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
@@ -147,11 +153,16 @@ def compare_levels(
     Raises
     ------
     SolverError
-        If a state has no solution, or the teeth of a gear differ from each other.
+        If an argument is out of range, a state has no solution, or the teeth of a gear differ.
     """
     name = mesh_of(model, mesh)
-    torque = checked_torque(torque)
-    check_misalignment(misalignment)
+    refuse(
+        torque_problem(torque, several=False),
+        positions_problem(positions),
+        misalignment_problem(misalignment),
+        flank_problem(flank),
+    )
+    torque = float(np.asarray(torque).item())
     if misalignment is not None:
         model = _misaligned(model, name, misalignment, flank)
     flexible = model.replace(f"meshes.{name}.contact", _flexible(model.meshes[name].contact))

@@ -26,8 +26,9 @@ from pitchpoint.elements.mesh.line_of_action import flank_phase
 from pitchpoint.model.components.flank_contact import PrecomputedContact
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.load_checks import method_problem, positions_problem, refuse
 from pitchpoint.solvers.contact_analysis.mesh_choice import chosen_meshes, rolled_together, unsuitable
-from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
+from pitchpoint.solvers.contact_analysis.root_stress import with_root_stress
 from pitchpoint.solvers.contact_analysis.solve import contact_attributes, contact_dataset, mesh_of
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.system.compile import compile_model
@@ -137,7 +138,8 @@ def solve_contact_on_shafts(
     Raises
     ------
     SolverError
-        If the machine has no equilibrium, or the mesh carries no load; with the partial result.
+        If an argument is out of range, the machine has no equilibrium, or the mesh carries no load; with the
+        partial result.
     """
     name = mesh_of(model, mesh)
     try:
@@ -185,9 +187,10 @@ def solve_contacts_on_shafts(
     Raises
     ------
     SolverError
-        If the analysis of a mesh fails; the partial result has the other meshes.
+        If an argument is out of range, or the analysis of a mesh fails; the partial result has the other
+        meshes.
     """
-    check_method(root_stress)
+    refuse(positions_problem(positions), method_problem(root_stress))
     names = chosen_meshes(model, meshes)
     system = compile_model(model, scenario)
     groups = rolled_together(system, names)

@@ -17,10 +17,17 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torques
+from pitchpoint.solvers.contact_analysis.load_checks import (
+    flank_problem,
+    method_problem,
+    misalignment_problem,
+    positions_problem,
+    refuse,
+    torque_problem,
+)
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 from pitchpoint.solvers.contact_analysis.notes import contact_notes
-from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
+from pitchpoint.solvers.contact_analysis.root_stress import with_root_stress
 from pitchpoint.solvers.contact_analysis.stepped_flanks import edge_turns, step_pressures
 
 if TYPE_CHECKING:
@@ -63,7 +70,7 @@ def solve_contact(
     torque
         Torque on gear 1, or several [N m]; only the magnitude counts.
     positions
-        Equidistant mesh phases over one base pitch.
+        Equidistant mesh phases over one base pitch, 4 to 100 000.
     misalignment
         Angle between the flanks in the plane of action [rad], at most 0.1: the gap increases by it towards
         +z. None: that of the housing, `misalignment` of the mesh.
@@ -90,13 +97,18 @@ def solve_contact(
     Raises
     ------
     SolverError
-        If the mesh has no contact of tooth surfaces, torque or misalignment are out of range, or a state has
-        no solution; with the partial result.
+        If the mesh has no contact of tooth surfaces, arguments are out of range, or a state has no solution;
+        with the partial result.
     """
     name = mesh_of(model, mesh)
-    check_method(root_stress)
-    torques = checked_torques(torque)
-    check_misalignment(misalignment)
+    refuse(
+        torque_problem(torque),
+        positions_problem(positions),
+        misalignment_problem(misalignment),
+        flank_problem(flank),
+        method_problem(root_stress),
+    )
+    torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
     began = time.perf_counter()
     flanks = FlankStates(model, name, flank)
     kappa = flanks.misalignment if misalignment is None else float(misalignment)
