@@ -43,6 +43,19 @@ def test_files_stay_small():
     assert not {name: count for name, count in lines.items() if count > MAX_LINES}
 
 
+def test_notes_are_joined_in_one_way():
+    """With `join_notes`, whose separator does not occur within a note: readers divide the text again."""
+    own = PACKAGE / "core" / "errors.py"
+    lines = [
+        f"{name_of(path)}: {line.strip()}"
+        for path in SOURCE
+        if path != own
+        for line in path.read_text(encoding="utf-8").splitlines()
+        if re.search(r'"; "\.join\(.*\b(notes?|n)\b|notes.*split\("; "\)', line)
+    ]
+    assert not lines, "use join_notes and split_notes"
+
+
 def test_functions_take_few_arguments():
     long = []
     for path in SOURCE:

@@ -9,6 +9,7 @@ import numpy as np
 
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.analysis.tacho import tacho_angle
+from pitchpoint.core.errors import join_notes, split_notes
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -72,5 +73,5 @@ def with_shaft_angle(dataset: xr.Dataset, tacho: str, *, pulses_per_revolution: 
         for what, times in (("were missing", found.missing), ("too many were omitted", found.doubled))
         if times.size
     ]
-    made.attrs["notes"] = "; ".join(note for note in (str(dataset.attrs.get("notes", "")), *odd) if note)
+    made.attrs["notes"] = join_notes([*split_notes(str(dataset.attrs.get("notes", ""))), *odd])
     return made

@@ -65,6 +65,7 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     """
     from pitchpoint.analysis.dataset import analyse as apply
     from pitchpoint.analysis.shaft_channel import with_shaft_angle
+    from pitchpoint.core.errors import split_notes
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.target import check_target
 
@@ -82,7 +83,7 @@ def analyse(file: str | None, tool: str | None, as_json: bool, quiet: bool, **op
     if tacho is not None:
         record = with_shaft_angle(record, tacho, pulses_per_revolution=options["pulses_per_revolution"])
         angle = f"angle[{tacho}]"
-    notes = [note for note in str(record.attrs.get("notes", "")).split("; ") if note]
+    notes = split_notes(str(record.attrs.get("notes", "")))
     lost = _lost(record, options["lines"])
     notes += [lost] if lost else []
     if tool is None:

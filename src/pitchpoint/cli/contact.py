@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.contact_input import (
+    flank_option,
     loads_of,
     mesh_with_contact,
     meshes_on_shafts,
@@ -56,11 +57,7 @@ UNDER_LOAD = ("misalignment", "center_distance")
     help="Number of mesh phases over one base pitch.",
 )
 @click.option("--misalignment", metavar="QUANTITY", help=misalignment_help)
-@click.option(
-    "--flank",
-    type=click.Choice(["front", "back"]),
-    help="Flanks in contact; default: by the sign of the default torque, else front.",
-)
+@flank_option
 @click.option(
     "--shafts",
     is_flag=True,
@@ -227,9 +224,11 @@ def _solved(
 
 def notes_of(found: ContactsOnShafts) -> list[str]:
     """Notes of all analyses, and meshes that were omitted."""
-    notes = [note for data in found.meshes.values() for note in str(data.attrs.get("notes", "")).split("; ")]
+    from pitchpoint.core.errors import split_notes
+
+    notes = [note for data in found.meshes.values() for note in split_notes(str(data.attrs.get("notes", "")))]
     left = [f"mesh {mesh} is omitted: {reason}" for mesh, reason in found.omitted.items()]
-    return [*dict.fromkeys(note for note in notes if note), *left]
+    return [*dict.fromkeys(notes), *left]
 
 
 def numbers(data: xr.Dataset) -> dict[str, Any]:

@@ -24,6 +24,12 @@ torques_option = click.option(
     "Default: from the constant torques of the loads, through the gear ratios if they are on other bodies.",
 )
 """Option of all commands for several torques."""
+flank_option = click.option(
+    "--flank",
+    type=click.Choice(["front", "back"]),
+    help="Flanks in contact; default: by the sign of the default torque, else front.",
+)
+"""Option of all commands of one flank."""
 misalignment_help = (
     "Gap between the flanks in the plane of action, increasing towards +z: length over the common face "
     "width, or angle; default: misalignment of the mesh."
@@ -79,10 +85,14 @@ def loads_of(model: Model, mesh: str, texts: tuple[str, ...], side: str | None) 
         torques = [value for text in texts for value in torques_of(text)]
         if len(torques) > MOST:
             raise click.BadParameter(f"{len(torques)} torques (limit {MOST})", param_hint="--torque")
-        return torques, -1 if side == "back" else 1
+        return torques, side_of(side)
     found = torque_of_loads(model, mesh)
-    sign = 1 if found > 0.0 else -1
-    return [abs(found)], {"front": 1, "back": -1, None: sign}[side]
+    return [abs(found)], side_of(side, 1 if found > 0.0 else -1)
+
+
+def side_of(side: str | None, default: int = 1) -> int:
+    """Flank, 1 or -1, of the text of `--flank`."""
+    return {"front": 1, "back": -1, None: default}[side]
 
 
 def torques_of(text: str) -> list[float]:

@@ -7,7 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.contact_input import mesh_option, misalignment_help, misalignment_of, torque_of_loads
+from pitchpoint.cli.contact_input import (
+    flank_option,
+    loads_of,
+    mesh_option,
+    misalignment_help,
+    misalignment_of,
+    side_of,
+)
 from pitchpoint.cli.options import common, model_file, one_of, quantity, writes
 from pitchpoint.cli.output import emit_json, show, shown, table
 
@@ -15,6 +22,8 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.contact_analysis.law_fit import LawFit
     from pitchpoint.solvers.contact_analysis.levels import Levels
 
+SIDES = {1: "front", -1: "back"}
+"""Flanks in words."""
 SMALL = (32, 12)
 """Phases and approaches of a small table."""
 
@@ -23,6 +32,7 @@ SMALL = (32, 12)
 @model_file
 @mesh_option
 @quantity("--torque", "torque", "Torque on gear 1; default: constant torque of the loads on its body.")
+@flank_option
 @click.option(
     "--table",
     "size",
@@ -38,6 +48,7 @@ def contact_levels(
     file: str,
     mesh: str | None,
     torque: float | None,
+    flank: str | None,
     size: str,
     misalignment: str | None,
     picture: str | None,
@@ -61,7 +72,10 @@ def contact_levels(
     model = read_model(file, allow_code, quiet)
     names = list(model.meshes)
     name = names[0] if mesh is None and len(names) == 1 else one_of(mesh, names, "mesh")
-    load = torque_of_loads(model, name) if torque is None else torque
+    if torque is None:
+        (torque,), side = loads_of(model, name, (), flank)
+    else:
+        side = side_of(flank)
     tilt = None if misalignment is None else misalignment_of(misalignment, model, name)
     page = None if picture is None else check_target(picture, "page", [file])
     small = TableSize(phase=SMALL[0], approach=SMALL[1]) if size == "small" else None
@@ -69,7 +83,8 @@ def contact_levels(
         found = compare_levels(
             model,
             name,
-            torque=abs(load),
+            torque=torque,
+            flank=side,
             misalignment=tilt,
             size=small,
             run=on_all_cores,
@@ -90,6 +105,7 @@ def summary(found: Levels) -> dict[str, Any]:
     return {
         "mesh": fit.mesh,
         "torque": fit.torque,
+        "flank": fit.flank,
         "misalignment": found.misalignment,
         "table": found.table,
         "levels": {level: vars(numbers) for level, numbers in found.numbers.items()},
@@ -107,7 +123,11 @@ def _page(found: Levels, title: str) -> str:
     """Page with the patterns and curves of all levels."""
     from pitchpoint.viz.contact_levels_page import contact_levels_page
 
-    facts = [("mesh", found.fit.mesh), ("torque on gear 1", shown(found.fit.torque, "torque", 5))]
+    facts = [
+        ("mesh", found.fit.mesh),
+        ("torque on gear 1", shown(found.fit.torque, "torque", 5)),
+        ("flanks", SIDES[found.fit.flank]),
+    ]
     if found.misalignment:
         facts.append(("misalignment", shown(found.misalignment, "angle", 4)))
     curves = found.phase, found.transmission_error
@@ -120,7 +140,8 @@ def _print(found: Levels, *, quiet: bool) -> None:
 
     fit = found.fit
     rows = level_rows(summary(found)["levels"], found.analyses)
-    table(f"{fit.mesh} at {shown(fit.torque, 'torque', 5)}: levels of contact", list(HEAD), rows)
+    about = f"{fit.mesh} at {shown(fit.torque, 'torque', 5)}, {SIDES[fit.flank]} flanks"
+    table(f"{about}: levels of contact", list(HEAD), rows)
     if not quiet:
         origin = "computed for this comparison" if found.table == "computed" else found.table
         show("force: difference from flexible contact at random phases and approaches over the mesh force")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.contact_input import mesh_option, misalignment_help, torques_option
+from pitchpoint.cli.contact_input import flank_option, mesh_option, misalignment_help, torques_option
 from pitchpoint.cli.options import common, model_file, output, quantity, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
 
@@ -60,7 +60,7 @@ _MET = 1e-6
 @click.option("--weights", metavar="W1,W2,...", help="Weight of each torque; default: equal.")
 @quantity("--max-pressure", "pressure", "Limit of the flank pressure at the highest torque.")
 @click.option("--no-edge-contact", is_flag=True, help="Tip edges must not carry load at the highest torque.")
-@click.option("--flank", type=click.Choice(["front", "back"]), help="Flanks in contact; default: front.")
+@flank_option
 @click.option(
     "--positions",
     type=click.IntRange(8, 10_000),

@@ -64,7 +64,8 @@ class RootSection:
         Parameters
         ----------
         rho
-            Lengths of roll in the transverse section [m], any shape; beyond the tip: at the tip.
+            Lengths of roll in the transverse section [m], any shape; beyond the tip: at the tip. Negative:
+            force along the base tangent when the involute would touch it inside the base circle.
 
         Returns
         -------
@@ -83,7 +84,7 @@ class RootSection:
             for r_a, r_b in ((0.5 * gear.d_a, gear.r_b), (form.r_a, form.r_b))
         )
         below = gear.sign * (tip - np.asarray(rho, dtype=np.float64)) / math.cos(gear.beta_b)
-        rho_n = np.maximum(tip_n - gear.sign * np.maximum(below, 0.0), 0.0)
+        rho_n = tip_n - gear.sign * np.maximum(below, 0.0)
         return self.tooth.load_angle(rho_n), np.maximum(self.tooth.arms(rho_n)[0], _LEAST * gear.m_n)
 
     def factors(self, rho: ArrayLike) -> tuple[Array, Array]:

@@ -7,8 +7,11 @@ to do*; the error of a wrong description contains all of its problems.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
+
+SEPARATOR = "; "
+"""Text between two notes."""
 
 
 class PitchpointError(Exception):
@@ -107,6 +110,33 @@ def note(text: str, where: str = "", remedy: str | None = None) -> Message:
         As for `Message`.
     """
     return Message(where, text, remedy=remedy, kind="note")
+
+
+def join_notes(notes: Iterable[str]) -> str:
+    """Notes as one text, without empty and repeated ones, as in the attribute `notes` of datasets and files.
+
+    Parameters
+    ----------
+    notes
+        Notes. A semicolon within one becomes a colon, so that `split_notes` returns complete notes.
+
+    Examples
+    --------
+    >>> join_notes(["one", "", note("two", remedy="make it three"), "one"])
+    'one; two: make it three'
+    """
+    return SEPARATOR.join(dict.fromkeys(str(one).replace(SEPARATOR, ": ") for one in notes if one))
+
+
+def split_notes(text: str) -> list[str]:
+    """Notes of a text of `join_notes`.
+
+    Examples
+    --------
+    >>> split_notes("one; two: make it three"), split_notes("")
+    (['one', 'two: make it three'], [])
+    """
+    return [one for one in text.split(SEPARATOR) if one]
 
 
 class ModelError(PitchpointError, ValueError):

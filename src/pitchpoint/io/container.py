@@ -20,7 +20,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import PitchpointError, join_notes
 from pitchpoint.core.status import NOT_WRITTEN
 from pitchpoint.io.disk_fault import WriteError, abandon, conclude
 from pitchpoint.io.superblock import clear_writer_flag
@@ -333,7 +333,7 @@ class Container:
         with self.writing():
             self._set_text("status", status)
             self._set_text("sentence", sentence)
-            self._set_text("notes", "; ".join(notes))
+            self._set_text("notes", join_notes(notes))
             self.file.attrs.modify("status_code", int(code))
             self.file.attrs.modify("steps", int(steps))
             self.file.attrs.modify("wall_s", float(wall_s))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import SINGULAR
 from pitchpoint.model.scenario import Scenario
@@ -242,4 +242,4 @@ def solve_frequency_response(
         "input_unit": ("input", list(found.input_units)),
     }
     attrs = attributes(system, "frequency_response", wall_s=time.perf_counter() - began, modes=modes or "all")
-    return xr.Dataset(data, coords=coords, attrs={**attrs, "notes": "; ".join(found.notes)})
+    return xr.Dataset(data, coords=coords, attrs={**attrs, "notes": join_notes(found.notes)})

@@ -92,7 +92,7 @@ def _frictionless_point(
     point = operating_point(smooth, scenario, start)
     if smooth is system:
         return point
-    note = "flank friction is neglected in the modes; it depends on the motion, not on the state"
+    note = "flank friction is neglected in the modes, since it depends on the motion, not on the state"
     return replace(point, notes=(*point.notes, note))
 
 
@@ -159,9 +159,9 @@ def _of_arbitrary_stiffness(system: System, loose: Collection[str]) -> list[str]
     if not names:
         return []
     return [
-        f"the stiffness of {', '.join(names)} grows with the load from zero at first contact: without a load "
+        f"the stiffness of {', '.join(names)} grows with the load from zero at first contact. Without a load "
         f"the value at {1e9 * TOUCH:g} nm of penetration is used, and the frequencies of modes that deform "
-        "these flanks are arbitrary; give the scenario a load that presses them together"
+        "these flanks are arbitrary: give the scenario a load that presses them together"
     ]
 
 
@@ -242,7 +242,7 @@ def lowest(linear: Linearised, count: int | None = None) -> Undamped:
     total = linear.basis.shape[1]
     wanted = total if total <= MAX_MODES else LOWEST
     wanted = min(wanted if count is None else count, total)
-    note = (f"the lowest {wanted} of {total} modes; give a number of modes to get more",)
+    note = (f"the lowest {wanted} of {total} modes: give a number of modes to get more",)
     notes = note if count is None and wanted < total else ()
     if total > MAX_MODES and wanted < SPARSE * total:
         found = lowest_modes(parts.M, parts.K, _sparse(linear.basis), rigid, wanted)

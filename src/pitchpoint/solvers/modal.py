@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.body_shapes import DIRECTIONS, base_momenta, body_motions, participation
@@ -270,6 +271,6 @@ def solve_modal(
         },
         attrs={
             **attributes(system, "modal", wall_s=wall, phase="mean" if phase is None else phase),
-            "notes": "; ".join(m.notes),
+            "notes": join_notes(m.notes),
         },
     )

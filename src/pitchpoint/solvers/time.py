@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import Message, SolverError, note
+from pitchpoint.core.errors import Message, SolverError, join_notes, note
 from pitchpoint.core.event_list import event_variables
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
@@ -384,7 +384,7 @@ def solve_time(
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
     solver = json.dumps(done.contact_solver)
-    attrs |= {"steps": done.steps, "notes": "; ".join(done.notes), "contact_solver": solver}
+    attrs |= {"steps": done.steps, "notes": join_notes(done.notes), "contact_solver": solver}
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     data = channel_dataset(system, "time", times, rows, attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}

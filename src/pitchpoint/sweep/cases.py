@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError
+from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
@@ -281,7 +281,7 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
         coords[path] = ("case", entries, {"units": unit} if unit else {})
     attrs = {
         "sentences": [r.sentence for r in results],
-        "notes": ["; ".join(r.notes) for r in results],
+        "notes": [join_notes(r.notes) for r in results],
     }
     return xr.Dataset(data, coords=coords, attrs=attrs)
 

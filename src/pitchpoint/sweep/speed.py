@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.analysis.jumps import sweep_jumps
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
 from pitchpoint.elements.kind import DRIVE
@@ -358,7 +358,7 @@ def sweep_speed(
         "jump": np.arange(len(found.jumps)),
     }
     attrs = attributes(system, "speed sweep", found.status, found.wall_s)
-    attrs["notes"] = "; ".join(found.notes)
+    attrs["notes"] = join_notes(found.notes)
     result = xr.Dataset(data, coords=coords, attrs=attrs)
     if found.status != OK:
         raise SolverError(found.sentence, found.status, result)

@@ -76,8 +76,8 @@ def table_remarks(system: System) -> tuple[Message, ...]:
         axes = [word for bit, word in AXES.items() if int(record["beyond"]) & bit]
         found.append(
             note(
-                f"mesh {name} left the range of its contact table: {' and '.join(axes)}; forces there "
-                "continue linearly",
+                f"mesh {name} left the range of its contact table: {' and '.join(axes)}, and forces "
+                "there continue linearly",
                 remedy="compute a table with a wider range",
             )
         )

@@ -20,7 +20,12 @@ HALF = 0.62
 """Half of the visible width, in pitches."""
 LOADED = ("contact, root side", "contact, tip side")
 """Ends of the flank in contact: it begins at the tip of a driven gear."""
+UNDEFORMED = ("d_Nf, undeformed", "d_Na, undeformed")
+"""The same of undeformed gears."""
 _POINTS = 60
+
+Circle = tuple[float, float, str, str]
+"""Diameter [m], roll angle [rad], words, and style."""
 
 
 def active_flank_svg(gear: Any, loaded: Any, *, name: str, words: str) -> str:
@@ -46,15 +51,15 @@ def active_flank_svg(gear: Any, loaded: Any, *, name: str, words: str) -> str:
     height = scale * float(high[1] - low[1])
     view = View(low, scale, height)
     circles = [
-        (abs(gear.d_a), "tip dₐ", "pp-thin"),
-        (float(loaded.diameter[1]), LOADED[1], "pp-path"),
-        (float(loaded.geometric_diameter[1]), "d_Na, undeformed", "pp-thin"),
-        (float(loaded.geometric_diameter[0]), "d_Nf, undeformed", "pp-thin"),
-        (float(loaded.diameter[0]), LOADED[0], "pp-path"),
-        (abs(gear.d_Ff), "root form d_Ff", "pp-thin pp-form"),
+        (abs(gear.d_a), _roll_angle(gear, gear.d_a), "tip dₐ", "pp-thin"),
+        *_ends(loaded.diameter, loaded.roll_angle, LOADED, "pp-path"),
+        *_ends(loaded.geometric_diameter, loaded.geometric_roll_angle, UNDEFORMED, "pp-thin"),
+        (abs(gear.d_Ff), _roll_angle(gear, gear.d_Ff), "root form d_Ff", "pp-thin pp-form"),
     ]
     inner = [_tooth(gear, view, (low, high)), _fill(gear, loaded, view)]
-    inner += [svg.circle(view([0.0, 0.0]), 0.5 * d * scale, css) for d, _, css in circles if css != "pp-path"]
+    inner += [
+        svg.circle(view([0.0, 0.0]), 0.5 * d * scale, css) for d, _, _, css in circles if css != "pp-path"
+    ]
     top = 34.0
     parts = [
         svg.text(10.0, 22.0, f"{name}: flank in contact, {words}", "pp-head", "start"),
@@ -63,6 +68,16 @@ def active_flank_svg(gear: Any, loaded: Any, *, name: str, words: str) -> str:
         *_labels(gear, view, circles, top, height),
     ]
     return svg.document(FIELD + COLUMN, top + height + 10.0, parts, f"flank of {name} in contact")
+
+
+def _ends(diameters: Array, rolls: Array, words: tuple[str, str], css: str) -> list[Circle]:
+    """Circles of both ends of a flank."""
+    return [(float(d), float(roll), text, css) for d, roll, text in zip(diameters, rolls, words, strict=True)]
+
+
+def _roll_angle(gear: Any, diameter: float) -> float:
+    """Roll angle of a diameter [rad], 0 inside the base circle."""
+    return math.sqrt(max((diameter / abs(gear.d_b)) ** 2 - 1.0, 0.0))
 
 
 def _window(gear: Any) -> tuple[Array, Array]:
@@ -108,14 +123,12 @@ def _fill(gear: Any, loaded: Any, view: View) -> str:
     )
 
 
-def _labels(
-    gear: Any, view: View, circles: list[tuple[float, str, str]], top: float, height: float
-) -> list[str]:
+def _labels(gear: Any, view: View, circles: list[Circle], top: float, height: float) -> list[str]:
     """Diameters and roll angles in a column, with leader lines to their circles."""
     right = view.low[0] + FIELD / view.scale
     ordered = sorted(circles, key=lambda item: -item[0])
     starts = []
-    for diameter, _, css in ordered:
+    for diameter, _, _, css in ordered:
         r = 0.5 * diameter
         x = right
         if css == "pp-path":
@@ -127,9 +140,8 @@ def _labels(
         starts.append((float(spot[0]), float(spot[1]) + top))
     places = spread([y for _, y in starts], STEP, top + 8.0, top + height - 8.0)
     parts = []
-    for (x, y), at, (diameter, words, css) in zip(starts, places, ordered, strict=True):
-        roll = math.degrees(math.sqrt(max((diameter / abs(gear.d_b)) ** 2 - 1.0, 0.0)))
-        text = f"{words}: {number(1e3 * diameter, 6)} mm, roll {number(roll, 4)}°"
+    for (x, y), at, (diameter, roll, words, css) in zip(starts, places, ordered, strict=True):
+        text = f"{words}: {number(1e3 * diameter, 6)} mm, roll {number(math.degrees(roll), 4)}°"
         bend = np.array([[x, y], [FIELD + 6.0, y], [FIELD + 24.0, at], [FIELD + 30.0, at]])
         parts.append(svg.polyline(bend, "pp-leader"))
         parts.append(svg.circle(np.array([x, y]), 2.5, "pp-leader-dot"))

@@ -15,7 +15,7 @@ from pitchpoint.analysis.flank_contact.contact_pattern import (
     on_flank,
     on_path,
 )
-from pitchpoint.analysis.flank_contact.teeth import MARKS, MeshTeeth
+from pitchpoint.analysis.flank_contact.teeth import MARKS, MeshTeeth, diameter_at
 from pitchpoint.viz import theme
 from pitchpoint.viz.mesh_cycle_plot import repeated
 from pitchpoint.viz.quantities import Array, Scale, number, scale
@@ -119,7 +119,7 @@ def _mark_diameters(figure: go.Figure, teeth: MeshTeeth, gear: int, ends: tuple[
             ticks[-1][1].append(mark)
         else:
             ticks.append((place, [mark]))
-    rings = [2.0 * float(np.hypot(base, np.radians(place) * base)) for place, _ in ticks]
+    rings = [float(diameter_at(np.radians(place) * base, base)) for place, _ in ticks]
     texts = [f"{', '.join(marks)}  {1e3 * d:.2f}" for (_, marks), d in zip(ticks, rings, strict=True)]
     figure.add_scatter(x=[None], y=[None], yaxis="y2", showlegend=False, hoverinfo="skip")
     figure.update_layout(

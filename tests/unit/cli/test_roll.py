@@ -87,7 +87,7 @@ TRAIN = STAGES + "scenarios: {roll: {quasi_static: {mesh: first, points: 30, per
 def test_partial_cycles_are_told_in_table_json_and_file(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    note = "mesh second repeats after 3 periods of first; its peak to peak is that of 1"
+    note = "mesh second repeats after 3 periods of first, and its peak to peak is that of 1"
     file, target = written(tmp_path, TRAIN), tmp_path / "roll.h5"
     found = json_of(["run", file, "-o", str(target)], capsys)
     assert found["notes"] == [note]
@@ -129,6 +129,6 @@ def test_a_roll_that_nothing_loads_says_so(tmp_path: Path, capsys: pytest.Captur
     text = ROLL.replace("output: {body: driven, torque: 150 N m}", "output: {body: driven, torque: 0 N m}")
     assert run_command(["run", written(tmp_path, text), "-s", "roll", "-o", str(tmp_path / "r.h5")]) == 0
     out = capsys.readouterr().out
-    assert "note: mesh stage carries no load; 150 N m on driver are balanced by holding torques" in out
+    assert "note: mesh stage carries no load, and 150 N m on driver are balanced by holding torques" in out
     assert "speed" not in out
     assert "0 mm" not in out

@@ -10,7 +10,16 @@ import warnings
 
 import pytest
 
-from pitchpoint.core.errors import GeometryError, Message, ModelError, ValidityWarning, note, remark
+from pitchpoint.core.errors import (
+    GeometryError,
+    Message,
+    ModelError,
+    ValidityWarning,
+    join_notes,
+    note,
+    remark,
+    split_notes,
+)
 from pitchpoint.core.nearest import did_you_mean, hint, nearest
 
 WHOLE = Message("gears.g1.face_width", "is out of range", "-1 mm", "> 0", "write 1 mm", line=4)
@@ -31,6 +40,12 @@ def test_the_sentence(message: Message, sentence: str) -> None:
     assert message == str(message) == f"{message}" == sentence
     assert "; ".join([message, message]) == f"{sentence}; {sentence}"
     assert json.loads(json.dumps([message])) == [sentence]
+
+
+def test_joined_notes_are_divided_between_notes_only() -> None:
+    notes = ["one; two", note("the loads do not balance", remedy="set one"), "", "one; two"]
+    assert split_notes(join_notes(notes)) == ["one: two", "the loads do not balance: set one"]
+    assert split_notes(join_notes(split_notes(join_notes(notes)))) == split_notes(join_notes(notes))
 
 
 def test_the_parts_survive_copies_and_processes() -> None:

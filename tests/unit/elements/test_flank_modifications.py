@@ -6,7 +6,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from pitchpoint.core.kernel import plain
 from pitchpoint.elements.mesh.flank_modifications import modification
+from pitchpoint.elements.mesh.surface.compliance import _height
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.geometry.modifications import base_tangent, deviation, flank_range
 from pitchpoint.io.yaml_model import loads_model
@@ -140,3 +142,52 @@ def flank_minima(flanks: FlankStates) -> list[list[float]]:
 def least(flanks: FlankStates) -> float:
     """Sum of the minima of both gears."""
     return sum(min(gear) for gear in flank_minima(flanks))
+
+
+BELOW = """
+gears:
+  one: {number_of_teeth: %d, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0%s}
+  two: {number_of_teeth: %d, normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0%s}
+meshes:
+  stage: {gears: [one, two], contact: {level: flexible, planes: 3}}
+"""
+CURVED = ", modifications: {both: {profile_crowning: 9 um, root_relief: {amount: 12 um, length: 2 mm}}}"
+WORN = ", faults: {old: {type: wear, flank: both, depth: 20 um}}"
+
+
+@pytest.mark.parametrize("flank", [1, -1])
+@pytest.mark.parametrize("more", [CURVED, WORN], ids=["modifications", "wear"])
+@pytest.mark.parametrize(("teeth", "ring"), [((12, 80), ""), ((80, 12), ""), ((17, 43), ", type: internal")])
+def test_removed_material_is_constant_inside_the_base_circle(
+    teeth: tuple[int, int], ring: str, more: str, flank: int
+) -> None:
+    """As beyond the root form circle, at which the flank ends; not that of the mirrored length of roll."""
+    k = 1 if teeth[0] > teeth[1] else 0
+    own = [more if gear == k else "" for gear in (0, 1)]
+    flanks = FlankStates(loads_model(BELOW % (teeth[0], own[0], teeth[1], own[1] + ring)), "stage", flank)
+    states = flanks.states(np.arange(64) / 64)
+    states["x_0"] = 100e-6
+    nodes = flanks.solve(states, keep_nodes=True)
+    assert nodes is not None
+    node = nodes[np.arange(nodes.shape[1]) < states["n_nodes"][:, None]]
+    inside = (node["place"] == ON_PATH) & (node["roll"][:, k] < 0.0)
+    gaps = 100e-6 - node["x"][inside]
+    # with folded lengths of roll these would be on the flank
+    gear = flanks.model.gears[("one", "two")[k]].geometry
+    low = flank_range(gear)[0]
+    assert np.sum(-node["roll"][inside, k] > low + 0.3e-3) > 5
+    assert gaps == pytest.approx(np.full(gaps.size, gaps[0]), abs=1e-15)
+    if more == CURVED:
+        removed = float(base_tangent(21e-6, gear))
+        assert gaps[0] == pytest.approx(removed, rel=1e-12)
+    else:
+        assert gaps[0] > 1e-6
+
+
+def test_heights_end_at_the_root_inside_the_base_circle() -> None:
+    """Compliances of flexible teeth are those of the root end of the involute."""
+    flanks = FlankStates(loads_model(BELOW % (12, "", 80, "")), "stage")
+    assert plain(_height)(flanks.record, 0, -1.9e-3) == (-1.0, 0.0)
+    ring = FlankStates(loads_model(BELOW % (17, "", 43, ", type: internal")), "stage")
+    middle, half = ring.record["height"][1]
+    assert plain(_height)(ring.record, 1, -middle) == (0.0, pytest.approx(-1.0 / half))

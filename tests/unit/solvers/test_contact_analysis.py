@@ -15,7 +15,10 @@ from pitchpoint.analysis.flank_contact.teeth import mesh_teeth, pair_positions
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers.contact_analysis.law_fit import fit_analytic_law
 from pitchpoint.solvers.contact_analysis.levels import compare_levels
+from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shafts, solve_contacts_on_shafts
+from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from tests.support.contact_files import fzg
 
@@ -112,6 +115,36 @@ def test_what_it_refuses(tmp_path: Path) -> None:
                 analyse(model, torque=5.0, misalignment=angle)
     with pytest.raises(SolverError, match="2 values; give one"):
         compare_levels(model, torque=[1.0, 2.0])
+
+
+@pytest.mark.parametrize("positions", [0, 3, -8, 8.0, True, "8", None, 100_001])
+def test_numbers_of_positions_that_are_refused(positions: object, tmp_path: Path) -> None:
+    model = fzg(tmp_path)
+    for analyse in (solve_contact, compare_levels):
+        with pytest.raises(SolverError, match=r"positions: .* is out of range \(limit 4 to 100000\); give a"):
+            analyse(model, torque=5.0, positions=positions)
+    for on_shafts in (solve_contact_on_shafts, solve_contacts_on_shafts):
+        with pytest.raises(SolverError, match="positions: "):
+            on_shafts(model, positions=positions)
+
+
+@pytest.mark.parametrize("flank", [0, 2, "front", "back", True, 1.0, None])
+def test_flanks_that_are_refused(flank: object, tmp_path: Path) -> None:
+    model = fzg(tmp_path)
+    for analyse in (solve_contact, compare_levels, fit_analytic_law):
+        with pytest.raises(SolverError, match=r"flank: .* is not a flank \(limit 1 or -1\); give 1"):
+            analyse(model, torque=5.0, flank=flank)
+    with pytest.raises(SolverError, match="flank: "):
+        contact_table(model, "stage", TableRequest(torque=5.0), flank)
+
+
+def test_all_problems_of_an_analysis_are_in_one_error(tmp_path: Path) -> None:
+    with pytest.raises(SolverError) as caught:
+        solve_contact(fzg(tmp_path), torque=0.0, positions=1, misalignment=2.0, flank=3, root_stress="fe")
+    assert caught.value.status == INCONSISTENT
+    assert str(caught.value).splitlines()[0] == "5 problems"
+    for words in ("torque 0.0", "positions: 1", "misalignment: 2.0", "flank: 3", "root_stress 'fe'"):
+        assert words in str(caught.value)
 
 
 def test_load_in_few_planes_is_noted(tmp_path: Path) -> None:

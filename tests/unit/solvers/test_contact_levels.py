@@ -22,12 +22,16 @@ PHASE = np.linspace(0.0, 0.98, 15)
 
 @pytest.mark.parametrize("level", ["rigid", "flexible"])
 @pytest.mark.parametrize("pair", [fzg, helical])
-def test_the_element_has_the_forces_of_the_contact_analysis(tmp_path, pair, level):
+@pytest.mark.parametrize("flank", [1, -1])
+def test_the_element_has_the_forces_of_the_contact_analysis(tmp_path, pair, level, flank):
     """Same phase, same approach, same tilt of the housing: forces of the element and of the static states."""
     model = pair(tmp_path).replace("meshes.stage.misalignment", {"in_plane": 2e-4, "out_of_plane": -4e-4})
     if level == "flexible":
         model = model.replace("meshes.stage.contact", {"level": "flexible", "planes": 5})
-    path, flanks = MeshPath(model, "stage"), FlankStates(model, "stage")
+    # the flanks differ by relief, and by the offset of helical gears
+    side = {"tip_relief": {"amount": 8e-6, "length": 2e-3}}
+    model = model.replace("gears.g1.modifications", {"right": side}).replace("bodies.a.gears", {"g1": "1 mm"})
+    path, flanks = MeshPath(model, "stage", flank), FlankStates(model, "stage", flank)
     states = flanks.states(PHASE)
     states["x_0"] = 2e-5
     flanks.solve(states)
@@ -85,6 +89,27 @@ def test_a_parabola_is_found_exactly(tmp_path, stiffness, monkeypatch):
     assert fit.c_prime == pytest.approx(c_prime, rel=1e-9)
     assert fit.pair_error < 1e-9
     assert fit.mesh_error[1] < 1e-9
+
+
+def test_levels_of_the_back_flanks(tmp_path):
+    """Mirrored teeth: the back flanks with a relief have the numbers of front flanks with the same relief."""
+    found = {}
+    for flank, side in ((1, "left"), (-1, "right")):
+        relief = {side: {"tip_relief": {"amount": 30e-6, "length": 2e-3}}}
+        model = fzg(tmp_path, k=K, planes=3).replace("gears.g1.modifications", relief)
+        model = model.replace("meshes.stage.contact", {"level": "flexible", "planes": 2})
+        size = TableSize(phase=8, approach=6, misalignment=3)
+        found[flank] = compare_levels(
+            model, torque=302.0, positions=8, size=size, flank=flank, misalignment=1e-4
+        )
+        assert found[flank].misalignment == pytest.approx(1e-4, rel=1e-12)
+    front, back = found[1], found[-1]
+    assert (front.fit.flank, back.fit.flank) == (1, -1)
+    for level in ROWS:
+        for name in ("te_mean", "te_pp", "stiffness", "force_rms", "force_max"):
+            one, two = (getattr(levels.numbers[level], name) for levels in (front, back))
+            assert two == pytest.approx(one, rel=1e-6, abs=1e-12), (level, name)
+    assert back.fit.c_prime == pytest.approx(front.fit.c_prime, rel=1e-6)
 
 
 def test_levels_against_flexible_contact(tmp_path):

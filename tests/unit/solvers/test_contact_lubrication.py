@@ -14,6 +14,7 @@ from pitchpoint.analysis.flank_contact.numbers import contact_numbers
 from pitchpoint.contact.film_thickness import film_thickness
 from pitchpoint.contact.flash_temperature import STEEL
 from pitchpoint.contact.hertz import plane_strain_compliance
+from pitchpoint.core.errors import SolverError
 from pitchpoint.solvers.contact_analysis.lubrication import Operation, with_operation
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from tests.support.contact_files import fzg
@@ -78,3 +79,33 @@ def test_parts_of_the_operation(analysed: tuple[xr.Dataset, object]) -> None:
     film = contact_numbers(with_operation(data, Operation(speed=-OMEGA, viscosity=0.02)))
     assert film["min_film_thickness"][0] > 0.0
     assert "loss_share" not in film
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"speed": 0.0}, r"speed: 0.0 is out of range \(limit not 0, in rad/s\); give the speed of gear 1"),
+        ({"speed": math.inf}, "speed: inf"),
+        ({"speed": "1000 rpm"}, "speed: '1000 rpm'"),
+        ({"speed": True}, "speed: True"),
+        ({"friction": -0.01}, r"friction: -0.01 is out of range \(limit 0 to 2\)"),
+        ({"friction": 2.5}, "friction"),
+        ({"viscosity": 0.0}, r"viscosity: 0.0 is out of range \(limit above 0, in Pa s\)"),
+        ({"viscosity": math.nan}, "viscosity: nan"),
+        ({"pressure_viscosity": None}, "pressure_viscosity: None"),
+        ({"pressure_viscosity": -20e-9}, "pressure_viscosity"),
+        ({"thermal_contact": (STEEL, -1.0)}, "thermal_contact: -1.0"),
+        ({"thermal_contact": STEEL}, "thermal_contact: 13795.0 is not a pair"),
+        ({"speed": None}, "viscosity: has no effect without a speed; give `speed`, too"),
+    ],
+)
+def test_conditions_that_are_refused(change: dict[str, object], words: str) -> None:
+    with pytest.raises(SolverError, match=f"operating conditions: {words}"):
+        Operation(**({"speed": OMEGA, "friction": 0.05, "viscosity": 0.02} | change))  # type: ignore[arg-type]
+
+
+def test_all_problems_of_the_conditions_are_in_one_error() -> None:
+    with pytest.raises(SolverError) as caught:
+        Operation(speed=math.nan, friction=-1.0, viscosity=-0.02, pressure_viscosity=0.0)
+    assert str(caught.value).splitlines()[0] == "operating conditions: 4 problems"
+    assert Operation(speed=-1, friction=0, viscosity=np.float64(0.02)).friction == 0

@@ -152,7 +152,7 @@ scenarios:
 @pytest.mark.parametrize(
     ("scenario", "notes"),
     [
-        ("one", "mesh second repeats after 3 periods of first; its peak to peak is that of 1"),
+        ("one", "mesh second repeats after 3 periods of first, and its peak to peak is that of 1"),
         ("three", ""),  # 57/19: the second stage has turned by one tooth
         ("four", ""),
     ],
@@ -173,7 +173,7 @@ def test_a_mesh_that_turns_faster_than_the_rolled_one_has_a_partial_mean():
         "mesh: first, points: 30, periods: 1", "mesh: second, periods: 1"
     )
     roll = roll_through(compiled(text, "one")[1])  # 57/20: 2.85 cycles of the first stage
-    assert roll.cycle_notes == ("mesh first repeats after 20 periods of second; its mean is that of 1",)
+    assert roll.cycle_notes == ("mesh first repeats after 20 periods of second, and its mean is that of 1",)
     assert roll.meshes["first"].repeats_after == 20
 
 
@@ -183,7 +183,7 @@ def test_a_mesh_that_turns_faster_than_the_rolled_one_has_a_partial_mean():
         ("balance", (), 1.0),
         (
             "0 N m",
-            ("mesh first and second carries no load; 60 N m on input are balanced by holding torques",),
+            ("mesh first and second carries no load, and 60 N m on input are balanced by holding torques",),
             0.0,
         ),
         ("-200 N m", ("the loads do not balance: 36.67 N m on input are balanced by holding torques",), 1.0),
@@ -243,7 +243,7 @@ def test_friction_that_a_slow_roll_leaves_out_is_reported():
     text = re.sub(r"stiffness: {law: fourier[^}]*}", "friction: {mu: 0.05}", ROLLED)
     (note,) = roll_through(compiled(text, "three")[1]).notes
     assert note.startswith(
-        "friction of mesh first and second is neglected: a slow roll is computed at zero speed"
+        "friction of mesh first and second is neglected, since a slow roll is computed at zero speed"
     )
 
 

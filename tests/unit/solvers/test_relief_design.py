@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core.errors import ModelError, SolverError
-from pitchpoint.core.status import INTERRUPTED
+from pitchpoint.core.status import INCONSISTENT, INTERRUPTED
 from pitchpoint.solvers.contact_analysis.relief.design import design_relief
 from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
 from pitchpoint.solvers.contact_analysis.relief.target import Target, tolerance_samples
@@ -259,12 +259,36 @@ def test_weights_of_the_objective():
         ({"tolerances": {"a": float("nan")}}, "tolerances >= 0"),
         ({"misalignments": [float("inf")]}, "misalignment: inf is out of range"),
         ({"positions": 4}, "positions"),
+        ({"positions": 16.0}, r"positions: 16.0 is out of range \(limit 8 to 10000\); give a whole number"),
         ({"analyses": 5}, "analyses"),
+        ({"analyses": True}, "analyses: True"),
+        ({"samples": 0}, r"samples: 0 is out of range \(limit at least 1\)"),
+        ({"seed": -1}, "seed"),
+        ({"flank": "back"}, r"flank: 'back' is not a flank \(limit 1 or -1\); give 1 for front"),
+        ({"max_pressure": 0.0}, "max_pressure: 0.0"),
+        ({"torques": 200.0}, "not a list"),
+        ({"weights": [0.0, 0.0]}, "one above 0"),
+        ({"weights": ["1", 1.0]}, "weights: '1'"),
+        ({"vary": {"a": 5e-6}}, "vary of a: 5e-06 is not a range"),
+        ({"vary": {"a": (0.0, float("inf"))}}, "vary of a: inf is out of range"),
+        ({"vary": {"a": (3e-6, 1e-6)}}, "3e-06 to 1e-06 m is not a range .*; exchange the bounds"),
+        ({"tolerances": {"a": -1e-6}}, "tolerances of a: -1e-06"),
+        ({"misalignments": [None]}, "misalignment: None"),
     ],
 )
 def test_plans_that_are_refused(change, words):
     with pytest.raises(SolverError, match=words):
         ReliefPlan(**({"vary": reliefs(), "torques": [10.0, 20.0]} | change))
+
+
+def test_all_problems_of_a_plan_are_in_one_error():
+    with pytest.raises(SolverError) as caught:
+        ReliefPlan(vary={}, torques=[0.0], positions=3, flank=0, tolerances={"a": -1.0})
+    assert caught.value.status == INCONSISTENT
+    lines = str(caught.value).splitlines()
+    assert lines[0] == "relief design: 5 problems"
+    starts = ("vary", "torque", "tolerances", "positions", "flank")
+    assert all(line.strip().startswith(start) for line, start in zip(lines[1:], starts, strict=True))
 
 
 def test_bounds_that_no_flank_can_have():

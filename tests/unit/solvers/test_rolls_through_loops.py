@@ -140,7 +140,7 @@ def test_trains_go_on_through_a_universal_joint(mesh, drive, brake):
     other = "second" if mesh == "first" else "first"
     assert roll.meshes[other].repeats_after == 0
     assert roll.cycle_notes == (
-        f"mesh {other} is driven through a closed loop; its values hold for this part of the cycle",
+        f"mesh {other} is driven through a closed loop, and its values are those of this part of the cycle",
     )
     assert np.isfinite(roll.meshes[other].unloaded).all()
 

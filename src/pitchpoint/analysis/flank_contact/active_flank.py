@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pitchpoint.analysis.flank_contact.teeth import mesh_teeth, pair_positions
+from pitchpoint.analysis.flank_contact.teeth import diameter_at, mesh_teeth, pair_positions
 from pitchpoint.analysis.sampled import Array
 
 if TYPE_CHECKING:
@@ -22,7 +22,8 @@ class ActiveFlank:
     Attributes
     ----------
     diameter, roll_angle
-        Under load [m, rad].
+        Under load [m, rad]. For contact inside the base circle the angle is negative, and the diameter that
+        of the base circle.
     geometric_diameter, geometric_roll_angle
         From the path of contact A to E of undeformed gears: d_Nf and d_Na [m, rad].
     """
@@ -45,9 +46,9 @@ def active_flanks(data: xr.Dataset, torque: int = -1) -> tuple[ActiveFlank, Acti
 
     Notes
     -----
-    d = 2 sqrt(r_b² + ρ²) with the length of roll ρ (ISO 21771). A tip edge that touches before A or beyond E
-    is farther from the axis of its mate than at A or E, so that it does not lengthen the flank in contact
-    towards the root.
+    d = 2 sqrt(r_b² + ρ²) with the length of roll ρ ≥ 0 (ISO 21771). A tip edge that touches before A or
+    beyond E is farther from the axis of its mate than at A or E, so that it does not lengthen the flank in
+    contact towards the root.
 
     Examples
     --------
@@ -79,9 +80,7 @@ def active_flanks(data: xr.Dataset, torque: int = -1) -> tuple[ActiveFlank, Acti
         if gear == 1 and _is_internal(teeth.mark_roll):
             marks = marks[::-1]
         r_b = float(teeth.base_radius[gear])
-        found.append(
-            ActiveFlank(2.0 * np.hypot(r_b, ends), ends / r_b, 2.0 * np.hypot(r_b, marks), marks / r_b)
-        )
+        found.append(ActiveFlank(diameter_at(ends, r_b), ends / r_b, diameter_at(marks, r_b), marks / r_b))
     return found[0], found[1]
 
 

@@ -27,7 +27,7 @@ def sliding_radius(roll_1: Array, roll_2: Array, teeth: MeshTeeth) -> Array:
     Parameters
     ----------
     roll_1, roll_2
-        Lengths of roll at the contact on both gears [m], any shape.
+        Lengths of roll at the contact on both gears [m], negative inside a base circle, any shape.
     teeth
         Geometry of the mesh.
 

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pitchpoint.analysis.sampled import Array
 
@@ -22,7 +23,7 @@ MARKS = ("A", "B", "C", "D", "E")
 
 @dataclass(frozen=True)
 class MeshTeeth:
-    """Geometry of a mesh; all lengths and numbers of teeth are positive.
+    """Geometry of a mesh; all lengths and numbers of teeth are positive, but lengths of roll are signed.
 
     Attributes
     ----------
@@ -31,7 +32,7 @@ class MeshTeeth:
     beta_b
         Base helix angle [rad].
     mark_roll
-        Lengths of roll at A, B, C, D, E on both gears [m], shape (2, 5).
+        Lengths of roll at A, B, C, D, E on both gears [m], shape (2, 5); negative inside the base circle.
     z, width
         Middles and widths of the contact planes [m], shape (n_plane,).
     advance
@@ -104,6 +105,28 @@ def mesh_teeth(data: xr.Dataset) -> MeshTeeth:
         width=found["plane_width"],
         advance=found["plane_advance"],
     )
+
+
+def diameter_at(roll: ArrayLike, base_radius: float) -> Array:
+    """Diameter of a place on an involute [m], shape of `roll`.
+
+    Parameters
+    ----------
+    roll
+        Length of roll [m], any shape; negative, inside the base circle, gives the diameter of this circle.
+    base_radius
+        Base radius [m].
+
+    Notes
+    -----
+    d = 2 sqrt(r_b² + ρ²) with the length of roll ρ ≥ 0 (ISO 21771).
+
+    Examples
+    --------
+    >>> diameter_at([0.03, -0.01], 0.04).round(9).tolist()
+    [0.1, 0.08]
+    """
+    return np.asarray(2.0 * np.hypot(base_radius, np.maximum(roll, 0.0)))
 
 
 def pair_positions(data: xr.Dataset) -> Array:

@@ -14,7 +14,7 @@ from __future__ import annotations
 import math
 
 from pitchpoint.core.kernel import kernel, view
-from pitchpoint.elements.mesh.flank_modifications import modification
+from pitchpoint.elements.mesh.flank_modifications import modification, roll_sign
 from pitchpoint.elements.mesh.line_of_action import pooled
 from pitchpoint.elements.mesh.record import N_ROW
 from pitchpoint.multibody.channels import F8
@@ -246,7 +246,7 @@ def add_roll_tangent(b, kk, rows):
 
 @kernel
 def _read(b, stack, row, z, roll):
-    """Value of a grid at width z from mid-face and length of roll |roll| [m], and its slopes over both.
+    """Value of a grid at width z from mid-face and signed length of roll [m], and its slopes over both.
 
     `stack` 0, 1: gaps and compliances of gear 1, 2; 2, 3: levels. Bilinear between the stations, constant
     beyond the edges.
@@ -257,7 +257,7 @@ def _read(b, stack, row, z, roll):
     grid = view(pooled(b, b["sep"][stack] + row * nz * nx), (nz, nx), F8)
     per_z = now["per_z"][stack]
     per_roll = now["per_roll"][stack]
-    sign = 1.0 if roll > 0.0 else -1.0
+    sign = roll_sign(b, stack % 2)
     z = z * per_z + 0.5 * (nz - 1)
     x = (sign * roll - b["roll"][stack % 2, 0]) * per_roll
     inside_z = per_z if z > 0.0 and z < nz - 1 else 0.0

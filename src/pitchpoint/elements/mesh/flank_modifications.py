@@ -54,6 +54,12 @@ def modification_at(row, t, zeta):
 
 
 @kernel
+def roll_sign(b, gear):
+    """Sign of lengths of roll on gear 1 or 2 (0 or 1); they have the opposite one inside its base circle."""
+    return -1.0 if gear == 1 and b["r_b2"] < 0.0 else 1.0
+
+
+@kernel
 def relative_place(b, gear, z, roll):
     """Relative height and width of a point of a flank of gear 1 or 2 (0 or 1), and their slopes.
 
@@ -62,7 +68,7 @@ def relative_place(b, gear, z, roll):
     per_z = 2.0 / (b["b1"] if gear == 0 else b["b2"])
     first = b["roll"][gear, 0]
     per_roll = 1.0 / (b["roll"][gear, 1] - first)
-    sign = 1.0 if roll > 0.0 else -1.0
+    sign = roll_sign(b, gear)
     return (sign * roll - first) * per_roll, z * per_z, sign * per_roll, per_z
 
 

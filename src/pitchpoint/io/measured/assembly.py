@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.errors import join_notes
 from pitchpoint.core.nearest import hint
 from pitchpoint.io.measured.record import Column, MeasuredError, Record, refused
 from pitchpoint.io.measured.units import to_si
@@ -88,7 +89,7 @@ def assemble(
         "package_version": package_version(),
         **({"sample_rate": rate} if rate is not None else {}),
         **{key: value for key, value in record.attributes.items() if key not in ("format", "sha256")},
-        "notes": "; ".join(dict.fromkeys(notes)),
+        "notes": join_notes(notes),
     }
     axis = ("time", time, {"units": "s", "long_name": "time"})
     return xr.Dataset(variables, coords={"time": axis}, attrs=about)

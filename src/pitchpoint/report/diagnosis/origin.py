@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+from pitchpoint.core.errors import split_notes
 from pitchpoint.report.diagnosis.record import Record
 
 if TYPE_CHECKING:
@@ -61,7 +62,7 @@ def origin(request: Request, record: Record, found: Study, noise: Sequence[str])
     given = "default" if request.false_alarm == type(request).false_alarm else "--false-alarm"
     rows.append(("false alarms", f"{100.0 * request.false_alarm:g} % of healthy records", given))
     notes = record.about.get("notes", "")
-    rows += [("note in the file", note, "file") for note in notes.split("; ") if note]
+    rows += [("note in the file", note, "file") for note in split_notes(notes)]
     assumed = "shafts with fixed axes; teeth of equal pitch"
     slip = "; bearing slip below 1 %" if found.parts.bearings else ""
     rows.append(("assumptions", assumed + slip, "–"))

@@ -33,13 +33,13 @@ def row_notes(system: System) -> tuple[Message, ...]:
     if loops:
         found.append(
             note(
-                "redundant with other joints; the motion is the same without, but the distribution of the "
+                "redundant with other joints: the motion is the same without, but the distribution of the "
                 "reactions is not unique",
                 ", ".join(loops),
             )
         )
     if others:
-        found.append(note("redundant with other prescribed motions; it carries no load", ", ".join(others)))
+        found.append(note("redundant with other prescribed motions, without load", ", ".join(others)))
     return tuple(found)
 
 

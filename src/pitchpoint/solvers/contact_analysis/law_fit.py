@@ -18,7 +18,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import INCONSISTENT, OK, REFUSED, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.solvers.contact_analysis.load_checks import checked_torque
+from pitchpoint.solvers.contact_analysis.load_checks import flank_problem, refuse, torque_problem
 from pitchpoint.solvers.contact_analysis.solve import mesh_of
 
 if TYPE_CHECKING:
@@ -42,7 +42,9 @@ class LawFit:
     mesh
         Name of the mesh.
     torque
-        Torque on gear 1 of the fit [N m].
+        Torque on gear 1 of the fit [N m], a magnitude.
+    flank
+        1: front flanks, -1: back flanks.
     c_prime, S_R, T_R
         Single stiffness [N/m^2], stiffness ratio and tip-relief factor of the law `din3990`.
     rigid_stiffness
@@ -57,6 +59,7 @@ class LawFit:
 
     mesh: str
     torque: float
+    flank: int
     c_prime: float
     S_R: float
     T_R: float
@@ -88,7 +91,7 @@ class _Nodes:
     plane: float
 
 
-def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0) -> LawFit:
+def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0, flank: int = 1) -> LawFit:
     """Parabola of the single stiffness, and constant stiffness, that fit the contact of a mesh.
 
     Parameters
@@ -99,6 +102,8 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0)
         Name of the mesh; may be omitted if there is only one.
     torque
         Torque on gear 1 [N m]; only the magnitude counts.
+    flank
+        1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
 
     Returns
     -------
@@ -108,7 +113,7 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0)
     Raises
     ------
     SolverError
-        If the mesh has no rigid or flexible contact, or a state has no solution.
+        If the mesh has no rigid or flexible contact, an argument is out of range, or a state has no solution.
 
     Notes
     -----
@@ -125,8 +130,9 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0)
             "give it `contact: {level: flexible}`",
             INCONSISTENT,
         )
-    torque = checked_torque(torque)
-    flanks = FlankStates(model, name)
+    refuse(torque_problem(torque, several=False), flank_problem(flank))
+    torque = float(np.asarray(torque).item())
+    flanks = FlankStates(model, name, flank)
     force = flanks.force_of(torque)
     nodes, eps_alpha = _loaded_nodes(flanks, force)
     on_path = (nodes.place >= 0.0) & (nodes.place <= eps_alpha) & np.isfinite(nodes.place)
@@ -138,6 +144,7 @@ def fit_analytic_law(model: Model, mesh: str | None = None, torque: float = 0.0)
     return LawFit(
         mesh=name,
         torque=abs(torque),
+        flank=flank,
         c_prime=c_prime,
         S_R=S_R,
         T_R=T_R,

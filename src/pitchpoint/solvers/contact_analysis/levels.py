@@ -29,7 +29,13 @@ from pitchpoint.model.components.flank_contact import (
 from pitchpoint.model.write import plain_component
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.law_fit import LawFit, fit_analytic_law
-from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torque
+from pitchpoint.solvers.contact_analysis.load_checks import (
+    flank_problem,
+    misalignment_problem,
+    positions_problem,
+    refuse,
+    torque_problem,
+)
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options
 from pitchpoint.solvers.contact_analysis.mesh_path import MeshPath
 from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
@@ -113,6 +119,7 @@ def compare_levels(
     mesh: str | None = None,
     *,
     torque: float,
+    flank: int = 1,
     misalignment: float | None = None,
     positions: int = 64,
     size: TableSize | None = None,
@@ -130,6 +137,8 @@ def compare_levels(
         Name of the mesh; may be omitted if there is only one.
     torque
         Torque on gear 1 [N m]; only the magnitude counts.
+    flank
+        1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
     misalignment
         Misalignment of the flanks in the plane of action [rad]; None: that of the housing.
     positions
@@ -144,15 +153,20 @@ def compare_levels(
     Raises
     ------
     SolverError
-        If a state has no solution, or the teeth of a gear differ from each other.
+        If an argument is out of range, a state has no solution, or the teeth of a gear differ.
     """
     name = mesh_of(model, mesh)
-    torque = checked_torque(torque)
-    check_misalignment(misalignment)
+    refuse(
+        torque_problem(torque, several=False),
+        positions_problem(positions),
+        misalignment_problem(misalignment),
+        flank_problem(flank),
+    )
+    torque = float(np.asarray(torque).item())
     if misalignment is not None:
-        model = _misaligned(model, name, misalignment)
+        model = _misaligned(model, name, misalignment, flank)
     flexible = model.replace(f"meshes.{name}.contact", _flexible(model.meshes[name].contact))
-    fit = fit_analytic_law(flexible, name, torque)
+    fit = fit_analytic_law(flexible, name, torque, flank)
     began = time.perf_counter()
     precomputed, origin = _precomputed(model, flexible, name, torque, size, run)
     table_s = time.perf_counter() - began if origin == "computed" else 0.0
@@ -163,7 +177,7 @@ def compare_levels(
         "law": model.replace_all({f"meshes.{name}.contact": None, f"meshes.{name}.stiffness": fit.law}),
     }
     phase = np.arange(positions) / positions
-    states = FlankStates(flexible, name)
+    states = FlankStates(flexible, name, flank)
     force = states.force_of(torque)
     first = states.states(phase)
     first["by_force"], first["force"] = 1, force
@@ -174,7 +188,7 @@ def compare_levels(
     analyses: dict[str, xr.Dataset] = {}
     exact: Array | None = None
     for k, (level, one) in enumerate(models.items()):
-        path = MeshPath(one, name)
+        path = MeshPath(one, name, flank)
         numbers, forces, approach[level] = _measured(path, reference, exact)
         exact = forces if exact is None else exact
         if level == "precomputed":
@@ -183,7 +197,7 @@ def compare_levels(
         if level == "precomputed":
             analyses[level] = _recomputed(states, torque, phase, approach[level])
         elif level != "law":
-            analyses[level] = solve_contact(one, name, torque=torque, positions=positions)
+            analyses[level] = solve_contact(one, name, torque=torque, positions=positions, flank=flank)
         progress(k + 1, len(models), f"{name}: {level}")
     return Levels(
         fit=fit,
@@ -206,10 +220,11 @@ class _Reference:
     first: float
 
 
-def _misaligned(model: Model, name: str, misalignment: float) -> Model:
-    """Model whose housing misaligns the flanks by an angle in their plane of action [rad]."""
+def _misaligned(model: Model, name: str, misalignment: float, flank: int) -> Model:
+    """Model whose housing misaligns one flank by an angle in its plane of action [rad]."""
     alpha = model.pairs[name].alpha_wt
-    tilts = {"in_plane": misalignment * math.sin(alpha), "out_of_plane": misalignment * math.cos(alpha)}
+    across = flank * misalignment * math.cos(alpha)
+    tilts = {"in_plane": misalignment * math.sin(alpha), "out_of_plane": across}
     return model.replace(f"meshes.{name}.misalignment", tilts)
 
 

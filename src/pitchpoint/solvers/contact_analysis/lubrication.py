@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,9 @@ from numpy.typing import NDArray
 from pitchpoint.contact.film_thickness import film_thickness
 from pitchpoint.contact.flash_temperature import STEEL, flash_temperature
 from pitchpoint.contact.hertz import plane_strain_compliance
+from pitchpoint.core.errors import Message
 from pitchpoint.core.nomenclature import attributes
+from pitchpoint.solvers.contact_analysis.load_checks import is_positive, number_problem, refuse
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -23,6 +26,15 @@ Array = NDArray[np.float64]
 OVER = ("torque", "mesh_phase_position", "tooth_pair", "plane")
 MINERAL = 20e-9
 """Pressure-viscosity coefficient, typical of mineral oils [1/Pa]."""
+
+
+LIMITS: tuple[tuple[str, Callable[[float], bool], str, str], ...] = (
+    ("speed", lambda value: value != 0.0, "not 0, in rad/s", "give the speed of gear 1, or None"),
+    ("friction", lambda value: 0.0 <= value <= 2.0, "0 to 2", "give a coefficient such as 0.05, or None"),
+    ("viscosity", is_positive, "above 0, in Pa s", "give the dynamic viscosity, such as 0.02, or None"),
+    ("pressure_viscosity", is_positive, "above 0, in 1/Pa", "omit it, or give a value such as 20e-9"),
+)
+"""Operating conditions: names, tests, limits and remedies."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -41,6 +53,11 @@ class Operation:
         Pressure-viscosity coefficient [1/Pa].
     thermal_contact
         Thermal contact coefficients of both gears [W s^0.5/(m² K)].
+
+    Raises
+    ------
+    SolverError
+        With all conditions that are out of range.
     """
 
     speed: float | None = None
@@ -48,6 +65,23 @@ class Operation:
     viscosity: float | None = None
     pressure_viscosity: float = MINERAL
     thermal_contact: tuple[float, float] = (STEEL, STEEL)
+
+    def __post_init__(self) -> None:
+        found = [
+            number_problem(name, getattr(self, name), fits, limit, remedy)
+            for name, fits, limit, remedy in LIMITS
+            if getattr(self, name) is not None or name == "pressure_viscosity"
+        ]
+        if self.viscosity is not None and self.speed is None:
+            found.append(Message("viscosity", "has no effect without a speed", remedy="give `speed`, too"))
+        pair = self.thermal_contact
+        if np.shape(pair) != (2,):
+            remedy = "give those of gear 1 and gear 2"
+            found.append(Message("thermal_contact", "is not a pair", repr(pair), "two numbers", remedy))
+        else:
+            limit, remedy = "above 0, in W s^0.5/(m² K)", "give that of a material, such as 13 795 of steel"
+            found += [number_problem("thermal_contact", one, is_positive, limit, remedy) for one in pair]
+        refuse(*found, of="operating conditions")
 
 
 def with_operation(data: xr.Dataset, operation: Operation) -> xr.Dataset:
@@ -65,7 +99,8 @@ def with_operation(data: xr.Dataset, operation: Operation) -> xr.Dataset:
     xarray.Dataset
         With `friction_coefficient` over the torque, and over the contact nodes `sliding_speed` and
         `rolling_speed` (mean of both flanks) [m/s], `film_thickness` [m], `flash_temperature` [K], as far as
-        the operation defines them; NaN where the pressure is unknown.
+        the operation defines them; the latter two are NaN where the pressure is unknown, and inside a base
+        circle, where no involute has a radius of curvature.
     """
     found = data.copy()
     if operation.friction is not None:
@@ -84,10 +119,12 @@ def with_operation(data: xr.Dataset, operation: Operation) -> xr.Dataset:
     pressure = np.fmax(_values(data, "pressure"), _values(data, "edge_pressure"))
     b_H = 2.0 * load / (math.pi * pressure)
     fields = {"sliding_speed": np.abs(v_1 - v_2), "rolling_speed": 0.5 * (v_1 + v_2)}
+    on_involutes = np.minimum(roll_1, roll_2) > 0.0
+    v_1, v_2 = np.where(on_involutes, (v_1, v_2), np.nan)
     if operation.viscosity is not None:
         radius = math.pi * b_H * b_H / (4.0 * load * soft)
         oil = (operation.viscosity, operation.pressure_viscosity)
-        fields["film_thickness"] = film_thickness(load, radius, fields["rolling_speed"], soft, *oil)
+        fields["film_thickness"] = film_thickness(load, radius, 0.5 * (v_1 + v_2), soft, *oil)
     if operation.friction is not None:
         fields["flash_temperature"] = flash_temperature(
             load, b_H, v_1, v_2, operation.friction, operation.thermal_contact

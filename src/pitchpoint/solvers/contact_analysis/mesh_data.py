@@ -25,12 +25,13 @@ def mesh_geometry(flanks: FlankStates) -> tuple[dict[str, Any], dict[str, Any]]:
 
     Notes
     -----
-    All lengths are positive. B and D are one base pitch from E and A; they change their order if the
-    transverse contact ratio is above 2.
+    All lengths are positive, but lengths of roll inside a base circle are negative. B and D are one base
+    pitch from E and A; they change their order if the transverse contact ratio is above 2.
     """
     pair, record = flanks.model.pairs[flanks.mesh], flanks.record
     gears = [flanks.model.gears[name] for name in flanks.model.meshes[flanks.mesh].gears]
     path = np.array([pair.T1A, pair.T1B, pair.T1C, pair.T1D, pair.T1E])
+    signs = [[gear.geometry.sign] for gear in gears]
     planes = int(record["slices"])
     width = float(record["now"]["z_hi"] - record["now"]["z_lo"]) / planes
     lead = flanks.flank * float(record["tan_b"]) / float(record["p_bt"])
@@ -47,7 +48,7 @@ def mesh_geometry(flanks: FlankStates) -> tuple[dict[str, Any], dict[str, Any]]:
     }
     variables["mark_roll"] = (
         ("gear", "mark"),
-        np.abs(np.array([path, pair.T1T2 - path])),
+        np.array([path, pair.T1T2 - path]) * signs,
         {"units": "m", "long_name": "length of roll at the points of the path of contact"},
     )
     variables["plane_width"] = (

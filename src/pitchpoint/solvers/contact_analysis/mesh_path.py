@@ -81,7 +81,7 @@ def evaluate_positions(_, where, n):
 
 
 class MeshPath:
-    """Front flanks of one mesh on fixed axes at the centre distance and misalignment of the model, at rest.
+    """One flank of a mesh on fixed axes at the centre distance and misalignment of the model, at rest.
 
     Parameters
     ----------
@@ -89,11 +89,13 @@ class MeshPath:
         The model; bodies, loads and a prescribed transmission error are not used.
     mesh
         Name of the mesh.
+    flank
+        1: front flanks (gear 1 drives counter-clockwise), -1: back flanks.
     """
 
-    def __init__(self, model: Model, mesh: str) -> None:
+    def __init__(self, model: Model, mesh: str, flank: int = 1) -> None:
         began = time.perf_counter()
-        self.mesh = mesh
+        self.mesh, self.flank = mesh, flank
         bank = mesh_alone(model, mesh)
         assert bank.pool is not None
         self._records, self._pool = bank.records, bank.pool
@@ -138,8 +140,9 @@ class MeshPath:
         psi, x = (np.asarray(v, dtype=np.float64).ravel() for v in np.broadcast_arrays(phase, approach))
         record = self._records[0]
         now = record["now"]
-        travel = (psi - now["start"][0]) * record["p_bt"] - record["xi_0"]
-        u = x + 0.5 * now["gap"] - record["u0"] - record["tan_b"] * now["dz"]
+        start, xi = (0, record["xi_0"]) if self.flank > 0 else (1, record["xi_b"])
+        travel = self.flank * ((psi - now["start"][start]) * record["p_bt"] - xi)
+        u = self.flank * (x + 0.5 * now["gap"]) - record["u0"] - record["tan_b"] * now["dz"]
         at = np.zeros(psi.size, POSITION)
         at["phi"] = np.column_stack([0.5 * u + travel, 0.5 * u - travel]) / self.radii
         self._run["positions"] = at.ctypes.data
@@ -150,7 +153,7 @@ class MeshPath:
             k = int(np.argmax(at["status"] != OK))
             raise SolverError(f"mesh {self.mesh}, mesh phase {psi[k]:.4f}: {sentence(status)}", status)
         # the torques by the change of energy with the mean travel are opposite
-        force = -0.5 * (at["torque"] / self.radii).sum(axis=1)
+        force = -0.5 * self.flank * (at["torque"] / self.radii).sum(axis=1)
         return force, at["stiffness"] / self.radii[0] ** 2
 
     def approaches(self, phase: ArrayLike, force: float, start: ArrayLike) -> Array:

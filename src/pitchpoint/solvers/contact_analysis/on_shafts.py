@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.core.errors import SolverError, note
+from pitchpoint.core.errors import SolverError, join_notes, note, split_notes
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
@@ -26,8 +26,9 @@ from pitchpoint.elements.mesh.line_of_action import flank_phase
 from pitchpoint.model.components.flank_contact import PrecomputedContact
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.load_checks import method_problem, positions_problem, refuse
 from pitchpoint.solvers.contact_analysis.mesh_choice import chosen_meshes, rolled_together, unsuitable
-from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
+from pitchpoint.solvers.contact_analysis.root_stress import with_root_stress
 from pitchpoint.solvers.contact_analysis.solve import contact_attributes, contact_dataset, mesh_of
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.system.compile import compile_model
@@ -137,7 +138,8 @@ def solve_contact_on_shafts(
     Raises
     ------
     SolverError
-        If the machine has no equilibrium, or the mesh carries no load; with the partial result.
+        If an argument is out of range, the machine has no equilibrium, or the mesh carries no load; with the
+        partial result.
     """
     name = mesh_of(model, mesh)
     try:
@@ -185,9 +187,10 @@ def solve_contacts_on_shafts(
     Raises
     ------
     SolverError
-        If the analysis of a mesh fails; the partial result has the other meshes.
+        If an argument is out of range, or the analysis of a mesh fails; the partial result has the other
+        meshes.
     """
-    check_method(root_stress)
+    refuse(positions_problem(positions), method_problem(root_stress))
     names = chosen_meshes(model, meshes)
     system = compile_model(model, scenario)
     groups = rolled_together(system, names)
@@ -267,7 +270,7 @@ def _analyse_together(
             continue
         options = {"positions": positions, "flank": flanks.flank, "shafts": "in equilibrium"}
         data.attrs |= contact_attributes(flanks, status, time.perf_counter() - began, **options)
-        data.attrs["notes"] = "; ".join([*notes, *filter(None, [data.attrs["notes"]])])
+        data.attrs["notes"] = join_notes([*notes, *split_notes(data.attrs["notes"])])
         found.meshes[name] = data
     return ended
 
@@ -311,8 +314,9 @@ def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tup
     if wedged:
         side = "front" if flank > 0 else "back"
         text = (
-            f"mesh {mesh}: front and back flanks touch at {wedged} of {len(places)} positions; loads and "
-            f"pressures are those of the {side} flanks, the torque is that of both; give the mesh backlash"
+            f"mesh {mesh}: front and back flanks touch at {wedged} of {len(places)} positions, so that loads "
+            f"and pressures are those of the {side} flanks, and the torque is that of both: give the mesh "
+            "backlash"
         )
-        data.attrs["notes"] = "; ".join(filter(None, [note(text), data.attrs["notes"]]))
+        data.attrs["notes"] = join_notes([note(text), *split_notes(data.attrs["notes"])])
     return flanks, data

@@ -23,7 +23,12 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, OK, sentence
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torque
+from pitchpoint.solvers.contact_analysis.load_checks import (
+    flank_problem,
+    misalignment_problem,
+    refuse,
+    torque_problem,
+)
 
 if TYPE_CHECKING:
     from pitchpoint.contact.potential_fit import PotentialTable
@@ -65,8 +70,7 @@ class TableRequest:
 
     def __post_init__(self) -> None:
         """Check torque and misalignment; `TableRange` checks the rest."""
-        checked_torque(self.torque)
-        check_misalignment(self.misalignment)
+        refuse(torque_problem(self.torque, several=False), misalignment_problem(self.misalignment))
 
 
 class PotentialEvaluator:
@@ -230,8 +234,10 @@ def contact_table(
     Raises
     ------
     SolverError
-        If the contact is not flexible, teeth of a gear differ from each other, or a state has no solution.
+        If the contact is not flexible, `flank` is not one, teeth of a gear differ from each other, or a state
+        has no solution.
     """
+    refuse(flank_problem(flank))
     _check(model, mesh)
     evaluator = PotentialEvaluator(model, mesh, flank)
     span = table_span(evaluator, request)

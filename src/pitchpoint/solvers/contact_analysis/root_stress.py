@@ -24,9 +24,8 @@ from pitchpoint.contact.root_section import (
     root_section,
 )
 from pitchpoint.contact.tooth_fe.fillet_stress import stress_by_planes, stress_of_teeth
-from pitchpoint.core.errors import GeometryError, SolverError
+from pitchpoint.core.errors import GeometryError, join_notes, split_notes
 from pitchpoint.core.nomenclature import attributes
-from pitchpoint.core.status import INCONSISTENT
 from pitchpoint.solvers.contact_analysis.lubrication import OVER
 from pitchpoint.system.rules.flank_contact import (
     blank_of,
@@ -43,27 +42,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-METHODS = ("tangent", "finite_elements")
-"""Methods of root stress; the second one includes the first."""
 FROM_TANGENT = {1: math.radians(30.0), -1: math.radians(40.0)}
 """Least tangent angle of points of the fillet by the sign of z: nearer to the flank, stress is that of the
 load itself. Forces on the upper two thirds of the flank have their maximum beyond it."""
 _PHASES = 256
 """Mesh phases whose stresses are in memory at the same time."""
-
-
-def check_method(method: str | None) -> None:
-    """Raise for an unknown method of root stress.
-
-    Raises
-    ------
-    SolverError
-        If it is neither None nor one of `METHODS`.
-    """
-    if method is not None and method not in METHODS:
-        raise SolverError(
-            f"root_stress {method!r} is not a method; choose {' or '.join(METHODS)}", INCONSISTENT
-        )
 
 
 def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None = None) -> xr.Dataset:
@@ -92,7 +75,7 @@ def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None =
     assert mesh.contact is not None
     whole = method or ("finite_elements" if has_finite_elements(mesh.contact) else "tangent")
     gears = [flanks.model.gears[name] for name in mesh.gears]
-    found, notes = data.copy(), [str(data.attrs["notes"])] if data.attrs.get("notes") else []
+    found, notes = data.copy(), split_notes(str(data.attrs.get("notes", "")))
     size = tuple(data.sizes[name] for name in OVER)
     at_tangent = np.full((*size, 2), np.nan)
     sections: dict[str, list[float]] = {name: [math.nan] * 2 for name in SECTION}
@@ -112,7 +95,7 @@ def with_root_stress(data: xr.Dataset, flanks: FlankStates, method: str | None =
     found.attrs["root_stress"] = f"30 deg tangent{', internal gear 60 deg' if internal else ''}"
     if whole == "finite_elements":
         found = _with_finite_elements(found, flanks, gears, notes)
-    found.attrs["notes"] = "; ".join(notes)
+    found.attrs["notes"] = join_notes(notes)
     return found
 
 
@@ -149,7 +132,7 @@ def _remarks(flanks: FlankStates, k: int, gear: Gear, chord_over_radius: float) 
 def _without(flanks: FlankStates, k: int, method: str, error: GeometryError) -> str:
     """Note that a gear has no root stress by a method."""
     name = flanks.model.meshes[flanks.mesh].gears[k]
-    return f"gear {name}: no root stress {method}, {error}".replace("; ", ", ")
+    return f"gear {name}: no root stress {method}, {error}"
 
 
 def _with_finite_elements(

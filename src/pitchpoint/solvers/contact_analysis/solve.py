@@ -12,15 +12,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import half_width, peak_pressure, plane_strain_compliance
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
-from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torques
+from pitchpoint.solvers.contact_analysis.load_checks import (
+    flank_problem,
+    method_problem,
+    misalignment_problem,
+    positions_problem,
+    refuse,
+    torque_problem,
+)
 from pitchpoint.solvers.contact_analysis.mesh_data import contact_options, mesh_geometry
 from pitchpoint.solvers.contact_analysis.notes import contact_notes
-from pitchpoint.solvers.contact_analysis.root_stress import check_method, with_root_stress
+from pitchpoint.solvers.contact_analysis.root_stress import with_root_stress
 from pitchpoint.solvers.contact_analysis.stepped_flanks import edge_turns, step_pressures
 
 if TYPE_CHECKING:
@@ -35,8 +42,8 @@ NODE_FIELDS: dict[str, tuple[str, str]] = {
     "line_load": ("N/m", "normal force per length of the contact line"),
     "pressure": ("Pa", "Hertzian pressure of the flanks on the line of action"),
     "edge_pressure": ("Pa", "Hertzian pressure of a rounded tip edge on the mating flank"),
-    "roll_1": ("m", "length of roll on gear 1"),
-    "roll_2": ("m", "length of roll on gear 2"),
+    "roll_1": ("m", "length of roll on gear 1, negative inside its base circle"),
+    "roll_2": ("m", "length of roll on gear 2, negative inside its base circle"),
 }
 """Variables over torque, phase, tooth pair and plane: units and long names."""
 
@@ -63,7 +70,7 @@ def solve_contact(
     torque
         Torque on gear 1, or several [N m]; only the magnitude counts.
     positions
-        Equidistant mesh phases over one base pitch.
+        Equidistant mesh phases over one base pitch, 4 to 100 000.
     misalignment
         Angle between the flanks in the plane of action [rad], at most 0.1: the gap increases by it towards
         +z. None: that of the housing, `misalignment` of the mesh.
@@ -82,6 +89,7 @@ def solve_contact(
         tangent under load), unloaded_transmission_error, mesh_stiffness (tangent) and secant_stiffness [N/m],
         elastic_energy [J]; over these, `tooth_pair` and `plane`: plane_force [N], line_load [N/m],
         pressure, edge_pressure [Pa], lengths of roll roll_1, roll_2 [m]. NaN where a pair has no contact.
+        Inside a base circle the length of roll is negative, and the pressures are NaN.
         Pair n is at n + phase base pitches from A in the middle of the face. Over these and `gear` also
         root_stress [Pa], with finite elements root_stress_fe (`with_root_stress`). Geometry of the mesh over
         `gear`, `mark` (A to E) and `plane`, so that `analysis.flank_contact` needs no model.
@@ -89,13 +97,18 @@ def solve_contact(
     Raises
     ------
     SolverError
-        If the mesh has no contact of tooth surfaces, torque or misalignment are out of range, or a state has
-        no solution; with the partial result.
+        If the mesh has no contact of tooth surfaces, arguments are out of range, or a state has no solution;
+        with the partial result.
     """
     name = mesh_of(model, mesh)
-    check_method(root_stress)
-    torques = checked_torques(torque)
-    check_misalignment(misalignment)
+    refuse(
+        torque_problem(torque),
+        positions_problem(positions),
+        misalignment_problem(misalignment),
+        flank_problem(flank),
+        method_problem(root_stress),
+    )
+    torques = np.atleast_1d(np.asarray(torque, dtype=np.float64))
     began = time.perf_counter()
     flanks = FlankStates(model, name, flank)
     kappa = flanks.misalignment if misalignment is None else float(misalignment)
@@ -229,7 +242,7 @@ def contact_dataset(
         ),
         "plane": (("plane",), flanks.widths, {"units": "m", "long_name": "position over the face width"}),
     }
-    notes = {"notes": "; ".join(contact_notes(flanks, found))}
+    notes = {"notes": join_notes(contact_notes(flanks, found))}
     return xr.Dataset(variables | geometry, coords=coords | axes, attrs=notes)
 
 
@@ -266,17 +279,18 @@ def _node_fields(
         at, node = _loaded(states, nodes)
         where = (t, at, -node["pair"] - numbers.start, node["plane"])
         one, two = node["roll"].T
+        rolls = np.sign(record["r_b1"]) * one, np.sign(record["r_b2"]) * two
         load = node["force"] / width
         on_path = node["place"] == ON_PATH
+        inside = np.minimum(*rolls) <= 0.0  # without a radius of curvature
         with np.errstate(divide="ignore", invalid="ignore"):
-            radius = one * two / (one + two) / cos_b
-            radius[~on_path | ~(radius > 0.0)] = np.nan  # a tip edge; inside a base circle
-            edge = np.where(on_path, np.nan, _edge_radius(record, node))
+            radius = np.where(inside | ~on_path, np.nan, one * two / (one + two) / cos_b)
+            edge = np.where(inside | on_path, np.nan, _edge_radius(record, node))
         fields["plane_force"][where] = node["force"]
         fields["line_load"][where] = load
         fields["pressure"][where] = peak_pressure(load, half_width(load, radius, *soft))
         fields["edge_pressure"][where] = peak_pressure(load, half_width(load, edge, *soft))
-        fields["roll_1"][where], fields["roll_2"][where] = np.abs(one), np.abs(two)
+        fields["roll_1"][where], fields["roll_2"][where] = rolls
         turns[where] = edge_turns(record, node)
     step_pressures(flanks, fields, turns)
     return fields

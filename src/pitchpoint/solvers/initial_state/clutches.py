@@ -85,7 +85,7 @@ def settle_clutches(
         found = find_equilibrium(system, state, held)
     notes = tuple(
         f"the clutch between {names[int(record['i'])]} and {names[int(record['j'])]} cannot hold its load "
-        "and begins to slip; increase its capacity if this is not intended"
+        "and begins to slip: increase its capacity if this is not intended"
         for (_, record), place, limit in zip(clutches, places, limits, strict=True)
         if abs(found.state.v[place]) >= limit
     )

@@ -56,7 +56,7 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
     ]
     found = []
     if empty:
-        why = f"; {' and '.join(over)} are balanced by holding torques" if over else ""
+        why = f", and {' and '.join(over)} are balanced by holding torques" if over else ""
         found.append(
             note(
                 f"mesh {' and '.join(empty)} carries no load{why}: load the bodies on both sides of a mesh, "
@@ -87,8 +87,8 @@ def friction_notes(system: System) -> tuple[str, ...]:
     if not what:
         return ()
     return (
-        f"friction of {' and of '.join(what)} is neglected: a slow roll is computed at zero speed, "
-        "where the smoothed friction force is zero; use a time response for friction",
+        f"friction of {' and of '.join(what)} is neglected, since a slow roll is computed at zero speed, "
+        "where the smoothed friction force is zero: use a time response for friction",
     )
 
 

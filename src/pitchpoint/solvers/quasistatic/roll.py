@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import SolverError
+from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.model.components.law import Balance
@@ -121,15 +121,16 @@ class Roll:
         for name, mesh in self.meshes.items():
             if mesh.pitches is None:
                 found.append(
-                    f"mesh {name} is driven through a closed loop; its values hold for this part of the cycle"
+                    f"mesh {name} is driven through a closed loop, and its values are those of this "
+                    "part of the cycle"
                 )
                 continue
             cycles = mesh.pitches * periods
             if cycles.denominator != 1:
                 what = "peak to peak is" if cycles < 1 else "mean is"
                 found.append(
-                    f"mesh {name} repeats after {mesh.repeats_after} periods of {self.mesh}; "
-                    f"its {what} that of {periods}"
+                    f"mesh {name} repeats after {mesh.repeats_after} periods of {self.mesh}, "
+                    f"and its {what} that of {periods}"
                 )
         return tuple(found)
 
@@ -328,7 +329,7 @@ def solve_quasistatic(
     data = xr.Dataset(
         {t.name: ((DIMENSION,) * t.rolled, t.values, channel_attributes(t)) for t in tables(system, roll)},
         coords={DIMENSION: ((DIMENSION,), roll.position, words)},
-        attrs={**attrs, "notes": "; ".join((*roll.notes, *roll.cycle_notes))},
+        attrs={**attrs, "notes": join_notes((*roll.notes, *roll.cycle_notes))},
     )
     if roll.status != OK:
         raise SolverError(roll.sentence, roll.status, data)

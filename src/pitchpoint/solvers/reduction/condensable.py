@@ -179,8 +179,8 @@ def _rotor_notes(system: System, eligible: Choice) -> list[str]:
         kept += [f"{kind.replace('_', ' ')} {element_names(system, kind)[k]}" for k in on]
     which = f" and {', '.join(kept)}" if kept else ""
     return [
-        f"elastic rotors are kept because their modes rotate with them: {', '.join(rotors.values())}; "
-        f"so are the bodies mounted on them{which}"
+        f"elastic rotors are kept because their modes rotate with them: {', '.join(rotors.values())}, "
+        f"and the bodies mounted on them{which}"
     ]
 
 

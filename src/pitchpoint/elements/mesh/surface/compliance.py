@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from pitchpoint.contact.local_approach import A1, A2, K1, K2, T1, B, D
 from pitchpoint.core.kernel import kernel, view
+from pitchpoint.elements.mesh.flank_modifications import roll_sign
 from pitchpoint.elements.mesh.line_of_action import pooled
 from pitchpoint.multibody.channels import F8
 
@@ -26,7 +27,7 @@ def _height(b, gear, roll):
     """Height t of a length of roll on a gear, within [-1, 1], and its derivative by the signed roll."""
     middle = b["height"][gear, 0]
     half = b["height"][gear, 1]
-    sign = 1.0 if roll > 0.0 else -1.0
+    sign = roll_sign(b, gear)
     t = (sign * roll - middle) / half
     if t <= -1.0:
         return -1.0, 0.0

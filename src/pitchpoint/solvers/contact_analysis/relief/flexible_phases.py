@@ -67,8 +67,9 @@ class FlexiblePhases:
         record = flanks.record
         for gear in range(2):
             low, high = record["roll"][gear]
+            sign = np.sign(record[f"r_b{gear + 1}"])
             z = node["z"] + (float(record["w1"]) - gear) * float(record["now"]["dz"])
-            placed["t"][:, gear] = (np.abs(node["roll"][:, gear]) - low) / (high - low)
+            placed["t"][:, gear] = (sign * node["roll"][:, gear] - low) / (high - low)
             placed["zeta"][:, gear] = z / (0.5 * float(record["b1"] if gear == 0 else record["b2"]))
             modified = profile_gap(rows[gear], placed["t"][:, gear]) + lead_gap(
                 rows[gear], placed["zeta"][:, gear]

@@ -3,19 +3,29 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from pitchpoint.core.errors import SolverError
-from pitchpoint.core.status import INCONSISTENT
-from pitchpoint.solvers.contact_analysis.load_checks import check_misalignment, checked_torques
+from pitchpoint.core.errors import Message
+from pitchpoint.solvers.contact_analysis.load_checks import (
+    angle_problem,
+    count_problem,
+    flank_problem,
+    is_positive,
+    number_problem,
+    positions_problem,
+    refuse,
+    torque_problem,
+)
 from pitchpoint.solvers.contact_analysis.relief.analyses import Conditions
 from pitchpoint.solvers.contact_analysis.relief.target import Target
 from pitchpoint.solvers.contact_analysis.relief.variables import Variable
 
+POSITIONS = 8, 10_000
+"""Least and largest number of mesh phases of a search."""
 LEAST_ANALYSES = 20
 """Smallest number of analyses of a search."""
 FINER = 4
@@ -57,6 +67,11 @@ class ReliefPlan:
         Random deviations with more than four tolerances.
     seed
         Seed of search and samples.
+
+    Raises
+    ------
+    SolverError
+        With all parts that are out of range.
     """
 
     vary: Mapping[str, tuple[float, float]]
@@ -74,33 +89,46 @@ class ReliefPlan:
     seed: int = 1
 
     def __post_init__(self) -> None:
-        checked_torques(self.torques)
-        for angle in self.misalignments:
-            check_misalignment(angle)
-        for wrong, what in self._faults():
-            if wrong:
-                raise SolverError(f"relief design: {what}", INCONSISTENT)
+        refuse(*self._problems(), of="relief design")
 
-    def _faults(self) -> list[tuple[bool, str]]:
-        """Conditions that a plan must not meet, and what to do."""
-        bounds = [v.high > v.low and math.isfinite(v.high - v.low) for v in self.variables]
-        weights = np.ones(1) if self.weights is None else np.asarray(self.weights, dtype=np.float64)
-        fitting = self.weights is None or len(self.weights) == len(self.torques)
-        return [
-            (not self.vary, "give at least one variable"),
-            (not all(bounds), "the lower bound of a variable is not below its upper bound; exchange them"),
-            (not fitting, "give one weight for each torque"),
-            (
-                not (np.isfinite(weights).all() and (weights >= 0.0).all() and weights.any()),
-                "give weights >= 0",
-            ),
-            (
-                not all(math.isfinite(t) and t >= 0.0 for t in self.tolerances.values()),
-                "give tolerances >= 0",
-            ),
-            (self.positions < 8, "give at least 8 positions"),
-            (self.analyses < LEAST_ANALYSES, f"give at least {LEAST_ANALYSES} analyses"),
-        ]
+    def _problems(self) -> Iterator[Message | None]:
+        """Problems of all parts."""
+        if not self.vary:
+            yield Message("vary", "is empty", None, "at least one variable", "give paths with their bounds")
+        for path, bounds in self.vary.items():
+            yield _bounds_problem(path, bounds)
+        if np.ndim(self.torques) == 0:
+            yield Message("torques", "is not a list", repr(self.torques), "one or more", "write [200.0]")
+        else:
+            yield torque_problem(self.torques)
+        if self.weights is not None:
+            yield from self._of_weights()
+        for path, width in self.tolerances.items():
+            where, remedy = f"tolerances of {path}", "give tolerances >= 0, half of the whole width"
+            yield number_problem(where, width, lambda value: value >= 0.0, "0 or more, in m", remedy)
+        for angle in self.misalignments:
+            yield angle_problem(angle)
+        if self.max_pressure is not None:
+            remedy = "give a limit such as 1.2e9, or None"
+            yield number_problem("max_pressure", self.max_pressure, is_positive, "above 0, in Pa", remedy)
+        yield positions_problem(self.positions, POSITIONS)
+        yield flank_problem(self.flank)
+        yield count_problem("analyses", self.analyses, LEAST_ANALYSES)
+        yield count_problem("samples", self.samples, 1)
+        yield count_problem("seed", self.seed, 0)
+
+    def _of_weights(self) -> Iterator[Message | None]:
+        """Problems of the weights."""
+        assert self.weights is not None
+        remedy = "give weights >= 0"
+        for one in self.weights:
+            yield number_problem("weights", one, lambda value: value >= 0.0, "0 or more", remedy)
+        count = np.size(self.torques)
+        if len(self.weights) != count:
+            given = f"{len(self.weights)} weights"
+            yield Message("weights", "do not fit", given, str(count), "give one weight for each torque")
+        elif not any(self.weights):
+            yield Message("weights", "are all 0", None, "one above 0", remedy)
 
     @property
     def variables(self) -> list[Variable]:
@@ -132,3 +160,18 @@ class ReliefPlan:
     def paths(self) -> list[str]:
         """Paths of the variables, then of other modifications with tolerances."""
         return [*self.vary, *(path for path in self.tolerances if path not in self.vary)]
+
+
+def _bounds_problem(path: str, bounds: Any) -> Message | None:
+    """Problem of the bounds of a variable [m]."""
+    where = f"vary of {path}"
+    if np.shape(bounds) != (2,):
+        return Message(where, "is not a range", repr(bounds), "two numbers", "give lower and upper bound")
+    for bound in bounds:
+        wrong = number_problem(where, bound, lambda _: True, "finite, in m", "give lower and upper bound")
+        if wrong is not None:
+            return wrong
+    if bounds[0] < bounds[1]:
+        return None
+    words = "the lower bound below the upper bound"
+    return Message(where, "is not a range", f"{bounds[0]:g} to {bounds[1]:g} m", words, "exchange the bounds")
