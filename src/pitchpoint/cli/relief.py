@@ -84,7 +84,8 @@ _MET = 1e-6
 def relief(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Choose flank modifications of a mesh of FILE for the least transmission error over a range of torques.
 
-    The mesh has `contact`. Ctrl-C ends the search with the best modifications so far.
+    The mesh has `contact` of level flexible or rigid. Ctrl-C ends the search with the best modifications so
+    far.
     """
     from pitchpoint.cli.contact_input import loads_of, mesh_with_contact
     from pitchpoint.cli.failure import OK, exit_code_of
@@ -94,7 +95,7 @@ def relief(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: A
     from pitchpoint.io.target import check_target
 
     model = read_model(file, allow_code, quiet)
-    mesh = mesh_with_contact(model, options["mesh"])
+    mesh = mesh_with_contact(model, options["mesh"], ("flexible", "rigid"))  # others have tables
     torques, flank = loads_of(model, mesh, options["torques"], options["flank"])
     plan = plan_of(model, mesh, torques, flank, options)
     files: dict[str, Path] = {}

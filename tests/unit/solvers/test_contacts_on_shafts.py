@@ -120,6 +120,14 @@ def test_what_is_omitted():
     assert "front and back flanks touch at 4 of 4 positions" in found.meshes["slow"].attrs["notes"]
 
 
+def test_rounding_is_no_load():
+    """Without torques the flanks keep forces of some 1e-8 N, which would have a pressure and K_Hβ."""
+    model = loads_model(two_stages().replace("torque: 250 N m", "torque: 0 N m"))
+    with pytest.raises(SolverError, match="mesh fast and slow: it carries no load") as caught:
+        solve_contacts_on_shafts(model, positions=4)
+    assert not caught.value.partial.meshes
+
+
 def test_torque_from_the_train():
     """T_1 z_2 = T_2 z_1 through both stages; planets share by their deflections."""
     model = loads_model(two_stages())
