@@ -125,6 +125,7 @@ def compute(
     """Search and write the files; return the output of `relief --json`, the result, and why it stopped."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import INCONSISTENT
     from pitchpoint.io.writing import how_it_ended
     from pitchpoint.solvers.contact_analysis.relief.design import design_relief
 
@@ -137,6 +138,8 @@ def compute(
     except (SolverError, KeyboardInterrupt) as error:
         data = getattr(error, "partial", None)
         failure = error
+        if isinstance(error, SolverError) and error.status == INCONSISTENT and data is None:
+            raise click.UsageError(str(error).removeprefix("relief design: ")) from None
         if isinstance(error, SolverError) and data is not None:
             failure = SolverError(
                 str(error), error.status, str(files["output"]) if "output" in files else None
