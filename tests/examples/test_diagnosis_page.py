@@ -72,7 +72,8 @@ def test_spectra(folder: Path) -> None:
         assert said in words("Spectra")
     period = names["period"]
     assert period.quefrency[0] == pytest.approx(0.1, abs=1e-4)
-    assert period.value[0] / period.background[0] == pytest.approx(80.0, rel=0.1)
+    # a run without noise, to the errors of its integration
+    assert period.value[0] / period.background[0] == pytest.approx(85.7, rel=5e-3)
     assert (names["band"].best_low, names["band"].best_high) == pytest.approx((5000.0, 10_000.0), rel=1e-3)
     assert names["band"].best_kurtosis > 20.0 * names["band"].best_spread
     envelope = names["envelope"]

@@ -20,7 +20,7 @@ from scipy.optimize import fsolve
 
 from pitchpoint.contact.hertz import half_width, peak_pressure, plane_strain_compliance
 from pitchpoint.contact.strip_pressure import stepped_pressure, strip_pressure
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import GeometryError, SolverError
 
 STEEL = 2.0 * plane_strain_compliance(206e9, 0.3)
 Q = 1e5
@@ -113,5 +113,21 @@ def test_what_it_refuses():
     with pytest.raises(GeometryError, match="is not convex"):
         stepped_pressure(2080.0, [(1e-6, -3e3)], Q, STEEL)
     x = np.linspace(-1e-5, 1e-5, 21)
-    with pytest.raises(GeometryError, match="too small for the contact"):
+    reason = r"0.021 mm is too small for the contact \(limit wider than the contact\); extend it"
+    with pytest.raises(GeometryError, match=reason):
         strip_pressure(x, 0.5 * 2080.0 * x**2, Q, STEEL)
+
+
+def test_steps_on_one_side_add_up():
+    """Two reliefs that end at the same place, as tip relief of one flank and root relief of its mate: their
+    sum is one step. The range is that of the curvature beyond both."""
+    together = stepped_pressure(42000.0, [(5e-6, -40000.0)], Q, STEEL)
+    apart = stepped_pressure(42000.0, [(5e-6, -20000.0)] * 2, Q, STEEL)
+    assert apart.x == pytest.approx(together.x, rel=1e-12)
+    assert apart.pressure == pytest.approx(together.pressure, rel=1e-9, abs=1e-9 * Q)
+
+
+def test_strips_that_do_not_settle_are_reported(monkeypatch):
+    monkeypatch.setattr("pitchpoint.contact.strip_pressure._STEPS", 1)
+    with pytest.raises(SolverError, match="still change after 1 steps"):
+        stepped_pressure(2080.0, [(0.0, 1e4)], Q, STEEL)

@@ -121,7 +121,11 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
         if options["misalignment"] is not None:
             options["misalignment"] = misalignment_of(options["misalignment"], model, mesh)
     options["operation"] = {mesh: operation_of(model, mesh, options) for mesh in meshes}
-    if options["picture"] is None and (options["output"] or "").lower().endswith(".html"):
+    if (options["output"] or "").lower().endswith(".html"):
+        if options["picture"] is not None:
+            raise click.UsageError(
+                f"{options['output']} is a page, too; name a result file such as result.h5"
+            )
         options["picture"], options["output"] = options["output"], None
     target = result_path(options["output"], file, "") if options["output"] is not None else None
     if options["picture"] is not None:
@@ -129,6 +133,7 @@ def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: 
     empty: dict[str, Any] = {"torque": [], "numbers": {}}
     if len(meshes) > 1:
         empty = {"omitted": {}, "failed": {}, "meshes": {}}
+    empty["picture"] = None
     summary, error = unless_it_cannot_begin(
         lambda: compute(model, file, meshes, target, options, quiet=quiet), empty
     )
@@ -178,6 +183,7 @@ def compute(
         "sentence": sentence,
         "wall_s": time.perf_counter() - begun,
         "output": None if target is None else str(target),
+        "picture": None if options["picture"] is None else str(options["picture"]),
         "notes": notes_of(found),
     }
     if len(meshes) == 1:

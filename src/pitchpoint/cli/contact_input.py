@@ -35,21 +35,25 @@ misalignment_help = (
     "width, or angle; default: misalignment of the mesh."
 )
 """Help of the misalignment of the flanks."""
-NEEDED = "give the mesh one, such as `contact: {level: rigid}`"
 MOST = 500
 """Maximum number of torques."""
 
 
-def mesh_with_contact(model: Model, name: str | None) -> str:
-    """Name of the mesh: the given one, or the only one with contact of tooth surfaces."""
-    touching = [key for key, mesh in model.meshes.items() if mesh.contact is not None]
+def mesh_with_contact(model: Model, name: str | None, levels: tuple[str, ...] = ()) -> str:
+    """Name of the mesh: the given one, or the only one with contact, of any or some levels."""
+    contacts = {key: mesh.contact for key, mesh in model.meshes.items()}
+    touching = [k for k, own in contacts.items() if own is not None and (not levels or own.level in levels)]
+    kind = f"contact of level {' or '.join(levels)}" if levels else "contact of tooth surfaces"
+    needed = f"give the mesh one, such as `contact: {{level: {levels[0] if levels else 'rigid'}}}`"
     if name is None and len(touching) == 1:
         return touching[0]
     if name is None and not touching:
-        raise click.UsageError(f"no mesh has a contact of tooth surfaces; {NEEDED}")
+        raise click.UsageError(f"no mesh has a {kind}; {needed}")
     chosen = one_of(name, touching if name is None else list(model.meshes), "mesh")
     if chosen not in touching:
-        raise click.BadParameter(f"{chosen} has a stiffness law; {NEEDED}", param_hint="--mesh")
+        own = contacts[chosen]
+        has = "a stiffness law" if own is None else f"a contact of level {own.level}"
+        raise click.BadParameter(f"{chosen} has {has}; {needed}", param_hint="--mesh")
     return chosen
 
 

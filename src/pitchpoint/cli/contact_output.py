@@ -68,10 +68,11 @@ def _flank_rows(one: Mapping[str, Any], torque: int) -> list[list[str]]:
 
 
 def _print_end(summary: Mapping[str, Any]) -> None:
-    """Print notes and the result file."""
+    """Print notes and the files."""
     show_notes(summary["notes"])
-    if summary["output"] is not None:
-        show(f"written to {summary['output']}")
+    for name in ("output", "picture"):
+        if summary[name] is not None:
+            show(f"written to {summary[name]}")
 
 
 def _tilt(one: Mapping[str, Any]) -> float:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.contact_input import mesh_option, misalignment_of
-from pitchpoint.cli.options import common, model_file, one_of, output, quantity
+from pitchpoint.cli.contact_input import mesh_option, mesh_with_contact, misalignment_of
+from pitchpoint.cli.options import common, model_file, output, quantity
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 
 if TYPE_CHECKING:
@@ -57,8 +57,7 @@ def contact_table(file: str, as_json: bool, allow_code: bool, quiet: bool, **opt
             "--torque is required: the highest torque on gear 1, such as --torque '300 N m'"
         )
     model = read_model(file, allow_code, quiet)
-    names = list(model.meshes)
-    mesh = names[0] if options["mesh"] is None and len(names) == 1 else one_of(options["mesh"], names, "mesh")
+    mesh = mesh_with_contact(model, options["mesh"], ("flexible",))
     target = options["output"] or f"{Path(file).with_suffix('')}-{mesh}{SUFFIX}"
     check_target(target, "contact", [file])
     began = time.perf_counter()

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
@@ -64,8 +65,18 @@ def output(what: str) -> Callable[[F], F]:
     return writes("-o", "--output", help=what)
 
 
-def report_folders(context: click.Context, _: click.Parameter, value: str | None) -> str | None:
-    """Find the missing folder of a file, and report its creation at the end of the command."""
+def report_folders(context: click.Context, option: click.Parameter, value: str | None) -> str | None:
+    """Find the missing folder of a file, and report its creation at the end of the command.
+
+    Two options with the same file are refused.
+    """
+    if value is not None:
+        taken: dict[str, str] = context.meta.setdefault(f"{__name__}.files", {})
+        other = taken.setdefault(os.path.abspath(value), option.opts[-1])
+        if other != option.opts[-1]:
+            raise click.BadParameter(
+                f"{value} is also the file of {other}; name another file", context, option
+            )
     missing = None if value is None else first_missing(Path(value))
 
     def report() -> None:

@@ -58,7 +58,7 @@ _MET = 1e-6
     help="Maximum or mean of the peak-to-peak transmission errors over the torques.",
 )
 @click.option("--weights", metavar="W1,W2,...", help="Weight of each torque; default: equal.")
-@quantity("--max-pressure", "pressure", "Limit of the flank pressure at the highest torque.")
+@quantity("--max-pressure", "pressure", "Limit of the pressure of the involutes at the highest torque.")
 @click.option("--no-edge-contact", is_flag=True, help="Tip edges must not carry load at the highest torque.")
 @flank_option
 @click.option(
@@ -84,7 +84,8 @@ _MET = 1e-6
 def relief(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Choose flank modifications of a mesh of FILE for the least transmission error over a range of torques.
 
-    The mesh has `contact`. Ctrl-C ends the search with the best modifications so far.
+    The mesh has `contact` of level flexible or rigid. Ctrl-C ends the search with the best modifications so
+    far.
     """
     from pitchpoint.cli.contact_input import loads_of, mesh_with_contact
     from pitchpoint.cli.failure import OK, exit_code_of
@@ -94,7 +95,7 @@ def relief(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: A
     from pitchpoint.io.target import check_target
 
     model = read_model(file, allow_code, quiet)
-    mesh = mesh_with_contact(model, options["mesh"])
+    mesh = mesh_with_contact(model, options["mesh"], ("flexible", "rigid"))  # others have tables
     torques, flank = loads_of(model, mesh, options["torques"], options["flank"])
     plan = plan_of(model, mesh, torques, flank, options)
     files: dict[str, Path] = {}
@@ -124,6 +125,7 @@ def compute(
     """Search and write the files; return the output of `relief --json`, the result, and why it stopped."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import INCONSISTENT
     from pitchpoint.io.writing import how_it_ended
     from pitchpoint.solvers.contact_analysis.relief.design import design_relief
 
@@ -136,6 +138,8 @@ def compute(
     except (SolverError, KeyboardInterrupt) as error:
         data = getattr(error, "partial", None)
         failure = error
+        if isinstance(error, SolverError) and error.status == INCONSISTENT and data is None:
+            raise click.UsageError(str(error).removeprefix("relief design: ")) from None
         if isinstance(error, SolverError) and data is not None:
             failure = SolverError(
                 str(error), error.status, str(files["output"]) if "output" in files else None

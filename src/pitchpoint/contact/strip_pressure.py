@@ -17,7 +17,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.errors import GeometryError, SolverError
+from pitchpoint.core.status import SLOW
 
 FloatArray = NDArray[np.float64]
 
@@ -89,6 +90,8 @@ def strip_pressure(x: ArrayLike, gap: ArrayLike, load: float, compliance: float)
     ------
     GeometryError
         If the contact reaches the ends of the range.
+    SolverError
+        If the strips in contact still change after `_STEPS` steps.
 
     Notes
     -----
@@ -128,11 +131,47 @@ def strip_pressure(x: ArrayLike, gap: ArrayLike, load: float, compliance: float)
         if not overlapping.any():
             break
         active |= overlapping
+    else:
+        raise SolverError(f"the strips in contact still change after {_STEPS} steps", SLOW)
     if active[0] or active[-1]:
         raise GeometryError(
-            "is too small for the contact", where="range of strips", value=f"{1e3 * n * width:.4g} mm"
+            "is too small for the contact",
+            where="range of strips",
+            value=f"{1e3 * n * width:.4g} mm",
+            limit="wider than the contact",
+            remedy="extend it on both sides",
         )
     return StripPressure(x=places, pressure=p)
+
+
+def least_curvature(curvature: ArrayLike, places: ArrayLike, steps: ArrayLike) -> FloatArray:
+    """Smallest curvature of sections with steps of it.
+
+    Parameters
+    ----------
+    curvature
+        Curvature at the contact points [1/m], shape (n,).
+    places, steps
+        Places [m] and additional curvatures [1/m] as for `stepped_pressure`, shape (steps, n).
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        [1/m]; steps on the same side of the contact point add up.
+
+    Examples
+    --------
+    >>> least_curvature([500.0], [[1e-5], [2e-5], [-1e-5]], [[-100.0], [-200.0], [-250.0]])
+    array([200.])
+    """
+    at, more = np.asarray(places, dtype=np.float64), np.asarray(steps, dtype=np.float64)
+    order = np.argsort(np.abs(at), axis=0, kind="stable")
+    at, more = np.take_along_axis(at, order, axis=0), np.take_along_axis(more, order, axis=0)
+    least = np.zeros(at.shape[1:])
+    for ahead in (False, True):
+        there = np.where(np.signbit(at) == ahead, more, 0.0)
+        least = np.minimum(least, np.cumsum(there, axis=0).min(axis=0, initial=0.0))
+    return np.asarray(curvature, dtype=np.float64) + least
 
 
 def stepped_pressure(
@@ -175,7 +214,8 @@ def stepped_pressure(
     >>> round(found.maximum / 1e6)
     4855
     """
-    least = min(curvature, *(curvature + more for _, more in steps)) if steps else curvature
+    places, more = np.array(steps, dtype=np.float64).reshape(-1, 2).T[..., None]
+    least = float(least_curvature([curvature], places, more)[0])
     if not least > 0.0:
         raise GeometryError(
             "is not convex",
@@ -187,7 +227,7 @@ def stepped_pressure(
     half = RANGE * math.sqrt(4.0 * load * compliance / (math.pi * least))
     x = (np.arange(STRIPS) + 0.5) * (2.0 * half / STRIPS) - half
     gap = 0.5 * curvature * x * x
-    for place, more in steps:
+    for place, added in steps:
         beyond = np.maximum(math.copysign(1.0, place) * (x - place), 0.0)
-        gap += 0.5 * more * beyond * beyond
+        gap += 0.5 * added * beyond * beyond
     return strip_pressure(x, gap, load, compliance)

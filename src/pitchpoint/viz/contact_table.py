@@ -190,8 +190,8 @@ def contact_words(options: Mapping[str, Any]) -> str:
 
     Examples
     --------
-    >>> contact_words({"level": "rigid", "planes": 11, "stiffness": 2e8, "exponent": 1.0})
-    'level rigid, 11 contact planes, stiffness 200 N/µm, exponent 1'
+    >>> contact_words({"level": "rigid", "planes": 1, "stiffness": 2e8, "exponent": 1.0})
+    'level rigid, 1 contact plane, stiffness 200 N/µm, exponent 1'
     >>> contact_words({"level": "flexible", "planes": 21, "body": "ring", "clamp": 0.5, "correction": 0.8})
     'level flexible, 21 contact planes, body ring, C_M 0.8'
     """
@@ -202,7 +202,7 @@ def contact_words(options: Mapping[str, Any]) -> str:
             continue
         value = options[name]
         if name == "planes":
-            parts.append(f"{value} contact planes")
+            parts.append(f"{value} contact plane{'s' if value != 1 else ''}")
             continue
         if isinstance(value, int | float) and not isinstance(value, bool):
             value = format_quantity(float(value), dimension)

@@ -185,6 +185,36 @@ def test_gaps_without_a_number_are_a_status_with_the_state(
     assert caught.value.partial is not None
 
 
+RELIEF = "gears.g1.modifications.both.lead_crowning=0:10um"
+
+
+@pytest.mark.parametrize(
+    ("contacts", "command", "words"),
+    [
+        (("stiffness: {law: din3990}",) * 2, ["contact-table"], "no mesh has a contact of level flexible"),
+        (("contact: {level: rigid}",) * 2, ["contact-table", "-m", "m1"], "m1 has a contact of level rigid"),
+        (("contact: {level: rigid}",) * 2, ["relief", "--vary", RELIEF], "select a mesh; there are m0, m1"),
+        (("stiffness: {law: din3990}",) * 2, ["relief", "--vary", RELIEF],
+         "no mesh has a contact of level flexible or rigid"),
+    ],
+)  # fmt: skip
+def test_levels_that_a_command_does_not_have(
+    contacts: tuple[str, str],
+    command: list[str],
+    words: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Input is wrong, code 2; no computation has begun."""
+    file, (name, *options) = tmp_path / "two.yaml", command
+    gear = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    gears = "".join(f"  g{k}: {{number_of_teeth: {20 + k}, {gear}}}\n" for k in range(4))
+    meshes = "".join(f"  m{k}: {{gears: [g{2 * k}, g{2 * k + 1}], {c}}}\n" for k, c in enumerate(contacts))
+    file.write_text(f"gears:\n{gears}meshes:\n{meshes}", encoding="utf-8")
+    assert run_command([name, str(file), "--torque", "100 N m", "-q", *options]) == 2
+    assert words in capsys.readouterr().err
+
+
 def test_tables_of_other_gears(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """A small table is accepted for its gears, refused for others and when its bytes change."""
     model = loads_model(text_of())

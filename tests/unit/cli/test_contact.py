@@ -112,7 +112,7 @@ def test_a_result_file_holds_the_dataset(
     target, page = tmp_path / "c.h5", tmp_path / "c.html"
     options = ["-t", "302", "--positions", "8", "-o", str(target), "--picture", str(page)]
     found = json_of(["contact", file, *options], capsys)
-    assert found["output"] == str(target)
+    assert (found["output"], found["picture"]) == (str(target), str(page))
     with open_result(target) as data:
         assert dict(data.sizes) == {
             "torque": 1,
@@ -133,9 +133,10 @@ def test_a_result_file_holds_the_dataset(
     assert "FZG type C: tooth contact" in text
 
 
-def test_a_page_by_its_extension(file: str, tmp_path: Path) -> None:
+def test_a_page_by_its_extension(file: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     page = tmp_path / "c.html"
-    assert run_command(["contact", file, "--positions", "8", "--out", str(page), "-q"]) == 0
+    assert run_command(["contact", file, "--positions", "8", "--out", str(page)]) == 0
+    assert "".join(capsys.readouterr().out.splitlines()).endswith(f"written to {page}")
     assert page.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
@@ -243,6 +244,8 @@ def test_a_stop_before_the_first_torque(
         (["--pressure-viscosity", "20 1/GPa", "--speed", "5 rpm"], "requires --viscosity"),
         (["--speed", "5 m"], "is not the unit of a rotational speed"),
         (["-o", "model.yaml"], "output"),
+        (["-o", "a.h5", "--picture", "./a.h5"], "a.h5 is also the file of --"),
+        (["-o", "a.html", "--picture", "b.html"], "a.html is a page, too; name a result file such as"),
     ],
 )
 def test_what_it_refuses(

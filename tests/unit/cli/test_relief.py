@@ -136,6 +136,16 @@ def test_a_limit_that_is_not_met_is_named(file: str, capsys: pytest.CaptureFixtu
         ([*vary(AMOUNTS[0]), "--weights", "1"], "one weight for each torque"),
         ([*vary(AMOUNTS[0]), "--misalignment", "20"], "has no unit"),
         ([*vary(AMOUNTS[0]), "--mesh", "other"], "no mesh 'other'"),
+        (
+            [
+                *vary(*AMOUNTS, LENGTH),
+                "--tolerance",
+                f"{TIP.format('wheel', 'amount')}=2um",
+                "--analyses",
+                "59",
+            ],
+            "59 analyses are too few for 3 deviations within the tolerances; give at least 60",
+        ),
     ],
 )
 def test_refused(file: str, options: list[str], words: str, capsys: pytest.CaptureFixture[str]) -> None:

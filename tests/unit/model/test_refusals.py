@@ -241,3 +241,16 @@ def test_numbers_of_rolling_elements_without_bound():
     problem = only(ROTOR % 0 + f"rolling_bearings:\n  p: {{ends: [r.m, ground], {balls}, {worn}}}\n")
     assert problem.where == "rolling_bearings.p.elements"
     assert problem.limit == ">= 2 and <= 10000"
+
+
+# --- housings -----------------------------------------------------------------------------------------------
+def test_both_tilts_of_a_housing_have_the_limit_of_one():
+    """Flanks of any pressure angle are then misaligned by at most that: the limit of all contact analyses."""
+    text = pair(gear("a", 20), gear("b", 30), "misalignment: {in_plane: %r, out_of_plane: %r}")
+    problem = only(text % (0.1, 0.1))
+    assert str(problem).startswith("meshes.m.misalignment (line 5): ")
+    assert "0.1414 rad is too large an angle between the axes (limit 0.1 rad)" in problem
+    for angle in np.linspace(0.0, 2.0 * math.pi, 13):
+        mesh = loads_model(text % (0.1 * math.cos(angle), 0.1 * math.sin(angle))).meshes["m"]
+        for flank in (1, -1):
+            assert abs(mesh.misalignment.of_flanks(math.radians(20.0), flank)) <= 0.1 * (1.0 + 1e-12)

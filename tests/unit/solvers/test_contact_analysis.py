@@ -21,6 +21,7 @@ from pitchpoint.solvers.contact_analysis.on_shafts import solve_contact_on_shaft
 from pitchpoint.solvers.contact_analysis.precompute import TableRequest, contact_table
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from tests.support.contact_files import fzg
+from tests.support.relief_models import pair
 
 PAIRS = {
     "spur": ("", "", 60),
@@ -157,3 +158,11 @@ def test_load_in_few_planes_is_noted(tmp_path: Path) -> None:
     assert "up to 13.5 (1.5 × planes)" in note
     assert face_load_factor(load_over_width(data)) == pytest.approx([13.5, 13.5])
     assert solve_contact(model, torque=500.0, positions=4).attrs["notes"] == ""
+
+
+def test_misalignment_of_one_plane_is_noted() -> None:
+    model = pair(contact="level: rigid, stiffness: 3e8 N/m, planes: 1")
+    tilted, level = (solve_contact(model, torque=100.0, positions=4, misalignment=k) for k in (0.01, 0.0))
+    assert np.array_equal(tilted.transmission_error, level.transmission_error)
+    assert tilted.attrs["notes"].startswith("mesh stage: misalignment has no effect with one contact plane")
+    assert level.attrs["notes"] == ""

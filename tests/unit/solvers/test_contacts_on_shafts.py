@@ -122,6 +122,22 @@ def test_what_is_omitted():
     assert wedged.endswith(": give the mesh backlash")
 
 
+def test_rounding_is_no_load():
+    """Without torques the flanks keep forces of some 1e-8 N, which would have a pressure and K_Hβ."""
+    model = loads_model(two_stages().replace("torque: 250 N m", "torque: 0 N m"))
+    with pytest.raises(SolverError, match="mesh fast and slow: it carries no load") as caught:
+        solve_contacts_on_shafts(model, positions=4)
+    assert not caught.value.partial.meshes
+
+
+def test_what_has_no_equilibrium_names_the_torque():
+    """The flanks carry a part of the torque: less than it is left."""
+    model = loads_model(two_stages().replace("torque: 250 N m", "torque: 1e8 N m"))
+    with pytest.raises(SolverError, match=r"N m are unbalanced on input\.\d\.spin") as caught:
+        solve_contacts_on_shafts(model, ["fast"], positions=4)
+    assert 0.0 < float(str(caught.value).split(" N m ")[0].rsplit(" ", 1)[1]) < 1e8
+
+
 def test_torque_from_the_train():
     """T_1 z_2 = T_2 z_1 through both stages; planets share by their deflections."""
     model = loads_model(two_stages())

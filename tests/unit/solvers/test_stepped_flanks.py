@@ -12,12 +12,13 @@ import pytest
 from pitchpoint.analysis.flank_contact.teeth import mesh_teeth, pair_positions
 from pitchpoint.contact.hertz import half_width, plane_strain_compliance
 from pitchpoint.contact.strip_pressure import stepped_pressure
-from pitchpoint.geometry.modifications import deviation
+from pitchpoint.geometry.modifications import deviation, flank_range
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from pitchpoint.solvers.contact_analysis.stepped_flanks import bends_of, step_pressures
 from tests.support.contact_files import fzg
+from tests.support.relief_models import pair
 
 STEEL = plane_strain_compliance(206e9, 0.3)
 RELIEF = "modifications: {both: {tip_relief: {amount: 40 um, length: 1.5 mm, shape: parabolic}}}"
@@ -143,3 +144,26 @@ def test_pressure_continues_from_the_flank_to_the_rounding(tmp_path: Path) -> No
         # the steps are equal to a fifth, over the end of the path too
         assert np.abs(steps).max() < 0.04
         assert np.ptp(steps) < 0.2 * np.abs(steps).max() + 0.004
+
+
+def test_a_hollow_flank_has_no_line_contact() -> None:
+    """Negative profile crowning of a planet: concave at the middle of its flank, where the curvature of
+    removed material, (r_b/L)² (h″ − h′/L), exceeds that of both involutes. Loads and the pressures of the
+    other contacts remain."""
+    model = pair("both: {profile_crowning: -60 um}", internal=True)
+    data = solve_contact(model, torque=[50.0, 300.0], positions=16)
+    spur = model.pairs["stage"]
+    made = model.gears["pinion"].modifications.side("left").of_geometry()
+    loaded = np.isfinite(data.line_load.values)
+    one, two, pressure = (data[name].values[loaded] for name in ("roll_1", "roll_2", "pressure"))
+    step = 1e-5
+    rolls = np.sqrt(one**2 + 2.0 * spur.gear1.r_b * step * np.array([[-1.0], [0.0], [1.0]]))
+    added = (np.array([1.0, -2.0, 1.0]) @ deviation(made, spur.gear1, rolls)) / step**2
+    curvature = 1.0 / one - 1.0 / two + added
+    on_path = np.abs(two - one - abs(spur.T1T2)) < 1e-9
+    clear = on_path & (rolls[0] > flank_range(spur.gear1)[0]) & (np.abs(curvature) > 1.0)
+    assert np.array_equal(np.isnan(pressure[clear]), curvature[clear] < 0.0)
+    assert min((curvature[clear] < 0.0).sum(), (curvature[clear] > 0.0).sum()) > 3
+    forces = np.nansum(data.plane_force.values, axis=(2, 3))
+    assert forces == pytest.approx(data.mesh_force.values, rel=1e-12)
+    assert "no pressure at" in data.attrs["notes"] and "negative profile_crowning" in data.attrs["notes"]

@@ -158,6 +158,7 @@ def _check_deviations(gear: Gear, at: Place, report: Reader) -> None:
 
 def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
     """Create the gear pair of a mesh, determine its centre distance and report problems of its geometry."""
+    _check_misalignment(mesh, ("meshes", name, "misalignment"), report)
     one, two = (parts.gears[g] for g in mesh.gears)
     if (
         one.x is None
@@ -181,6 +182,23 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
     else:
         parts.pairs[name] = pair
         parts.meshes[name] = replace(mesh, a_w=pair.a_w)
+
+
+def _check_misalignment(mesh: Mesh, at: Place, report: Reader) -> None:
+    """Report a housing whose tilts together exceed the limit of each: flanks are misaligned by less."""
+    from pitchpoint.model.components.mesh import STEEPEST
+
+    tilt = mesh.misalignment
+    angle = 0.0 if tilt is None else math.hypot(tilt.in_plane, tilt.out_of_plane)
+    if angle > STEEPEST * (1.0 + 1e-9):
+        report.problem(
+            at,
+            "is too large an angle between the axes",
+            value=f"{angle:.4g} rad",
+            limit=f"{STEEPEST:g} rad",
+            remedy="reduce in_plane or out_of_plane",
+            taint=False,
+        )
 
 
 def _pair(one: CylindricalGear, two: CylindricalGear, distance: float | None) -> GearPair:

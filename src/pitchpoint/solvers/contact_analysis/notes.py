@@ -19,6 +19,8 @@ FINE = 1e-3
 """Length of roll below the root form circle that is not reported, in base pitches."""
 NEAR = 0.9
 """Share of the range of tip edges beyond which contacts are reported."""
+ALIGNED = 1e-9
+"""Misalignment that is rounding [rad]."""
 FEW = 3
 """Loaded planes below which the load distribution over the face width is not resolved."""
 
@@ -39,7 +41,12 @@ def contact_notes(
     if not any(nodes.size for nodes in loaded):
         return ()
     node = np.concatenate(loaded)
-    return (*_interference(flanks, node), *_far_edges(flanks, node), *_few_planes(flanks, found, loaded))
+    return (
+        *_interference(flanks, node),
+        *_far_edges(flanks, node),
+        *_few_planes(flanks, found, loaded),
+        *_one_plane(flanks, found),
+    )
 
 
 def _held(states: NDArray[np.void], nodes: NDArray[np.void]) -> NDArray[np.bool_]:
@@ -106,5 +113,17 @@ def _few_planes(
         note(
             f"mesh {flanks.mesh}: load in only {least} of {planes} planes at {torque:.4g} N m, so that K_Hβ "
             f"is only rough, extrapolated from them up to {1.5 * planes:g} (1.5 × planes): give more planes"
+        )
+    ]
+
+
+def _one_plane(flanks: FlankStates, found: list[tuple[NDArray[np.void], NDArray[np.void]]]) -> list[Message]:
+    """Misalignment of flanks with a single contact plane."""
+    tilt = max(float(np.abs(states["kappa"]).max()) for states, _ in found)
+    if int(flanks.record["slices"]) > 1 or tilt < ALIGNED:
+        return []
+    return [
+        note(
+            f"mesh {flanks.mesh}: misalignment has no effect with one contact plane: give planes, such as 11"
         )
     ]

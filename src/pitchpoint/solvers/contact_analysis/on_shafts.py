@@ -44,6 +44,8 @@ Array = NDArray[np.float64]
 
 IDLE = "it carries no load; load the bodies on both sides of the mesh"
 """Reason of a mesh without load."""
+ROUNDING = 1e-13
+"""Approach of the flanks from contact that is rounding of the positions of the shafts [m]."""
 BOTH = 1e-6
 """Share of the force above which the other flank has it."""
 OF_TABLES = 0.05
@@ -293,6 +295,8 @@ def _analysed(model: Model, mesh: str, seen: list[tuple[np.void, float]]) -> tup
     status = int(states["status"].max())
     if status != OK:
         raise SolverError(sentence(status), status)
+    if float((states["x_0"] - states["first"]).max()) < ROUNDING:
+        raise SolverError(IDLE, INCONSISTENT)
     force = np.array([p.force for p in places])[order]
     torque = float(np.mean(force)) * float(flanks.record["r_b1"])
     data = contact_dataset(flanks, np.array([torque]), states["pairs"] + states["psi"], [(states, nodes)])

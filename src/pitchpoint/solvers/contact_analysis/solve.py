@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import half_width, peak_pressure, plane_strain_compliance
-from pitchpoint.core.errors import SolverError, join_notes
+from pitchpoint.core.errors import Message, SolverError, join_notes, note
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
@@ -224,7 +224,8 @@ def contact_dataset(
         for name, (values, unit, text) in curves.items()
     }
     pairs = _pairs(found)
-    for name, values in _node_fields(flanks, found, size, pairs).items():
+    fields, hollow = _node_fields(flanks, found, size, pairs)
+    for name, values in fields.items():
         unit, text = NODE_FIELDS[name]
         variables[name] = ((*over, "tooth_pair", "plane"), values, {"units": unit, "long_name": text})
     geometry, axes = mesh_geometry(flanks)
@@ -242,8 +243,20 @@ def contact_dataset(
         ),
         "plane": (("plane",), flanks.widths, {"units": "m", "long_name": "position over the face width"}),
     }
-    notes = {"notes": join_notes(contact_notes(flanks, found))}
+    notes = {"notes": join_notes([*contact_notes(flanks, found), *_hollow_notes(flanks.mesh, hollow)])}
     return xr.Dataset(variables | geometry, coords=coords | axes, attrs=notes)
+
+
+def _hollow_notes(mesh: str, contacts: int) -> list[Message]:
+    """Note if contacts have no pressure because a flank is hollow."""
+    if not contacts:
+        return []
+    return [
+        note(
+            f"mesh {mesh}: no pressure at {contacts} contacts, as the flank of a gear with negative "
+            "profile_crowning is more concave there than its mate is convex"
+        )
+    ]
 
 
 def _pairs(found: list[tuple[NDArray[np.void], NDArray[np.void]]]) -> range:
@@ -265,8 +278,8 @@ def _node_fields(
     found: list[tuple[NDArray[np.void], NDArray[np.void]]],
     size: tuple[int, int],
     numbers: range,
-) -> dict[str, Array]:
-    """Fields of the contact nodes by tooth pair and plane, NaN without contact."""
+) -> tuple[dict[str, Array], int]:
+    """Fields of the contact nodes by tooth pair and plane, NaN without contact; contacts on hollow flanks."""
     record = flanks.record
     planes = int(record["slices"])
     width = (record["now"]["z_hi"] - record["now"]["z_lo"]) / planes
@@ -292,8 +305,7 @@ def _node_fields(
         fields["edge_pressure"][where] = peak_pressure(load, half_width(load, edge, *soft))
         fields["roll_1"][where], fields["roll_2"][where] = rolls
         turns[where] = edge_turns(record, node)
-    step_pressures(flanks, fields, turns)
-    return fields
+    return fields, step_pressures(flanks, fields, turns)
 
 
 def _edge_radius(record: np.void, node: NDArray[np.void]) -> Array:

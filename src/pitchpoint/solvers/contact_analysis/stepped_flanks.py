@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.contact.hertz import plane_strain_compliance
-from pitchpoint.contact.strip_pressure import RANGE, stepped_pressure
+from pitchpoint.contact.strip_pressure import RANGE, least_curvature, stepped_pressure
 from pitchpoint.contact.tip_contact import tip_gap_from_mean
 from pitchpoint.elements.mesh.surface.nodes import TIP_1, TIP_2
 from pitchpoint.geometry.modifications import Relief, flank_range, roll_length
@@ -125,7 +125,7 @@ def edge_turns(record: np.void, node: NDArray[np.void]) -> Array:
     return found
 
 
-def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) -> None:
+def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) -> int:
     """Replace pressures where the curvature differs from that of the involutes, or changes in the contact.
 
     Parameters
@@ -137,10 +137,16 @@ def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) 
         changed.
     turns
         Angles of `edge_turns`, shape of the fields.
+
+    Returns
+    -------
+    int
+        Number of contacts whose pressure becomes NaN: a hollow flank (negative profile crowning) is not in
+        line contact with its mate.
     """
-    bends = bends_of(flanks)
+    bends, hollow = bends_of(flanks), 0
     if not bends:
-        return
+        return hollow
     gears = [flanks.model.gears[name] for name in flanks.model.meshes[flanks.mesh].gears]
     soft = sum(
         plane_strain_compliance(g.material_data.youngs_modulus, g.material_data.poisson_ratio) for g in gears
@@ -161,19 +167,27 @@ def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) 
                 # contact on the rounding: its own involute begins behind it
                 places[row] = -bend.radius * turns[there] / math.cos(gear.beta_b)
                 steps[row] = np.where(own, _rounded(bend, gear, bend.start), 0.0) * -1.0
-        fields[name][there] = _pressures(load, curvature, places, steps, soft)
+        found = _pressures(load, curvature, places, steps, soft)
+        fields[name][there] = found
+        hollow += int(np.isnan(found).sum())
+    return hollow
 
 
 def _pressures(load: Array, curvature: Array, places: Array, steps: Array, soft: float) -> Array:
-    """Maximum pressures of contacts with a base curvature, and steps of it, shape (n_step, n)."""
-    pressure = np.sqrt(load * curvature / (math.pi * soft))
-    # the contact extends towards the smaller curvature
-    least = np.minimum(curvature, curvature + steps)
-    with np.errstate(divide="ignore"):
-        reach = RANGE * np.sqrt(4.0 * load * soft / (math.pi * np.maximum(least, 0.0)))
-    near = (steps != 0.0) & (np.abs(places) < reach)
+    """Maximum pressures of contacts with a base curvature, and steps of it, shape (n_step, n).
+
+    NaN where the flanks are not convex within the contact.
+    """
+    near, least = np.zeros(steps.shape, dtype=bool), curvature
+    for _ in range(len(steps) + 1):  # the contact extends towards the smaller curvature
+        with np.errstate(divide="ignore"):
+            reach = RANGE * np.sqrt(4.0 * load * soft / (math.pi * np.maximum(least, 0.0)))
+        near |= (steps != 0.0) & (np.abs(places) < reach)
+        least = least_curvature(curvature, places, np.where(near, steps, 0.0))
+    convex = least > 0.0
+    pressure = np.sqrt(load * np.where(convex, curvature, np.nan) / (math.pi * soft))
     known: dict[tuple[float, ...], float] = {}
-    for n in np.flatnonzero(near.any(axis=0)):
+    for n in np.flatnonzero(near.any(axis=0) & convex):
         kept = near[:, n]
         values = (curvature[n], load[n], *places[kept, n], *steps[kept, n])
         key = tuple(float(f"{value:.{_DIGITS}g}") for value in values)

@@ -162,10 +162,11 @@ def find_equilibrium(
             where = coordinate_source(system, names[0]).removeprefix(names[0])
             raise SolverError(f"no equilibrium: {advice(names)}{where}", SINGULAR, found.state)
         left = np.abs(found.residual / system.weight)[free]
-        worst = system.layout.coordinates[int(free[np.argmax(left)])]
+        worst = int(free[np.argmax(left)])
+        size = f"{abs(found.residual[worst]):.3g} {'N m' if system.weight[worst] != 1.0 else 'N'}"
         raise SolverError(
-            f"no equilibrium found after {count} steps: {left.max():.3g} N are unbalanced on "
-            f"{coordinate_source(system, worst)}; check loads and stiffness",
+            f"no equilibrium found after {count} steps: {size} are unbalanced on "
+            f"{coordinate_source(system, system.layout.coordinates[worst])}; check loads and stiffness",
             failure,
             found.state,
         )
