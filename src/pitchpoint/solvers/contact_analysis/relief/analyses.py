@@ -23,6 +23,7 @@ from pitchpoint.core.status import INCONSISTENT, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.geometry.modification_terms import N_TERM
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.load_checks import deflection_problem, refuse
 from pitchpoint.solvers.contact_analysis.relief.curves import BEHIND, Curves
 from pitchpoint.solvers.contact_analysis.relief.flexible_phases import (
     DesignSolver,
@@ -92,7 +93,8 @@ class Analyses:
     Raises
     ------
     SolverError
-        If the mesh has no contact of tooth surfaces or a pre-computed one, or the start has no solution.
+        If the mesh has no contact of tooth surfaces or a pre-computed one, or the start has no solution or
+        too large a deflection.
     """
 
     def __init__(
@@ -117,7 +119,10 @@ class Analyses:
         self._phases: FlexiblePhases | None = None
         self._set(conditions)
         if self._flanks.record["is_flexible"] == 1:
-            self._approach = float(self._own().curves(rows).approach.max()) + deepest
+            approach = float(self._own().curves(rows).approach.max())
+            m_n = model.gears[model.meshes[mesh].gears[0]].geometry.m_n
+            refuse(deflection_problem(mesh, approach, m_n, max(conditions.torques)))
+            self._approach = approach + deepest
             self._place()
 
     def under(self, conditions: Conditions) -> Analyses:
