@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 POSITIONS = 4, 100_000
 """Least and largest number of mesh phases of a contact analysis; mesh orders need four."""
 MAX_DEFLECTION = 0.5
-"""Largest deflection of a mesh, in normal modules: steel yields below a tenth of that."""
+"""Largest deflection of a mesh, in normal modules, five times the one from which runs give a note."""
 METHODS = ("tangent", "finite_elements")
 """Methods of root stress; the second one includes the first."""
 

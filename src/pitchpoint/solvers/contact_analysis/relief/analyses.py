@@ -25,10 +25,11 @@ from pitchpoint.geometry.modification_terms import N_TERM
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.load_checks import deflection_problem, refuse
 from pitchpoint.solvers.contact_analysis.relief.curves import BEHIND, Curves
+from pitchpoint.solvers.contact_analysis.relief.design_states import set_pressures
 from pitchpoint.solvers.contact_analysis.relief.flexible_phases import (
     DesignSolver,
     FlexiblePhases,
-    pressure_of_unit_force,
+    placed_nodes,
 )
 
 if TYPE_CHECKING:
@@ -231,10 +232,12 @@ class _General:
         held = (np.arange(nodes.shape[1]) < states["n_nodes"][:, None]) & (nodes["force"] > 0.0)
         force = np.where(held, nodes["force"], 0.0)
         on_path = nodes["place"] == ON_PATH
-        unit = pressure_of_unit_force(flanks, nodes["roll"].reshape(-1, 2)).reshape(nodes.shape)
-        pressure = np.where(held & on_path, unit * np.sqrt(force), 0.0).max(axis=1, initial=0.0)
+        pressure = np.zeros(force.shape)
+        set_pressures(rows, placed_nodes(flanks, nodes).ravel(), force.ravel(), pressure.ravel())
         edge = np.where(on_path, 0.0, force).sum(axis=1) / states["force"]
-        return Curves.of(*(values.reshape(self.shape) for values in (states["x_0"].copy(), pressure, edge)))
+        return Curves.of(
+            *(values.reshape(self.shape) for values in (states["x_0"].copy(), pressure.max(axis=1), edge))
+        )
 
 
 def _check(status: NDArray[np.int64]) -> None:
