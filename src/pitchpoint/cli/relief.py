@@ -58,7 +58,7 @@ _MET = 1e-6
     help="Maximum or mean of the peak-to-peak transmission errors over the torques.",
 )
 @click.option("--weights", metavar="W1,W2,...", help="Weight of each torque; default: equal.")
-@quantity("--max-pressure", "pressure", "Limit of the pressure of the involutes at the highest torque.")
+@quantity("--max-pressure", "pressure", "Limit of the flank pressure at the highest torque.")
 @click.option("--no-edge-contact", is_flag=True, help="Tip edges must not carry load at the highest torque.")
 @flank_option
 @click.option(

@@ -69,7 +69,10 @@ class StaleTableError(ContactTableError):
         parts = [f"{k} is {_shown(new)}, was {_shown(old)}" for k, (old, new) in self.differences.items()]
         more = f" and {len(parts) - _NAMED} more" if len(parts) > _NAMED else ""
         words = "; ".join(parts[:_NAMED])
-        super().__init__(f"{path}: was computed from other inputs: {words}{more}; compute the table again")
+        super().__init__(
+            f"{path}: was computed from other inputs: {words}{more}; compute the table again by "
+            "`pitchpoint contact-table` with level: flexible in the model"
+        )
 
 
 @dataclass(frozen=True)

@@ -245,6 +245,18 @@ def test_tables_of_other_gears(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "damaged" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("command", ["contact-table", "relief"])
+def test_torques_that_fold_the_teeth(
+    command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Before, the table had an error of 2e5 % of its nominal force, without a word."""
+    file = written(tmp_path, text_of(), "m.yaml")
+    more = ["--vary", "gears.g1.modifications.both.profile_crowning=0:9um"] if command == "relief" else []
+    assert run_command([command, file, "--torque", "1e7 N m", "-q", *more]) in (2, 3)
+    assert "deflects the flanks of stage by" in capsys.readouterr().err
+    assert [p.name for p in tmp_path.iterdir()] == ["m.yaml"]
+
+
 def test_failed_states_end_with_code_3(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -57,12 +57,19 @@ def test_a_design_is_the_model_with_its_modifications(contact, beta, internal, f
             assert found.edge[m, t] == pytest.approx(edges / force, abs=1e-8)
 
 
-def test_pressure_is_that_of_the_contact_analysis():
-    """Both without misalignment; the positions of the analysis are half a step before."""
-    model = pair(START, START, contact=FLEXIBLE)
+CURVED = "both: {profile_crowning: 15 um, lead_crowning: 3 um}"
+
+
+@pytest.mark.parametrize("contact", [FLEXIBLE, RIGID], ids=["flexible", "rigid"])
+@pytest.mark.parametrize(("beta", "internal", "flank"), CASES)
+@pytest.mark.parametrize("modified", [START, CURVED], ids=["linear", "crowned"])
+def test_pressure_is_that_of_the_contact_analysis(contact, beta, internal, flank, modified):
+    """Both without misalignment; the positions of the analysis are half a step before. Crowning adds 4 % to
+    the curvature in the middle of the flank, and more near the root."""
+    model = pair(modified, modified, contact=contact, beta=beta, internal=internal)
     loads = tuple(torque(model, force) for force in FORCES)
-    found = analysed(model, Conditions(loads, 32))
-    fine = solve_contact(model, "stage", torque=loads, positions=64)
+    found = analysed(model, Conditions(loads, 32, flank=flank))
+    fine = solve_contact(model, "stage", torque=loads, positions=64, flank=flank)
     pressure = fine["pressure"].max(("tooth_pair", "plane")).values[:, 1::2]
     assert found.pressure[0] == pytest.approx(pressure, rel=1e-8)
 

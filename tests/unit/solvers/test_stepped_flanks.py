@@ -23,6 +23,8 @@ from tests.support.relief_models import pair
 STEEL = plane_strain_compliance(206e9, 0.3)
 RELIEF = "modifications: {both: {tip_relief: {amount: 40 um, length: 1.5 mm, shape: parabolic}}}"
 ROOT = "modifications: {both: {root_relief: {amount: 60 um, length: 4 mm, shape: parabolic}}}"
+LINEAR = "modifications: {both: {tip_relief: {amount: 50 um, length: 3 mm}, profile_slope: 20 um}}"
+LINEAR_ROOT = "modifications: {both: {root_relief: {amount: 30 um, length: 4 mm}, profile_slope: -20 um}}"
 CROWNED = "modifications: {both: {profile_crowning: 30 um}}"
 
 
@@ -45,7 +47,7 @@ def hertz(pair, gear_1, made, roll, load):
     return 2.0 * load / (math.pi * half_width(load, 1.0 / curvature, STEEL, STEEL))
 
 
-@pytest.mark.parametrize("text", [RELIEF, ROOT, CROWNED])
+@pytest.mark.parametrize("text", [RELIEF, ROOT, CROWNED, LINEAR, LINEAR_ROOT])
 def test_beyond_the_start_it_is_hertz_with_the_curvature_of_the_modification(
     tmp_path: Path, text: str
 ) -> None:

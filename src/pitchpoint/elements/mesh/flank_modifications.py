@@ -54,6 +54,19 @@ def modification_at(row, t, zeta):
 
 
 @kernel
+def second_derivative_at(row, t):
+    """Second derivative of the modifications over the relative height t, without edges of linear reliefs."""
+    if not (t > 0.0 and t < 1.0):
+        return 0.0
+    found = 8.0 * row[PROFILE_CROWNING]
+    if row[TIP + 2] > 1.0 and t > row[TIP + 1]:
+        found += 2.0 * row[TIP] / (1.0 - row[TIP + 1]) ** 2
+    if row[ROOT + 2] > 1.0 and 1.0 - t > row[ROOT + 1]:
+        found += 2.0 * row[ROOT] / (1.0 - row[ROOT + 1]) ** 2
+    return found
+
+
+@kernel
 def roll_sign(b, gear):
     """Sign of lengths of roll on gear 1 or 2 (0 or 1); they have the opposite one inside its base circle."""
     return -1.0 if gear == 1 and b["r_b2"] < 0.0 else 1.0

@@ -127,7 +127,11 @@ class PrecomputedContact(FlankContact):
 
     level: ClassVar[str] = "precomputed"
     law: ClassVar[str] = "pre-computed contact"
-    file: str = key("file", "table of the contact, .gcp.h5", sample="stage.gcp.h5")
+    file: str = key(
+        "file",
+        "table of the contact, .gcp.h5: from `pitchpoint contact-table` with level: flexible",
+        sample="stage.gcp.h5",
+    )
     tables: Any = derived()
     """Tables of front and back flanks and the options of the flexible contact, read with the model."""
 

@@ -18,6 +18,8 @@ Array = NDArray[np.float64]
 
 POSITIONS = 4, 100_000
 """Least and largest number of mesh phases of a contact analysis; mesh orders need four."""
+MAX_DEFLECTION = 0.5
+"""Largest deflection of a mesh, in normal modules, five times the one from which runs give a note."""
 METHODS = ("tangent", "finite_elements")
 """Methods of root stress; the second one includes the first."""
 
@@ -115,6 +117,18 @@ def number_problem(
 def is_positive(value: float) -> bool:
     """Whether a number is above 0."""
     return value > 0.0
+
+
+def deflection_problem(mesh: str, deflection: float, m_n: float, torque: float) -> Message | None:
+    """Problem of a torque on gear 1 [N m] under which flanks approach by a deflection [m]."""
+    if deflection <= MAX_DEFLECTION * m_n:
+        return None
+    return Message(
+        "torque",
+        f"{torque:.4g} N m deflects the flanks of {mesh} by {1e3 * deflection:.4g} mm",
+        limit=f"half of the normal module, {1e3 * MAX_DEFLECTION * m_n:.4g} mm",
+        remedy="give a smaller torque",
+    )
 
 
 def method_problem(method: Any) -> Message | None:

@@ -24,6 +24,7 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, OK, sentence
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.load_checks import (
+    deflection_problem,
     flank_problem,
     misalignment_problem,
     refuse,
@@ -166,7 +167,7 @@ def table_span(evaluator: PotentialEvaluator, request: TableRequest) -> TableRan
     Raises
     ------
     SolverError
-        If a state of the scan has no solution.
+        If a state of the scan has no solution, or the deflection is above `MAX_DEFLECTION`.
     """
     flanks = evaluator.flanks
     phase = np.arange(_SCAN) / _SCAN
@@ -190,6 +191,8 @@ def table_span(evaluator: PotentialEvaluator, request: TableRequest) -> TableRan
             shift = kappa * evaluator.middle
             low = min(low, float(placed["first"].min()) - shift)
             high = max(high, float(placed["x_0"].max()) - shift)
+    m_n = flanks.model.gears[flanks.model.meshes[flanks.mesh].gears[0]].geometry.m_n
+    refuse(deflection_problem(flanks.mesh, high - low, m_n, request.torque))
     return TableRange(
         approach=(low, low + _MARGIN * (high - low)),
         misalignment=tilt,

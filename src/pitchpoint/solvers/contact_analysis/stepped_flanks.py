@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Pressure where the curvature of the flanks changes within the contact: parabolic reliefs, tip roundings.
 
-Crownings and parabolic reliefs add to the curvature of the involutes. Within the contact of their start, and
-next to the rounding of a tip edge, the pressure is that of elastic half-planes in strips
-(`contact.strip_pressure`). The start of a linear relief is a sharp edge, where no finite pressure exists;
-contacts there keep that of the involutes.
+Crownings, slopes and reliefs add to the curvature of the involutes. Within the contact of the start of a
+parabolic relief, and next to the rounding of a tip edge, the pressure is that of elastic half-planes in
+strips (`contact.strip_pressure`). The start of a linear relief is a sharp edge, where no finite pressure
+exists; contacts there have the pressure without the edge.
 """
 
 from __future__ import annotations
@@ -47,19 +47,24 @@ class Bend:
         Length of roll at which it starts [m], positive.
     towards_tip
         Whether it applies from there to the tip, else to the root.
-    by_roll, centre
-        Second derivative of the removed material over the length of roll [1/m], and the length of roll at
-        which its slope is zero [m].
+    by_roll, slope
+        Second derivative of the removed material over the length of roll [1/m], and its slope at the length
+        of roll 0, extrapolated [-].
     radius
-        Radius of the tip rounding [m] instead of `by_roll`; 0 for modifications.
+        Radius of the tip rounding [m] instead; 0 for modifications.
     """
 
     gear: int
     start: float
     towards_tip: bool
     by_roll: float = 0.0
-    centre: float = 0.0
+    slope: float = 0.0
     radius: float = 0.0
+
+    @property
+    def is_step(self) -> bool:
+        """Whether the curvature changes at the start; a change of the slope alone is a sharp edge."""
+        return self.by_roll != 0.0 or self.radius > 0.0
 
 
 def bends_of(flanks: FlankStates) -> list[Bend]:
@@ -81,22 +86,30 @@ def bends_of(flanks: FlankStates) -> list[Bend]:
 
 
 def _of_modifications(k: int, gear: CylindricalGear, made: object) -> Iterator[Bend]:
-    """Changes of curvature of crowning and parabolic reliefs."""
+    """Changes of curvature of crowning, slope and reliefs."""
     root, tip = flank_range(gear)
     crowning = float(getattr(made, "profile_crowning", 0.0))
     if crowning:
-        half = 0.5 * (root + tip)
-        yield Bend(k, root, True, by_roll=8.0 * crowning / (tip - root) ** 2, centre=half)
+        by_roll = 8.0 * crowning / (tip - root) ** 2
+        yield Bend(k, root, True, by_roll=by_roll, slope=-0.5 * by_roll * (root + tip))
+    slope = float(getattr(made, "profile_slope", 0.0))
+    if slope:
+        yield Bend(k, root, True, slope=-slope / (tip - root))
     for name, end, towards_tip in (("tip_relief", tip, True), ("root_relief", root, False)):
         relief: Relief | None = getattr(made, name)
-        if relief is None or relief.shape != "parabolic" or relief.amount == 0.0:
+        if relief is None or relief.amount == 0.0:
             continue
         extent = relief.length
         if extent is None:
             assert relief.start_diameter is not None
             extent = abs(end - float(roll_length(gear, relief.start_diameter)))
-        start = end - (gear.sign if towards_tip else -gear.sign) * extent
-        yield Bend(k, start, towards_tip, by_roll=2.0 * relief.amount / extent**2, centre=start)
+        outwards = gear.sign if towards_tip else -gear.sign
+        start = end - outwards * extent
+        if relief.shape == "parabolic":
+            by_roll = 2.0 * relief.amount / extent**2
+            yield Bend(k, start, towards_tip, by_roll=by_roll, slope=-by_roll * start)
+        else:
+            yield Bend(k, start, towards_tip, slope=outwards * relief.amount / extent)
 
 
 def edge_turns(record: np.void, node: NDArray[np.void]) -> Array:
@@ -207,12 +220,12 @@ def _seen(bend: Bend, gear: CylindricalGear, roll: Array) -> tuple[Array, Array,
     """Curvature of a bend at contacts, and its step: place along the section and additional curvature there.
 
     Along the flank an arc is ds = L dL/r_b, so that d²h/ds² = (r_b/L)² (h″ − h′/L) of the removed material
-    h(L); the section normal to the contact line is inclined to the profile by β_b. Positive places are
-    towards the tip of gear 1.
+    h(L); h″ − h′/L is −1/L times the slope extrapolated to L = 0. The section normal to the contact line is
+    inclined to the profile by β_b. Positive places are towards the tip of gear 1.
     """
     r_b, cos_b = abs(gear.r_b), math.cos(gear.beta_b)
     with np.errstate(divide="ignore", invalid="ignore"):
-        added = bend.by_roll * (r_b / roll) ** 2 * bend.centre / roll * cos_b**2
+        added = -bend.slope / roll * (r_b / roll) ** 2 * cos_b**2
         if bend.radius > 0.0:
             added = _rounded(bend, gear, roll)
     added = np.where(np.isfinite(added), added, 0.0)
@@ -221,4 +234,5 @@ def _seen(bend: Bend, gear: CylindricalGear, roll: Array) -> tuple[Array, Array,
     ahead = outwards * (bend.start**2 - roll**2) / (2.0 * r_b) / cos_b
     way = 1.0 if bend.towards_tip == (bend.gear == 0) else -1.0
     beyond = ahead < 0.0
-    return np.where(beyond, added, 0.0), way * ahead, np.where(beyond, -added, added)
+    step = np.where(beyond, -added, added) if bend.is_step else np.zeros_like(added)
+    return np.where(beyond, added, 0.0), way * ahead, step

@@ -23,11 +23,13 @@ from pitchpoint.core.status import INCONSISTENT, OK, sentence
 from pitchpoint.elements.mesh.surface.nodes import ON_PATH
 from pitchpoint.geometry.modification_terms import N_TERM
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
+from pitchpoint.solvers.contact_analysis.load_checks import deflection_problem, refuse
 from pitchpoint.solvers.contact_analysis.relief.curves import BEHIND, Curves
+from pitchpoint.solvers.contact_analysis.relief.design_states import set_pressures
 from pitchpoint.solvers.contact_analysis.relief.flexible_phases import (
     DesignSolver,
     FlexiblePhases,
-    pressure_of_unit_force,
+    placed_nodes,
 )
 
 if TYPE_CHECKING:
@@ -92,7 +94,8 @@ class Analyses:
     Raises
     ------
     SolverError
-        If the mesh has no contact of tooth surfaces or a pre-computed one, or the start has no solution.
+        If the mesh has no contact of tooth surfaces or a pre-computed one, or the start has no solution or
+        too large a deflection.
     """
 
     def __init__(
@@ -117,7 +120,10 @@ class Analyses:
         self._phases: FlexiblePhases | None = None
         self._set(conditions)
         if self._flanks.record["is_flexible"] == 1:
-            self._approach = float(self._own().curves(rows).approach.max()) + deepest
+            approach = float(self._own().curves(rows).approach.max())
+            m_n = model.gears[model.meshes[mesh].gears[0]].geometry.m_n
+            refuse(deflection_problem(mesh, approach, m_n, max(conditions.torques)))
+            self._approach = approach + deepest
             self._place()
 
     def under(self, conditions: Conditions) -> Analyses:
@@ -226,10 +232,12 @@ class _General:
         held = (np.arange(nodes.shape[1]) < states["n_nodes"][:, None]) & (nodes["force"] > 0.0)
         force = np.where(held, nodes["force"], 0.0)
         on_path = nodes["place"] == ON_PATH
-        unit = pressure_of_unit_force(flanks, nodes["roll"].reshape(-1, 2)).reshape(nodes.shape)
-        pressure = np.where(held & on_path, unit * np.sqrt(force), 0.0).max(axis=1, initial=0.0)
+        pressure = np.zeros(force.shape)
+        set_pressures(rows, placed_nodes(flanks, nodes).ravel(), force.ravel(), pressure.ravel())
         edge = np.where(on_path, 0.0, force).sum(axis=1) / states["force"]
-        return Curves.of(*(values.reshape(self.shape) for values in (states["x_0"].copy(), pressure, edge)))
+        return Curves.of(
+            *(values.reshape(self.shape) for values in (states["x_0"].copy(), pressure.max(axis=1), edge))
+        )
 
 
 def _check(status: NDArray[np.int64]) -> None:

@@ -16,7 +16,7 @@ from pitchpoint.contact.unilateral_load import solve_load
 from pitchpoint.contact.unilateral_work import CONTACT_STATE, FORCE, LISTED, N_VECTOR, forget
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
-from pitchpoint.elements.mesh.flank_modifications import modification_at
+from pitchpoint.elements.mesh.flank_modifications import modification_at, second_derivative_at
 from pitchpoint.geometry.modification_terms import N_TERM
 from pitchpoint.multibody.channels import F8, I8
 
@@ -26,7 +26,12 @@ PLACED = np.dtype(
         ("gap", "f8"),  # without modifications, at zero approach [m]
         ("t", "f8", 2),
         ("zeta", "f8", 2),  # relative height and width on both gears
-        ("press", "f8"),  # Hertzian pressure over the root of the force [Pa/N^0.5], 0 on tip edges
+        ("press", "f8"),  # pressure of the involutes over the root of the force [Pa/N^0.5], 0 on tip edges
+        (
+            "curved",
+            "f8",
+            (2, 2),
+        ),  # added curvature over that of the involutes, by slope and second derivative
         ("edge", "f8"),  # 1 on tip edges, else 0
     ],
     align=True,
@@ -78,14 +83,35 @@ def set_gaps(rows, nodes, gaps):
 
 
 @kernel
-def _summarise(found, nodes, state, on, v):
+def node_pressure(rows, node, force):
+    """Hertzian pressure of a node with the curvature of the modifications [Pa].
+
+    0 on tip edges, and where a hollow flank is not convex within its mate.
+    """
+    curvature = 1.0
+    for gear in range(2):
+        slope = modification_at(rows[gear], node["t"][gear], 0.0)[1]
+        second = second_derivative_at(rows[gear], node["t"][gear])
+        curvature += node["curved"][gear, 0] * slope + node["curved"][gear, 1] * second
+    return node["press"] * math.sqrt(force * max(curvature, 0.0))
+
+
+@kernel
+def set_pressures(rows, nodes, forces, out):
+    """Hertzian pressures of nodes [Pa], shape of `forces`."""
+    for i in range(nodes.size):
+        out[i] = node_pressure(rows, nodes[i], forces[i])
+
+
+@kernel
+def _summarise(rows, found, nodes, state, on, v):
     """Set maximum pressure and share of tip edges of a solution."""
     pressure = 0.0
     edge = 0.0
     for k in range(state["m"]):
         i = on[LISTED, k]
         force = v[FORCE, i]
-        pressure = max(pressure, nodes[i]["press"] * math.sqrt(force))
+        pressure = max(pressure, node_pressure(rows, nodes[i], force))
         edge += nodes[i]["edge"] * force
     found["approach"] = state["approach"]
     found["pressure"] = pressure
@@ -123,5 +149,5 @@ def solve_design(_, where, n):
                 one = found[p, q]
                 one["status"] = solve_load(C, local, gaps, weights, one["load"], state, on, v, U)
                 worst = max(worst, one["status"])
-                _summarise(one, nodes, state, on, v)
+                _summarise(rows, one, nodes, state, on, v)
     return worst

@@ -62,23 +62,16 @@ class FlexiblePhases:
         assert nodes is not None
         n = int(states["n_nodes"][0])
         node = nodes[0, :n]
-        placed = np.zeros(n, PLACED)
+        placed = placed_nodes(flanks, node)
         placed["gap"] = at[2] - node["x"]
         record = flanks.record
         for gear in range(2):
-            low, high = record["roll"][gear]
-            sign = np.sign(record[f"r_b{gear + 1}"])
             z = node["z"] + (float(record["w1"]) - gear) * float(record["now"]["dz"])
-            placed["t"][:, gear] = (sign * node["roll"][:, gear] - low) / (high - low)
             placed["zeta"][:, gear] = z / (0.5 * float(record["b1"] if gear == 0 else record["b2"]))
             modified = profile_gap(rows[gear], placed["t"][:, gear]) + lead_gap(
                 rows[gear], placed["zeta"][:, gear]
             )
             placed["gap"] -= modified
-        placed["edge"] = node["place"] != ON_PATH
-        placed["press"] = np.where(
-            node["place"] == ON_PATH, pressure_of_unit_force(flanks, node["roll"]), 0.0
-        )
         _, local, C, *_ = flexible_arrays(record, n)
         kept = [placed, C.copy(), local.copy()]
         self._kept += kept
@@ -91,19 +84,47 @@ class FlexiblePhases:
         return int(self.phases["n"].max())
 
 
-def pressure_of_unit_force(flanks: FlankStates, roll: Array) -> Array:
-    """Hertzian pressure of nodes with the force 1 N [Pa]; it increases with the root of the force."""
+def placed_nodes(flanks: FlankStates, node: NDArray[np.void]) -> NDArray[np.void]:
+    """Places on the profiles and what the pressures depend on; the other fields are 0.
+
+    Parameters
+    ----------
+    flanks
+        The mesh.
+    node
+        Contact nodes, any shape.
+
+    Returns
+    -------
+    ndarray of PLACED, shape of `node`
+
+    Notes
+    -----
+    Removed material h(L) over the length of roll L adds the curvature (r_b/L)² (h″ − h′/L) along the flank,
+    as in `stepped_flanks`.
+    """
     record = flanks.record
-    planes = int(record["slices"])
-    width = float(record["now"]["z_hi"] - record["now"]["z_lo"]) / planes
+    width = float(record["now"]["z_hi"] - record["now"]["z_lo"]) / int(record["slices"])
     cos_b = 1.0 / math.sqrt(1.0 + float(record["tan_b"]) ** 2)
     materials = [flanks.model.gears[g].material_data for g in flanks.model.meshes[flanks.mesh].gears]
     soft = [plane_strain_compliance(m.youngs_modulus, m.poisson_ratio) for m in materials]
-    one, two = roll.T
+    placed = np.zeros(node.shape, PLACED)
+    one, two = np.moveaxis(node["roll"], -1, 0)
+    on_path = node["place"] == ON_PATH
+    placed["edge"] = ~on_path
     with np.errstate(divide="ignore", invalid="ignore"):
         radius = one * two / (one + two) / cos_b
-        load = 1.0 / width
-        return np.asarray(np.nan_to_num(peak_pressure(load, half_width(load, radius, *soft))))
+        press = peak_pressure(1.0 / width, half_width(1.0 / width, radius, *soft))
+        placed["press"] = np.where(on_path & (radius > 0.0), press, 0.0)
+        for gear, roll in enumerate((one, two)):
+            low, high = record["roll"][gear]
+            r_b = float(record[f"r_b{gear + 1}"])
+            length = np.sign(r_b) * roll
+            placed["t"][..., gear] = (length - low) / (high - low)
+            second = radius * (r_b / length) ** 2 * cos_b**3 / (high - low) ** 2
+            placed["curved"][..., gear, 0] = np.nan_to_num(-second * (high - low) / length)
+            placed["curved"][..., gear, 1] = np.nan_to_num(second)
+    return placed
 
 
 class DesignSolver:
