@@ -113,7 +113,7 @@ def change_object(inside: h5py.File, chance: random.Random) -> None:
         return
     if kind == "number" and isinstance(item, h5py.Dataset) and item.dtype.kind == "f" and item.size:
         item[tuple(chance.randrange(n) for n in item.shape)] = chance.choice(
-            (np.nan, np.inf, -1.0, 1e300, 0.0)
+            (np.nan, np.inf, -1.0, 1e30, 0.0)
         )
         return
     shape = item.shape if isinstance(item, h5py.Dataset) else (3,)

@@ -134,7 +134,7 @@ def test_preview_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert run_command(["gears", model, "--gear", "wheel", "--preview", str(target)]) == 0
     for arguments, words in (
         (["--gear", "pinion", "--preview", str(tmp_path / "a.png")], "does not end in .svg"),
-        (["--gear", "pinion", "--preview", str(target), "--export", str(target)], "omit one of them"),
+        (["--gear", "pinion", "--preview", str(target), "--export", str(target)], "name another file"),
         (["--preview", str(target)], "select a gear"),
     ):
         capsys.readouterr()
