@@ -220,9 +220,9 @@ def _seen(bend: Bend, gear: CylindricalGear, roll: Array) -> tuple[Array, Array,
     """Curvature of a bend at contacts, and its step: place along the section and additional curvature there.
 
     The section normal to the contact line has the tangent of the transverse profile, whose arc is
-    ds = L dL/r_b. There L² has the second derivative 2 sin²β_b over the arc, so that removed material h(L) has
-    d²h/ds² = (r_b/L)² (h″ − h′/L) + h′ sin²β_b/L; h″ − h′/L is −1/L times the slope extrapolated to L = 0.
-    Positive places are towards the tip of gear 1.
+    ds = L dL/r_b. There L² has the second derivative 2 sin²β_b over the arc, so that removed material h(L)
+    has d²h/ds² = (r_b/L)² (h″ − h′/L) + h′ sin²β_b/L; h″ − h′/L is −1/L times the slope extrapolated to
+    L = 0. Positive places are towards the tip of gear 1.
     """
     r_b, sin_b = abs(gear.r_b), math.sin(gear.beta_b)
     with np.errstate(divide="ignore", invalid="ignore"):
