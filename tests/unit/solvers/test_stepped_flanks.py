@@ -13,7 +13,7 @@ from pitchpoint.analysis.flank_contact.teeth import mesh_teeth, pair_positions
 from pitchpoint.contact.hertz import half_width, plane_strain_compliance
 from pitchpoint.contact.strip_pressure import stepped_pressure
 from pitchpoint.geometry.modifications import FlankModifications, deviation, flank_range
-from pitchpoint.io.yaml_model import load_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.contact_analysis.flank_states import FlankStates
 from pitchpoint.solvers.contact_analysis.solve import solve_contact
 from pitchpoint.solvers.contact_analysis.stepped_flanks import bends_of, step_pressures
@@ -211,6 +211,33 @@ def test_pressure_continues_from_the_flank_to_the_rounding(tmp_path: Path, made)
         # the steps are equal to a fifth, over the end of the path too
         assert np.abs(steps).max() < 0.04
         assert np.ptp(steps) < 0.2 * np.abs(steps).max() + 0.004
+
+
+def test_a_steep_relief_in_a_ring_is_hollow() -> None:
+    """Curvatures of both flanks nearly cancel, so that h′ (r_b/L)²/L of a linear tip relief exceeds them."""
+    gear = "normal_module: 3 mm, face_width: 20 mm, profile_shift_coefficient: 0"
+    steep = "modifications: {both: {tip_relief: {amount: 120 um, length: 2 mm}}}"
+    model = loads_model(f"""
+gears:
+  planet: {{number_of_teeth: 60, {gear}, {steep}}}
+  ring: {{type: internal, number_of_teeth: 90, {gear}}}
+meshes:
+  stage: {{gears: [planet, ring], contact: {{level: rigid, stiffness: 3e8 N/m, planes: 1}}}}
+""")
+    data = solve_contact(model, torque=20000.0, positions=32)
+    spur, made = model.pairs["stage"], model.gears["planet"].modifications.side("left").of_geometry()
+    fields = [data[name].values for name in ("roll_1", "roll_2", "pressure")]
+    one, two, pressure = (values[np.isfinite(fields[0])] for values in fields)
+    step = 1e-5
+    rolls = np.sqrt(one**2 + 2.0 * spur.gear1.r_b * step * np.array([[-1.0], [0.0], [1.0]]))
+    curvature = (
+        1.0 / one - 1.0 / two + (np.array([1.0, -2.0, 1.0]) @ deviation(made, spur.gear1, rolls)) / step**2
+    )
+    on_path = np.abs(two - one - abs(spur.T1T2)) < 1e-9
+    beyond = on_path & (rolls[0] > flank_range(spur.gear1)[1] - 2e-3)
+    assert beyond.any() and (curvature[beyond] < 0.0).all()
+    assert np.isnan(pressure[beyond]).all()
+    assert "no pressure at" in data.attrs["notes"] and "steep relief" in data.attrs["notes"]
 
 
 def test_a_hollow_flank_has_no_line_contact() -> None:

@@ -253,8 +253,8 @@ def _hollow_notes(mesh: str, contacts: int) -> list[Message]:
         return []
     return [
         note(
-            f"mesh {mesh}: no pressure at {contacts} contacts, as the flank of a gear with negative "
-            "profile_crowning is more concave there than its mate is convex"
+            f"mesh {mesh}: no pressure at {contacts} contacts, as modifications make a flank more concave "
+            "there than its mate is convex, such as negative profile_crowning or a steep relief in a ring"
         )
     ]
 

@@ -154,8 +154,8 @@ def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) 
     Returns
     -------
     int
-        Number of contacts whose pressure becomes NaN: a hollow flank (negative profile crowning) is not in
-        line contact with its mate.
+        Number of contacts whose pressure becomes NaN: a flank that is more concave than its mate is convex,
+        by negative profile crowning or a steep relief in a ring, is not in line contact with it.
     """
     bends, hollow = bends_of(flanks), 0
     if not bends:
