@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -37,6 +39,20 @@ misalignment_help = (
 """Help of the misalignment of the flanks."""
 MOST = 500
 """Maximum number of torques."""
+
+
+@contextmanager
+def refused_input() -> Iterator[None]:
+    """Input that an analysis refuses, without a result, is wrong input of the command."""
+    from pitchpoint.core.errors import SolverError
+    from pitchpoint.core.status import INCONSISTENT
+
+    try:
+        yield
+    except SolverError as error:
+        if error.status != INCONSISTENT or error.partial is not None:
+            raise
+        raise click.UsageError(str(error).removeprefix("relief design: ")) from None
 
 
 def mesh_with_contact(model: Model, name: str | None, levels: tuple[str, ...] = ()) -> str:

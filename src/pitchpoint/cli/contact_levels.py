@@ -13,6 +13,7 @@ from pitchpoint.cli.contact_input import (
     mesh_option,
     misalignment_help,
     misalignment_of,
+    refused_input,
     side_of,
 )
 from pitchpoint.cli.options import common, model_file, one_of, quantity, writes
@@ -79,7 +80,7 @@ def contact_levels(
     tilt = None if misalignment is None else misalignment_of(misalignment, model, name)
     page = None if picture is None else check_target(picture, "page", [file])
     small = TableSize(phase=SMALL[0], approach=SMALL[1]) if size == "small" else None
-    with ProgressDisplay(name, "levels", quiet=quiet or as_json) as progress:
+    with refused_input(), ProgressDisplay(name, "levels", quiet=quiet or as_json) as progress:
         found = compare_levels(
             model,
             name,

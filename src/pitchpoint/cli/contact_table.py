@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.contact_input import mesh_option, mesh_with_contact, misalignment_of
+from pitchpoint.cli.contact_input import mesh_option, mesh_with_contact, misalignment_of, refused_input
 from pitchpoint.cli.options import common, model_file, output, quantity
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
 
@@ -61,7 +61,8 @@ def contact_table(file: str, as_json: bool, allow_code: bool, quiet: bool, **opt
     target = options["output"] or f"{Path(file).with_suffix('')}-{mesh}{SUFFIX}"
     check_target(target, "contact", [file])
     began = time.perf_counter()
-    tables = compute(model, mesh, options, quiet or as_json)
+    with refused_input():
+        tables = compute(model, mesh, options, quiet or as_json)
     written = write_contact_table(target, tables, contact_inputs(model, mesh, model.meshes[mesh].contact))
     poor = inaccuracy({flank: found.errors for flank, found in tables.items()})
     summary = {

@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.contact_input import flank_option, mesh_option, misalignment_help, torques_option
+from pitchpoint.cli.contact_input import (
+    flank_option,
+    mesh_option,
+    misalignment_help,
+    refused_input,
+    torques_option,
+)
 from pitchpoint.cli.options import common, model_file, output, quantity, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
 
@@ -125,7 +131,6 @@ def compute(
     """Search and write the files; return the output of `relief --json`, the result, and why it stopped."""
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.core.errors import SolverError
-    from pitchpoint.core.status import INCONSISTENT
     from pitchpoint.io.writing import how_it_ended
     from pitchpoint.solvers.contact_analysis.relief.design import design_relief
 
@@ -133,13 +138,11 @@ def compute(
     failure: BaseException | None = None
     data: xr.Dataset | None = None
     try:
-        with ProgressDisplay("relief", "analyses", quiet=quiet) as progress:
+        with refused_input(), ProgressDisplay("relief", "analyses", quiet=quiet) as progress:
             data = design_relief(model, mesh, plan, jobs=jobs, progress=progress)
     except (SolverError, KeyboardInterrupt) as error:
         data = getattr(error, "partial", None)
         failure = error
-        if isinstance(error, SolverError) and error.status == INCONSISTENT and data is None:
-            raise click.UsageError(str(error).removeprefix("relief design: ")) from None
         if isinstance(error, SolverError) and data is not None:
             failure = SolverError(
                 str(error), error.status, str(files["output"]) if "output" in files else None

@@ -245,14 +245,14 @@ def test_tables_of_other_gears(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "damaged" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("command", ["contact-table", "relief"])
+@pytest.mark.parametrize("command", ["contact-table", "contact-levels", "relief"])
 def test_torques_that_fold_the_teeth(
     command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Before, the table had an error of 2e5 % of its nominal force, without a word."""
     file = written(tmp_path, text_of(), "m.yaml")
     more = ["--vary", "gears.g1.modifications.both.profile_crowning=0:9um"] if command == "relief" else []
-    assert run_command([command, file, "--torque", "1e7 N m", "-q", *more]) in (2, 3)
+    assert run_command([command, file, "--torque", "1e7 N m", "-q", *more]) == 2
     assert "deflects the flanks of stage by" in capsys.readouterr().err
     assert [p.name for p in tmp_path.iterdir()] == ["m.yaml"]
 

@@ -124,8 +124,8 @@ def deflection_problem(mesh: str, deflection: float, m_n: float, torque: float) 
     if deflection <= MAX_DEFLECTION * m_n:
         return None
     return Message(
-        "torque",
-        f"{torque:.4g} N m deflects the flanks of {mesh} by {1e3 * deflection:.4g} mm",
+        "",
+        f"torque {torque:.4g} N m deflects the flanks of {mesh} by {1e3 * deflection:.4g} mm",
         limit=f"half of the normal module, {1e3 * MAX_DEFLECTION * m_n:.4g} mm",
         remedy="give a smaller torque",
     )

@@ -253,8 +253,8 @@ def _hollow_notes(mesh: str, contacts: int) -> list[Message]:
         return []
     return [
         note(
-            f"mesh {mesh}: no pressure at {contacts} contacts, as the flank of a gear with negative "
-            "profile_crowning is more concave there than its mate is convex"
+            f"mesh {mesh}: no pressure at {contacts} contacts, as modifications make a flank more concave "
+            "there than its mate is convex, such as negative profile_crowning or a steep relief in a ring"
         )
     ]
 
@@ -298,7 +298,7 @@ def _node_fields(
         inside = np.minimum(*rolls) <= 0.0  # without a radius of curvature
         with np.errstate(divide="ignore", invalid="ignore"):
             radius = np.where(inside | ~on_path, np.nan, one * two / (one + two) / cos_b)
-            edge = np.where(inside | on_path, np.nan, _edge_radius(record, node))
+            edge = np.where(inside | on_path, np.nan, _edge_radius(record, node) / cos_b)
         fields["plane_force"][where] = node["force"]
         fields["line_load"][where] = load
         fields["pressure"][where] = peak_pressure(load, half_width(load, radius, *soft))
@@ -309,7 +309,7 @@ def _node_fields(
 
 
 def _edge_radius(record: np.void, node: NDArray[np.void]) -> Array:
-    """Reduced radius of curvature of a rounded tip edge on the mating flank [m]; NaN for sharp edges."""
+    """Reduced radius of a rounded tip edge on its mate, transverse section [m]; NaN for sharp edges."""
     edge = np.clip(node["place"] - 1, 0, 1)
     own = np.asarray(record["rounding"])[edge]
     mate = node["roll"][np.arange(node.size), 1 - edge]

@@ -154,8 +154,8 @@ def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) 
     Returns
     -------
     int
-        Number of contacts whose pressure becomes NaN: a hollow flank (negative profile crowning) is not in
-        line contact with its mate.
+        Number of contacts whose pressure becomes NaN: a flank that is more concave than its mate is convex,
+        by negative profile crowning or a steep relief in a ring, is not in line contact with it.
     """
     bends, hollow = bends_of(flanks), 0
     if not bends:
@@ -178,7 +178,7 @@ def step_pressures(flanks: FlankStates, fields: dict[str, Array], turns: Array) 
             elif bend.radius > 0.0:
                 own = np.abs(rolls[bend.gear] - bend.start) < SAME * bend.start
                 # contact on the rounding: its own involute begins behind it
-                places[row] = -bend.radius * turns[there] / math.cos(gear.beta_b)
+                places[row] = -bend.radius * turns[there]
                 steps[row] = np.where(own, _rounded(bend, gear, bend.start), 0.0) * -1.0
         found = _pressures(load, curvature, places, steps, soft)
         fields[name][there] = found
@@ -213,25 +213,26 @@ def _pressures(load: Array, curvature: Array, places: Array, steps: Array, soft:
 
 def _rounded(bend: Bend, gear: CylindricalGear, roll: Array | float) -> Array:
     """Additional curvature of a tip rounding over the involute, normal to the contact line."""
-    return np.asarray((1.0 / bend.radius - 1.0 / np.asarray(roll)) * math.cos(gear.beta_b) ** 2)
+    return np.asarray((1.0 / bend.radius - 1.0 / np.asarray(roll)) * math.cos(gear.beta_b))
 
 
 def _seen(bend: Bend, gear: CylindricalGear, roll: Array) -> tuple[Array, Array, Array]:
     """Curvature of a bend at contacts, and its step: place along the section and additional curvature there.
 
-    Along the flank an arc is ds = L dL/r_b, so that d²h/ds² = (r_b/L)² (h″ − h′/L) of the removed material
-    h(L); h″ − h′/L is −1/L times the slope extrapolated to L = 0. The section normal to the contact line is
-    inclined to the profile by β_b. Positive places are towards the tip of gear 1.
+    The section normal to the contact line has the tangent of the transverse profile, whose arc is
+    ds = L dL/r_b. There L² has the second derivative 2 sin²β_b over the arc, so that removed material h(L)
+    has d²h/ds² = (r_b/L)² (h″ − h′/L) + h′ sin²β_b/L; h″ − h′/L is −1/L times the slope extrapolated to
+    L = 0. Positive places are towards the tip of gear 1.
     """
-    r_b, cos_b = abs(gear.r_b), math.cos(gear.beta_b)
+    r_b, sin_b = abs(gear.r_b), math.sin(gear.beta_b)
     with np.errstate(divide="ignore", invalid="ignore"):
-        added = -bend.slope / roll * (r_b / roll) ** 2 * cos_b**2
+        added = -bend.slope / roll * (r_b / roll) ** 2 + (bend.by_roll + bend.slope / roll) * sin_b**2
         if bend.radius > 0.0:
             added = _rounded(bend, gear, roll)
     added = np.where(np.isfinite(added), added, 0.0)
     # positive before the start, seen in the direction in which the bend applies
     outwards = gear.sign if bend.towards_tip else -gear.sign
-    ahead = outwards * (bend.start**2 - roll**2) / (2.0 * r_b) / cos_b
+    ahead = outwards * (bend.start**2 - roll**2) / (2.0 * r_b)
     way = 1.0 if bend.towards_tip == (bend.gear == 0) else -1.0
     beyond = ahead < 0.0
     step = np.where(beyond, -added, added) if bend.is_step else np.zeros_like(added)

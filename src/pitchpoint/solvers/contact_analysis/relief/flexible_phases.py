@@ -100,8 +100,8 @@ def placed_nodes(flanks: FlankStates, node: NDArray[np.void]) -> NDArray[np.void
 
     Notes
     -----
-    Removed material h(L) over the length of roll L adds the curvature (r_b/L)² (h″ − h′/L) along the flank,
-    as in `stepped_flanks`.
+    Removed material h(L) over the length of roll L adds the curvature (r_b/L)² (h″ − h′/L) + h′ sin²β_b/L, as
+    in `stepped_flanks`. The gaps are along the base tangent, h/cos β_b.
     """
     record = flanks.record
     width = float(record["now"]["z_hi"] - record["now"]["z_lo"]) / int(record["slices"])
@@ -121,9 +121,9 @@ def placed_nodes(flanks: FlankStates, node: NDArray[np.void]) -> NDArray[np.void
             r_b = float(record[f"r_b{gear + 1}"])
             length = np.sign(r_b) * roll
             placed["t"][..., gear] = (length - low) / (high - low)
-            second = radius * (r_b / length) ** 2 * cos_b**3 / (high - low) ** 2
-            placed["curved"][..., gear, 0] = np.nan_to_num(-second * (high - low) / length)
-            placed["curved"][..., gear, 1] = np.nan_to_num(second)
+            scale, bent = radius * cos_b / (high - low), (r_b / length) ** 2
+            placed["curved"][..., gear, 0] = np.nan_to_num(scale * (1.0 - cos_b**2 - bent) / length)
+            placed["curved"][..., gear, 1] = np.nan_to_num(scale * bent / (high - low))
     return placed
 
 
