@@ -99,7 +99,8 @@ def flank_force(law, x, k, limit, w, soft):
         by_x *= tangent
     elastic = f
     stiffness = by_x
-    d = (law["d_in"] if w > 0.0 else law["d_out"]) * k / law["k_ref"]
+    part = k / law["k_ref"]  # a division that need not wait for the rate
+    d = (law["d_in"] if w > 0.0 else law["d_out"]) * part
     if law["chi"] > 0.0:
         d = law["chi"] * f
         f += d * w * own

@@ -29,11 +29,12 @@ from pitchpoint.elements.mesh.surface.nodes import (
     begin_pair,
     begin_surface,
     first_pair,
+    is_far,
     levers_of,
     node_array,
-    node_place,
     node_rate,
-    plane_place,
+    plane_point,
+    planes_of,
     reaches,
     set_node,
     tip_bounds,
@@ -47,20 +48,20 @@ def place_nodes(b, watch):
     from their places have more than the pool holds."""
     now = b["now"]
     begin_surface(b)
-    bounds = tip_bounds(b)
+    planes, bounds = planes_of(b), tip_bounds(b)
     nodes = node_array(b)
     far = farthest_gap(b)
     found = 0
     first = 0
     q, count = first_pair(b)
     for _ in range(count):
+        if is_far(planes, bounds, q, b["slices"] - 1):
+            q += 1
+            continue
         own = begin_pair(b, q)
         for s in range(b["slices"]):
-            z = plane_place(b, s)
-            xi = now["xi_A"] + (now["psi"] + q + now["lam"] * z) * b["p_bt"]
-            place, eta = node_place(b, xi)
-            x = now["x_0"] - now["kappa"] * (z + now["flank"] * b["tan_b"] * xi)
-            if not reaches(b, place, eta, x - b["sep_min"], bounds):
+            z, xi, place, eta, x = plane_point(planes, q, s)
+            if not reaches(bounds, place, eta, x):
                 if watch == 1 and place == 0:
                     b["sums"]["nearest"] = max(b["sums"]["nearest"], x)
                 continue

@@ -104,29 +104,38 @@ def first_pair(b):
 
 
 @kernel
-def plane_place(b, s):
-    """Middle of the contact plane s, from the pitch point along the axes [m]."""
-    return b["now"]["z_lo"] + (s + 0.5) * b["now"]["plane_step"]
+def planes_of(b):
+    """Constants of the contact planes of the current flank, for `plane_point`."""
+    now = b["now"]
+    end = now["xi_A"] + now["eps"] * b["p_bt"]
+    path = (now["xi_A"], end, now["psi"], now["lam"], b["p_bt"])
+    return (now["z_lo"], now["plane_step"]), path, (now["x_0"], now["kappa"], now["flank"] * b["tan_b"])
 
 
 @kernel
-def node_place(b, xi):
-    """Place of a node at the path position xi, and its distance from the path of contact [m]."""
-    now = b["now"]
-    if xi < now["xi_A"]:
-        return TIP_2, now["xi_A"] - xi
-    end = now["xi_A"] + now["eps"] * b["p_bt"]
+def plane_point(planes, q, s):
+    """Contact point of the pair q in the plane s, without the gaps of the flanks.
+
+    Width from the pitch point along the axes and path position [m]; place and distance from the path of
+    contact [m]; penetration on the line of action [m].
+    """
+    (z_lo, step), (start, end, psi, lam, p_bt), (x_0, kappa, fh) = planes
+    z = z_lo + (s + 0.5) * step
+    xi = start + (psi + q + lam * z) * p_bt
+    x = x_0 - kappa * (z + fh * xi)
+    if xi < start:
+        return z, xi, TIP_2, start - xi, x
     if xi > end:
-        return TIP_1, xi - end
-    return ON_PATH, 0.0
+        return z, xi, TIP_1, xi - end, x
+    return z, xi, ON_PATH, 0.0, x
 
 
 @kernel
 def tip_bounds(b):
-    """Lower bounds of the gaps of both tip edges over eta^2 [1/m]."""
-    return _tip_bound(b, 0, b["r_b1"], b["r_b2"], b["rho_a1"]), _tip_bound(
-        b, 1, b["r_b2"], b["r_b1"], b["rho_a2"]
-    )
+    """Lower bounds of the gaps of both tip edges over eta^2 [1/m]; maximum eta, minimum sum of both gaps."""
+    one = _tip_bound(b, 0, b["r_b1"], b["r_b2"], b["rho_a1"])
+    two = _tip_bound(b, 1, b["r_b2"], b["r_b1"], b["rho_a2"])
+    return one, two, b["reach"], b["sep_min"]
 
 
 @kernel
@@ -143,12 +152,24 @@ def _tip_bound(b, edge, r_1, r_2, L):
 
 
 @kernel
-def reaches(b, place, eta, x, bounds):
-    """Whether a tip edge may be in contact at the penetration x of the flanks on the line of action [m]."""
+def reaches(bounds, place, eta, x):
+    """Whether flanks may be in contact at the penetration x on the line of action [m]."""
+    one, two, reach, least = bounds
     if place == ON_PATH:
-        return x > 0.0
-    c = bounds[0] if place == TIP_1 else bounds[1]
-    return x > c * eta * eta and eta <= b["reach"]
+        return x > least
+    c = one if place == TIP_1 else two
+    return x - least > c * eta * eta and eta <= reach
+
+
+@kernel
+def is_far(planes, bounds, q, last):
+    """Whether the pair q is beyond one end of the path in all planes up to `last`, and out of reach there.
+
+    Distance and penetration are linear over the width, so that the planes at both ends bound them.
+    """
+    _, _, place, eta, x = plane_point(planes, q, 0)
+    _, _, other, eta_1, x_1 = plane_point(planes, q, last)
+    return place != ON_PATH and other == place and not reaches(bounds, place, min(eta, eta_1), max(x, x_1))
 
 
 @kernel
@@ -251,9 +272,9 @@ def add_slopes(b, node, f, by_xi, by_tan, by_z):
     now["by_travel"] += s * now["flank"]
     now["by_tan"] += s * now["xi_slope"] + f * node["by_tan"] + by_tan
     shift = of_z + b["w1"]
-    now["by_dz"] += s * fh * (shift - 0.5) - f * now["kappa"] * (of_z - b["w_z"])
-    now["by_dz"] += (f * node["by_z"][0] + by_z[0]) * shift
-    now["by_dz"] += (f * node["by_z"][1] + by_z[1]) * (shift - 1.0)
+    along = s * fh * (shift - 0.5) - f * now["kappa"] * (of_z - b["w_z"])
+    own = (f * node["by_z"][0] + by_z[0]) * shift + (f * node["by_z"][1] + by_z[1]) * (shift - 1.0)
+    now["by_dz"] += along + own
 
 
 @kernel

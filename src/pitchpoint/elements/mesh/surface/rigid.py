@@ -21,11 +21,12 @@ from pitchpoint.elements.mesh.surface.nodes import (
     begin_pair,
     begin_surface,
     first_pair,
+    is_far,
     levers_of,
     node_array,
-    node_place,
     node_rate,
-    plane_place,
+    plane_point,
+    planes_of,
     reaches,
     set_node,
     tip_bounds,
@@ -60,7 +61,9 @@ def _add(b, watch, node, k):
     stiffness = 0.0
     f = by_x = by_w = 0.0
     if x > 0.0:
-        soft = node["soft"] / b["now"]["plane_step"]
+        soft = node["soft"]
+        if soft > 0.0:
+            soft /= b["now"]["plane_step"]
         f, by_x, by_w, elastic, stiffness, u, _ = flank_force(b["contact"], x, k, 0.0, w, soft)
         if watch == 1 or b["now"]["growth"] != 0.0 or soft > 0.0:
             _store(b, node, k, u, soft)
@@ -68,9 +71,10 @@ def _add(b, watch, node, k):
     node["rate"] = w
     node["elastic"] = elastic
     node["force"] = f
-    sums["pushed"] += f
-    sums["stiffness"] += stiffness
-    sums["damping_power"] += (f - elastic) * w
+    if watch == 1:
+        sums["pushed"] += f
+        sums["stiffness"] += stiffness
+        sums["damping_power"] += (f - elastic) * w
     if f == 0.0:
         return 0.0
     sums["nearest"] = max(sums["nearest"], abs(x))
@@ -90,21 +94,20 @@ def rigid_flank(record, watch, _):
     now = b["now"]
     begin_surface(b)
     k = b["c_prime"] * now["plane_step"]
-    bounds = tip_bounds(b)
+    planes, bounds = planes_of(b), tip_bounds(b)
     nodes = node_array(b)
     found = 0
     far = farthest_gap(b)
     q, count = first_pair(b)
     for _ in range(count):
-        p_0 = now["psi"] + q
+        if is_far(planes, bounds, q, b["slices"] - 1):
+            q += 1
+            continue
         own = begin_pair(b, q)
         force = 0.0
         for s in range(b["slices"]):
-            z = plane_place(b, s)
-            xi = now["xi_A"] + (p_0 + now["lam"] * z) * b["p_bt"]
-            place, eta = node_place(b, xi)
-            x = now["x_0"] - now["kappa"] * (z + now["flank"] * b["tan_b"] * xi)
-            if not reaches(b, place, eta, x - b["sep_min"], bounds):
+            z, xi, place, eta, x = plane_point(planes, q, s)
+            if not reaches(bounds, place, eta, x):
                 if watch == 1 and place == 0:
                     b["sums"]["nearest"] = max(b["sums"]["nearest"], x)
                 continue

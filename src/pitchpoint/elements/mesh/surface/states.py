@@ -23,8 +23,8 @@ from pitchpoint.elements.mesh.surface.nodes import (
     begin_surface,
     first_pair,
     node_array,
-    node_place,
-    plane_place,
+    plane_point,
+    planes_of,
     set_node,
 )
 
@@ -104,13 +104,12 @@ def first_contact(b):
     now["x_0"] = clear
     node = node_array(b)[0]
     nearest = -math.inf
+    planes = planes_of(b)
     q, count = first_pair(b)
     for _ in range(count):
         own = begin_pair(b, q)
         for s in range(b["slices"]):
-            z = plane_place(b, s)
-            xi = now["xi_A"] + (now["psi"] + q + now["lam"] * z) * b["p_bt"]
-            place, eta = node_place(b, xi)
+            z, xi, place, eta, _ = plane_point(planes, q, s)
             if eta <= b["reach"]:
                 set_node(b, node, xi, z, place, eta, own)
                 nearest = max(nearest, node["x"])
