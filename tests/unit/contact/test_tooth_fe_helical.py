@@ -86,7 +86,11 @@ def directly(solid: Solid, cases) -> np.ndarray:
     [
         (CylindricalGear(z=8, m_n=1e-3, x=0.4, b=6e-3, beta=0.3), (2e-3, None, None)),
         (CylindricalGear(z=9, m_n=1e-3, x=0.3, b=6e-3, beta=-0.3), (1.5e-3, 2.6e-3, 2e-3)),
-        (CylindricalGear.internal(z=30, m_n=1e-3, b=6e-3, beta=0.3), (19.5e-3, 18e-3, 2e-3)),
+        pytest.param(
+            CylindricalGear.internal(z=30, m_n=1e-3, b=6e-3, beta=0.3),
+            (19.5e-3, 18e-3, 2e-3),
+            marks=pytest.mark.study,
+        ),
     ],
     ids=["solid", "web", "internal web"],
 )

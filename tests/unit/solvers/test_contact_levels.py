@@ -91,6 +91,7 @@ def test_a_parabola_is_found_exactly(tmp_path, stiffness, monkeypatch):
     assert fit.mesh_error[1] < 1e-9
 
 
+@pytest.mark.study
 def test_levels_of_the_back_flanks(tmp_path):
     """Mirrored teeth: the back flanks with a relief have the numbers of front flanks with the same relief."""
     found = {}
