@@ -245,11 +245,18 @@ def _set_tip(b, node, edge, mate, eta, way, r_edge):
 
 
 @kernel
+def plain_rate(b, z):
+    """Rate of the penetration of unmodified flanks at the width z, whose levers are set [m/s]."""
+    x_rate = b["now"]["x_rate"]
+    return b["rate"][0] + b["lever"][1] * b["rate"][1] + x_rate[0] + x_rate[1] * z
+
+
+@kernel
 def node_rate(b, node):
     """Rate of the penetration of a node whose levers are set, without deformation [m/s]."""
     now = b["now"]
     z = node["z"]
-    w = b["rate"][0] + b["lever"][1] * b["rate"][1] + now["x_rate"][0] + now["x_rate"][1] * z
+    w = plain_rate(b, z)
     if node["plain"] == 1:
         return w
     xi_rate = now["xi_rate"][0] + now["xi_rate"][1] * z
@@ -266,15 +273,25 @@ def add_slopes(b, node, f, by_xi, by_tan, by_z):
     `by_z`: by the axial position of the plane on gear 1, and likewise on gear 2 [N].
     """
     now = b["now"]
-    fh = now["flank"] * b["tan_b"]
-    of_z = now["place_slope"][0] + now["place_slope"][1] * node["z"]
-    s = f * (node["by_xi"] - now["kappa"] * fh) + by_xi
+    add_plain_slopes(b, f, node["z"])
+    s = f * node["by_xi"] + by_xi
+    shift = now["place_slope"][0] + now["place_slope"][1] * node["z"] + b["w1"]
     now["by_travel"] += s * now["flank"]
     now["by_tan"] += s * now["xi_slope"] + f * node["by_tan"] + by_tan
-    shift = of_z + b["w1"]
-    along = s * fh * (shift - 0.5) - f * now["kappa"] * (of_z - b["w_z"])
-    own = (f * node["by_z"][0] + by_z[0]) * shift + (f * node["by_z"][1] + by_z[1]) * (shift - 1.0)
-    now["by_dz"] += along + own
+    across = (f * node["by_z"][0] + by_z[0]) * shift + (f * node["by_z"][1] + by_z[1]) * (shift - 1.0)
+    now["by_dz"] += s * now["flank"] * b["tan_b"] * (shift - 0.5) + across
+
+
+@kernel
+def add_plain_slopes(b, f, z):
+    """Add the energy slopes of a force f [N] at the width z [m] that follow from the misalignment alone."""
+    now = b["now"]
+    fh = now["flank"] * b["tan_b"]
+    of_z = now["place_slope"][0] + now["place_slope"][1] * z
+    s = -f * now["kappa"] * fh
+    now["by_travel"] += s * now["flank"]
+    now["by_tan"] += s * now["xi_slope"]
+    now["by_dz"] += s * fh * (of_z + b["w1"] - 0.5) - f * now["kappa"] * (of_z - b["w_z"])
 
 
 @kernel
