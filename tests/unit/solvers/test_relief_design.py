@@ -132,11 +132,13 @@ def test_the_best_so_far_after_an_interruption():
 
 @pytest.mark.study
 def test_tolerances():
-    """The robust design is better at its worst than the nominal one, and worse without deviations."""
+    """The robust design is better at its worst than the nominal one, and worse without deviations. A design
+    with tolerances is several analyses: with 1000 of them the result depends on the seed, 1.27 to 1.64 µm,
+    with 4000 it is 1.244 and 1.249 µm for two seeds."""
     model = pair(contact=FLEXIBLE)
     tolerances = {TIP.format(gear, "amount"): 2e-6 for gear in ("pinion", "wheel")}
     forces = (1000.0, 2000.0)
-    options = {"analyses": 1000, "positions": 24}
+    options = {"analyses": 4000, "positions": 24}
     vary = reliefs(length=LENGTH)
     robust = design_relief(model, None, plan(model, forces, vary, tolerances=tolerances, **options))
     nominal = design_relief(model, None, plan(model, forces, vary, **options))
