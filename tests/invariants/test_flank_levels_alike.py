@@ -60,6 +60,28 @@ def test_power_balance_of_flanks_that_part_fast(level):
         assert abs(given + cycle - stored - lost) < 1e-6 * abs(stored)
 
 
+@every_level
+@both_flanks
+@pytest.mark.parametrize("losses", [False, True])
+def test_observations_change_nothing(level, flank, losses):
+    """Wrenches and tangents with and without them: step loops evaluate without, nearly all tests with."""
+    rng = np.random.default_rng(6)
+    for _ in range(20):
+        m = OneMesh(make_pair(**HELICAL), made(level, losses), n_pair=N_PAIR)
+        m.frames["phi"] = rng.uniform(0.0, 1.0) * np.array([1.0, -m.row["r_b1"] / m.row["r_b2"]])
+        m.frames = moved(m.frames, 0, 1e-5 * rng.normal(size=6) * [1, 1, 5, 10, 10, 0])
+        m.press(rng.uniform(1e-6, 3e-5), flank)
+        m.frames["tw"] = rng.normal(size=(2, 6)) * [0.1, 0.1, 0.1, 1.0, 1.0, 10.0]
+        status, forces = m.attempt(jac=1, cd=1e-4)
+        tangents = m.kk.copy()
+        m.ctl["out"] = 0
+        again, plain = m.attempt(jac=1, cd=1e-4)
+        assert status == again == OK
+        assert np.abs(forces).max() > 0.0
+        assert np.abs(plain - forces).max() <= 1e-12 * np.abs(forces).max()
+        assert np.abs(m.kk - tangents).max() <= 1e-12 * np.abs(tangents).max()
+
+
 @pytest.mark.parametrize("level", ["rigid", "flexible"])
 def test_more_pairs_than_a_mesh_can_have_end_with_a_status(level):
     """Gears that a diverging solution moves towards each other overlap in ever more pairs, beyond the memory
