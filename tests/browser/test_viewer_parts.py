@@ -233,6 +233,7 @@ def test_a_phone_shows_everything_and_follows_fingers(open_page: OpenPage) -> No
     assert zoomed["distance"] == pytest.approx(0.5 * turned["distance"], rel=1e-9)
     pixel = 2 * zoomed["distance"] * np.tan(np.radians(14.0)) / out["scene"][1]
     moved = np.linalg.norm(np.subtract(shifted["target"], zoomed["target"]))
-    assert moved == pytest.approx(40 * pixel, rel=0.1)
+    # the fingers move in turn: in between they are 2 % farther apart, which zooms by as much
+    assert moved == pytest.approx(40 * pixel, rel=0.02)
     assert out["quiet"] and out["named"] == "Z1, gear, 24 teeth" and out["nothing"]
     assert shifted["distance"] == pytest.approx(zoomed["distance"], rel=0.02)
