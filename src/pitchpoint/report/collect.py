@@ -15,6 +15,7 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
+from pitchpoint.report.run_frequencies import mean_mesh_frequencies
 from pitchpoint.viz.report.build import (
     CaseTable,
     MeshCycleData,
@@ -202,7 +203,9 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
             found.rolls[take(found.rolls)] = given_roll(data, note)
             return
         settle = float(header["options"].get("settle_time", 0.0))
-        found.runs[take(found.runs)] = TimeRun(data=data, settle_time=settle, note=note)
+        meshes = mean_mesh_frequencies(model, data, settle)
+        run = TimeRun(data=data, settle_time=settle, note=note, mesh_frequencies=meshes)
+        found.runs[take(found.runs)] = run
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
@@ -231,7 +234,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         time = data["time"].values
         settle = SETTLED * float(time[-1] - time[0]) if time.size else 0.0
         name = _free("time response", str(len(found.runs) + 1), found.runs)
-        found.runs[name] = TimeRun(data=data, settle_time=settle)
+        meshes = mean_mesh_frequencies(model, data, settle)
+        found.runs[name] = TimeRun(data=data, settle_time=settle, mesh_frequencies=meshes)
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
