@@ -15,6 +15,7 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
+from pitchpoint.viz.quantities import settle_time_of
 from pitchpoint.viz.report.build import (
     CaseTable,
     MeshCycleData,
@@ -37,8 +38,6 @@ SOURCES = (
     "Stiffness over the mesh cycle: L. Mauer, SIMPACK User Meeting 2006.",
 )
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
-SETTLED = 0.2
-"""Share of a record omitted from statistics if no file gives `settle_time`."""
 
 
 def describe(model: Model) -> ReportModel:
@@ -201,8 +200,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         if header["kind"] == "quasi_static":
             found.rolls[take(found.rolls)] = given_roll(data, note)
             return
-        settle = float(header["options"].get("settle_time", 0.0))
-        found.runs[take(found.runs)] = TimeRun(data=data, settle_time=settle, note=note)
+        found.runs[take(found.runs)] = TimeRun(data=data, settle_time=settle_time_of(header), note=note)
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
@@ -228,10 +226,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     dimensions = set(getattr(data, "dims", ()))
     kind = "time"
     if "time" in dimensions:
-        time = data["time"].values
-        settle = SETTLED * float(time[-1] - time[0]) if time.size else 0.0
         name = _free("time response", str(len(found.runs) + 1), found.runs)
-        found.runs[name] = TimeRun(data=data, settle_time=settle)
+        found.runs[name] = TimeRun(data=data, settle_time=settle_time_of(data.attrs))
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
