@@ -166,7 +166,7 @@ def _numbers(data: xr.Dataset) -> str:
         return ""
     time, found = channels(data)
     inside = settled_part(time, settle_time_of(data.attrs))
-    rows = []
+    rows: list[str] = []
     for name in _main(data, list(found)):
         x = found[name].values[inside]
         if np.isfinite(x).all() and len(rows) < MAX_ROWS:
