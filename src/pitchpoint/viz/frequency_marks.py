@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 FAINT = 0.35
 """Opacity of the lines of harmonics above the first."""
 CLOSE, LIFT = 0.09, 13
-"""Share of the axis below which two names would overlap, and how far one of them is then lifted [pixels]."""
+"""Share of the axis below which two names would overlap, and how far one of them is then lowered [pixels]."""
 EQUAL = 1e-6
 """Relative difference up to which two frequencies are one."""
 PALE = "#ffffff"
@@ -76,13 +76,14 @@ def mark_frequencies(
                     x=at,
                     y=1.0,
                     yref="paper",
-                    yanchor="bottom",
-                    yshift=LIFT * lift,
+                    yanchor="top",
+                    yshift=-LIFT * lift,
                     text=_short(name),
                     name="frequency",
                     showarrow=False,
-                    xanchor="left" if at < 0.03 * end else "center",
-                    font={"size": 11, "color": colour},
+                    xanchor="left",
+                    xshift=2,
+                    font={"size": 11, "color": PALE if over_map else colour},
                 )
 
 
