@@ -102,12 +102,12 @@ def plot_spectrum(
     if spectra:
         first = next(iter(spectra.values()))
         _label_peaks(figure, first, end, factor, shown.factor, labels)
+    known = (shafts.meshes if shafts else {}) if across is None else meshes or {}
     if tallest > 0.0:
-        top = float(np.log10(tallest * shown.factor))
-        figure.update_yaxes(type="log", range=[top - 4.2, top + 0.6], dtick=1, exponentformat="power")
+        top, room = float(np.log10(tallest * shown.factor)), 1.2 if known else 0.6
+        figure.update_yaxes(type="log", range=[top - 4.2, top + room], dtick=1, exponentformat="power")
     figure.update_xaxes(range=[0.0, end * factor])
     figure.update_layout(showlegend=any(spectra))
-    known = (shafts.meshes if shafts else {}) if across is None else meshes or {}
     mark_frequencies(figure, known, harmonics=HARMONICS, factor=factor)
     if across is None:
         _offer(figure, shafts)
