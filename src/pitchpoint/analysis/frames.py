@@ -33,6 +33,15 @@ def frame_places(size: int, length: int, frames: int) -> tuple[NDArray[np.int64]
     tuple
         First samples and lengths, shape (n_frame,) each.
 
+    Notes
+    -----
+    Short-time spectra with a window of variable length [1]_: the line width is inversely proportional to it.
+
+    References
+    ----------
+    .. [1] J. B. Allen, L. R. Rabiner, A unified approach to short-time Fourier analysis and synthesis,
+       Proceedings of the IEEE 65(11), 1977, 1558-1564.
+
     Examples
     --------
     >>> frame_places(100, 40, 5)
