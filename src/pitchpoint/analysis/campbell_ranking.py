@@ -77,7 +77,11 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
     orders, modes = _texts(diagram, "crossing_order"), diagram["crossing_mode"].values.astype(int)
     speeds = diagram["crossing_speed"].values
     names = dict(zip(diagram["mode"].values.tolist(), _texts(diagram, "name"), strict=True))
-    apart = diagram["crossing_separation"].values if "crossing_separation" in diagram else np.full(len(speeds), np.nan)
+    apart = (
+        diagram["crossing_separation"].values
+        if "crossing_separation" in diagram
+        else np.full(len(speeds), np.nan)
+    )
     beside: dict[tuple[str, int], list[float]] = {}
     whole = {(order, int(mode)) for order, mode in zip(orders, modes, strict=True)}
     listed = []
@@ -111,7 +115,9 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
 
 
 def select_modes(
-    diagram: xr.Dataset, modes: Sequence[int] | str | None = None, frequency: tuple[float, float] | None = None
+    diagram: xr.Dataset,
+    modes: Sequence[int] | str | None = None,
+    frequency: tuple[float, float] | None = None,
 ) -> xr.Dataset:
     """Diagram with some of its modes and their crossings.
 

@@ -27,7 +27,9 @@ TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
 @click.command()
 @model_file
 @state
-@click.option("--body", metavar="NAME", help="Body of the speed; default: the first that rotates and has a gear.")
+@click.option(
+    "--body", metavar="NAME", help="Body of the speed; default: the first that rotates and has a gear."
+)
 @quantities("--speeds", "angular_speed", "LOW..HIGH", "Speeds of the body, such as 300..7200rpm; default: from "
             "zero to 1.2 times the highest speed of the scenarios.")  # fmt: skip
 @click.option("--points", type=click.IntRange(min=2), default=41, help="Number of speeds.", show_default=True)
@@ -40,7 +42,9 @@ TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
 @click.option(
     "--modes", metavar="SELECTION", help="The lowest N modes, modes A..B, or modes with a text in their name."
 )
-@quantities("--frequency", "frequency", "LOW..HIGH", "Frequencies, such as 0..2kHz; default: those of the modes.")
+@quantities(
+    "--frequency", "frequency", "LOW..HIGH", "Frequencies, such as 0..2kHz; default: those of the modes."
+)
 @quantities("--operating", "angular_speed", "LOW..HIGH", "Operating speeds of the body, for the separation of "
             "critical speeds; default: those of the scenarios.")  # fmt: skip
 @writes("--plot", metavar="FILE", help="Write the diagram (html, svg, png).")
@@ -58,7 +62,7 @@ def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options:
     options["modes"] = modes_of(options["modes"])
     model = read_model(file, allow_code, quiet)
     name = known_scenario(model, options["scenario"]) if options["scenario"] is not None else None
-    files = {"output": None, "plot": None, "csv": None}
+    files: dict[str, Path | None] = {"output": None, "plot": None, "csv": None}
     if options["output"] is not None:
         files["output"] = result_path(options["output"], file, name or "")
     if options["plot"] is not None:
@@ -149,9 +153,15 @@ def mode_rows(data: xr.Dataset) -> list[dict[str, Any]]:
             "frequency": [float(data["frequency"].values[s, k]) for s in (0, -1)],
             "damping_ratio": [float(data["damping_ratio"].values[s, k]) for s in (0, -1)],
             "whirl_index": float(last["whirl_index"].values[k]),
-            "strain_share": dict(zip(last["component"].values.tolist(), last["strain_share"].values[k].tolist(), strict=True)),
+            "strain_share": dict(
+                zip(last["component"].values.tolist(), last["strain_share"].values[k].tolist(), strict=True)
+            ),
             "kinetic_share": dict(
-                zip(last["part"].values.tolist(), last["kinetic_share"].values[k].sum(axis=1).tolist(), strict=True)
+                zip(
+                    last["part"].values.tolist(),
+                    last["kinetic_share"].values[k].sum(axis=1).tolist(),
+                    strict=True,
+                )
             ),
         }
         for k, number in enumerate(data["mode"].values)
@@ -191,7 +201,11 @@ def csv_of(data: xr.Dataset) -> str:
     names = dict(zip(data["mode"].values.tolist(), map(str, data["name"].values), strict=True))
     columns = [str(name) for name in data.data_vars if str(name).startswith("crossing_")]
     heads = [f"{c.removeprefix('crossing_')}{_unit(data[c].attrs.get('units', ''))}" for c in columns]
-    lines = [ANALYSIS_MARK.rstrip("\n"), f"# {data.attrs['ranking']}", ",".join(["rank", *heads, "mode name"])]
+    lines = [
+        ANALYSIS_MARK.rstrip("\n"),
+        f"# {data.attrs['ranking']}",
+        ",".join(["rank", *heads, "mode name"]),
+    ]
     for k, rank in enumerate(data["crossing"].values):
         cells = [_cell(data[c].values[k]) for c in columns]
         lines.append(",".join([str(rank), *cells, f'"{names[int(data["crossing_mode"].values[k])]}"']))
@@ -266,7 +280,11 @@ def largest(shares: dict[str, float], count: int = 2, least: float = 0.1) -> str
     'shaft rotor 75 %, mesh stage 20 %'
     """
     order = sorted(shares.items(), key=lambda item: -item[1])[:count]
-    words = [f"{name} {100.0 * share:.0f} %" for k, (name, share) in enumerate(order) if share >= least or (k == 0 and share > 0.0)]
+    words = [
+        f"{name} {100.0 * share:.0f} %"
+        for k, (name, share) in enumerate(order)
+        if share >= least or (k == 0 and share > 0.0)
+    ]
     return ", ".join(words) or NOTHING
 
 

@@ -144,7 +144,7 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         ]
         for row in summary["modes"][:count]
     ]
-    heads = ["mode", "frequency", "damping ratio", "undamped", "strain energy", "kinetic energy"]
+    heads = ["mode", "natural frequency", "damping ratio", "undamped", "strain energy", "kinetic energy"]
     table(title, heads, cells)
     if summary["states"]:
         words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x + 0.0:.5g}" for x, y in summary["states"]]
@@ -156,7 +156,9 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         last = shown(summary["modes"][count - 1]["undamped_frequency"], "frequency", 4)
         show(f"{count} of {total} modes, up to {last}; --count {total} shows all of them")
     if count:
-        show("frequency: with dampers, gyroscopic terms and speeds of the scenario; undamped: at rest")
+        show(
+            "natural frequency: with dampers, gyroscopic terms and speeds of the scenario; undamped: at rest"
+        )
     show_notes(summary["notes"])
     if summary["output"] is not None:
         show(f"written to {summary['output']}")
@@ -191,7 +193,9 @@ def rows_of(found: Modes) -> list[dict[str, Any]]:
             "undamped_frequency": float(found.frequency[k]),
             "damping_ratio": float(found.damping_ratio[k]),
             "whirl": found.whirl[k],
-            "strain_share": dict(zip(found.groups.components, found.energies.strain[k].tolist(), strict=True)),
+            "strain_share": dict(
+                zip(found.groups.components, found.energies.strain[k].tolist(), strict=True)
+            ),
             "kinetic_share": {
                 part: dict(zip(WAYS, found.energies.kinetic[k, p].tolist(), strict=True))
                 for p, part in enumerate(found.groups.parts)
@@ -228,7 +232,6 @@ def animate(path: str, found: Modes, model: Model) -> None:
 def store(path: Path, header: Header, found: Modes) -> None:
     """Write modes to a result file."""
     from pitchpoint.io.tables import Axis, Quantity, write_tables
-
     from pitchpoint.solvers.mode_energies import WAYS
 
     groups, energies = found.groups, found.energies

@@ -64,5 +64,7 @@ def modes_of(text: str | None) -> tuple[int | None, range | str | None]:
         return None, text.strip()
     first, last = int(found[1]), int(found[2] or found[1])
     if not 0 < first <= last:
-        raise click.BadParameter(f"{text!r}: give a number of modes, a range such as 3..8 or a part of a name")
+        raise click.BadParameter(
+            f"{text!r}: give a number of modes, a range such as 3..8 or a part of a name"
+        )
     return last, range(first, last + 1) if found[2] else None

@@ -79,11 +79,17 @@ def campbell_of(
     if frequency is not None and count is None:
         omega = lowest(linear).omega
         count = int(np.sum(omega <= REACH * 2.0 * math.pi * frequency[1])) + 1
-    reached = _speeds_of_scenarios(system, scenario, body)
+    reached = speeds_of_scenarios(system, scenario, body)
     if speeds is None:
-        top = 1.2 * max(reached) if reached else highest_speed(system, body, lowest(linear, FEW).omega / (2.0 * math.pi))
+        top = (
+            1.2 * max(reached)
+            if reached
+            else highest_speed(system, body, lowest(linear, FEW).omega / (2.0 * math.pi))
+        )
         if not 0.0 < top < math.inf:
-            raise SolverError(f"no scenario gives a speed of {body}; give --speeds, such as 0..3000rpm", INCONSISTENT)
+            raise SolverError(
+                f"no scenario gives a speed of {body}; give --speeds, such as 0..3000rpm", INCONSISTENT
+            )
         speeds = (0.0, top)
     operating = operating or ((min(reached), max(reached)) if reached else None)
     words = [word.strip() for word in (USUAL if orders is None else orders)]
@@ -111,7 +117,7 @@ def _first_rotating(model: Model) -> str:
     raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
 
 
-def _speeds_of_scenarios(system: System, scenario: str | None, body: str) -> list[float]:
+def speeds_of_scenarios(system: System, scenario: str | None, body: str) -> list[float]:
     """Highest speeds of the body in the scenario, or in all scenarios [rad/s]."""
     from pitchpoint.report.statics import highest_of_scenario, model_of
 

@@ -92,10 +92,11 @@ def picture_of(figure: go.Figure, kind: str) -> bytes:
     from playwright.sync_api import Error, sync_playwright
 
     program = _browser(kind)
+    height = int(figure.layout.height or 480)
     options = {
         "format": kind.removeprefix("."),
         "width": WIDTH,
-        "height": int(figure.layout.height or 480),
+        "height": height,
         "scale": 2 if kind == ".png" else 1,
     }
     page_text = f"<!DOCTYPE html><body>{figure.to_html(full_html=False, include_plotlyjs=True)}</body>"
@@ -106,7 +107,7 @@ def picture_of(figure: go.Figure, kind: str) -> bytes:
             browser = playwright.chromium.launch(
                 executable_path=program, args=FLAGS.split(), chromium_sandbox=not root
             )
-            page = browser.new_page(viewport={"width": WIDTH, "height": options["height"]})
+            page = browser.new_page(viewport={"width": WIDTH, "height": height})
             page.set_content(page_text)
             address = str(page.evaluate(script))
             browser.close()

@@ -153,10 +153,16 @@ def follow_modes(
         for s, v, z in zip(omega, values, shapes, strict=True)
     )
     words = tuple(tuple(whirl_words(e)) for e in energies)
-    rest = energies_of(motions, at_rest, 1j * modes.modes.omega[:n], np.zeros(n), 0.0 * senses)
+    rest = energies_of(
+        motions, at_rest, (1j * modes.modes.omega[:n]).astype(np.complex128), np.zeros(n), 0.0 * senses
+    )
     named = base_names(own, motions, modes.modes.omega[:n], at_rest, rest)
     turning = [row for s, row in zip(omega, words, strict=True) if s != 0.0]
-    usual = [Counter(row[k] for row in reversed(turning)).most_common(1)[0][0] for k in range(n)] if turning else None
+    usual = (
+        [Counter(row[k] for row in reversed(turning)).most_common(1)[0][0] for k in range(n)]
+        if turning
+        else None
+    )
     return Campbell(
         body=body,
         speed=omega,
@@ -194,7 +200,12 @@ def _branches(
 
 
 def _step(
-    modes: WhirlModes, M: Array, before: float | None, speed: float, last: NDArray[np.complex128], divisions: int
+    modes: WhirlModes,
+    M: Array,
+    before: float | None,
+    speed: float,
+    last: NDArray[np.complex128],
+    divisions: int,
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Follow the modes to a speed; a step over which a shape changes too much is divided."""
     values, z = modes.solve(speed)
@@ -213,12 +224,12 @@ def _character(
 ) -> NDArray[np.int64]:
     """Branch whose shape at rest is most similar, shape (n_speed, n); modes of one pair count together."""
     found = np.tile(np.arange(len(at_rest)), (len(shapes), 1))
+    if not kinds:
+        return found
     listed = list(dict.fromkeys(kinds))
     first = np.array([kinds.index(kind) for kind in listed], np.int64)
-    member = np.array([[kind == own for own in kinds] for kind in listed], float).reshape(-1, len(kinds))
+    member = np.array([[kind == own for own in kinds] for kind in listed], float)
     for s, z in enumerate(shapes):
-        if not len(listed):
-            break
         share = member @ (np.abs(at_rest @ M @ z.T) ** 2)
         best = share.argmax(axis=0)
         own = np.array([listed.index(kind) for kind in kinds])

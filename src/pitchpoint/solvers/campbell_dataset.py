@@ -151,7 +151,12 @@ def _of_modes(found: Campbell) -> Rows:
         "damping_ratio": (both, found.damping_ratio, *RATIO),
         "whirl": (both, np.array(found.whirl, dtype=object).reshape(sizes), "", "whirl of the shafts"),
         "whirl_index": (both, found.whirl_index, "1", "whirl: 1 forward, 0 planar, -1 backward"),
-        "character": (both, found.character + 1, "1", "number of the mode with the most similar shape at rest"),
+        "character": (
+            both,
+            found.character + 1,
+            "1",
+            "number of the mode with the most similar shape at rest",
+        ),
         "strain_to_kinetic": (both, over([e.strain_ratio for e in each]), "1", "strain over kinetic energy"),
         "gyroscopic_share": (both, over([e.gyroscopic for e in each]), "1", "gyroscopic over kinetic energy"),
         "strain_share": (
@@ -208,5 +213,10 @@ def _of_crossings(critical: Sequence[CriticalSpeed], operating: tuple[float, flo
     if operating is not None:
         if max(map(abs, operating)) == 0.0:
             raise SolverError("operating: the operating speed is zero; give a speed above 0", INCONSISTENT)
-        rows["crossing_separation"] = (one, separation(speed, operating), "1", "distance from the operating speed")
+        rows["crossing_separation"] = (
+            one,
+            separation(speed, operating),
+            "1",
+            "distance from the operating speed",
+        )
     return rows

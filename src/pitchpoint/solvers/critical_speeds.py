@@ -133,7 +133,10 @@ def _solve(
 ) -> tuple[float, complex, NDArray[np.complex128]]:
     """Speed, eigenvalue and shape at a crossing: secant steps on the mode followed from the closer point."""
     ends = [float(found.speed[k]) for k in at]
-    away = [float(found.frequency[k, mode]) - order * abs(s) / (2.0 * np.pi) for k, s in zip(at, ends, strict=True)]
+    away = [
+        float(found.frequency[k, mode]) - order * abs(s) / (2.0 * np.pi)
+        for k, s in zip(at, ends, strict=True)
+    ]
     near = 0 if abs(away[0]) < abs(away[1]) else 1
     value, shape = complex(found.eigenvalue[at[near], mode]), found.shape[at[near], mode]
     slope = (away[1] - away[0]) / (ends[1] - ends[0])
@@ -186,7 +189,9 @@ def driven_by(groups: Groups, energies: Energies, k: int, order: Order) -> tuple
     """
     strain: Array = energies.strain[k]
     names = [name.partition(" ")[2] for name in groups.components]
-    teeth = float(sum(strain[e] for e, kind in enumerate(groups.kinds) if kind == MESH and names[e] in order.meshes))
+    teeth = float(
+        sum(strain[e] for e, kind in enumerate(groups.kinds) if kind == MESH and names[e] in order.meshes)
+    )
     if order.kind in (MESH, SIDEBAND):
         return ERROR, teeth
     if order.kind == SHAFT:

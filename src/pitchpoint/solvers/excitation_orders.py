@@ -6,7 +6,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -134,9 +134,9 @@ def _read(chosen: Sequence[str]) -> tuple[list[int], list[int], int, list[float]
     return sorted(set(shafts)), sorted(set(meshes)), bands, more
 
 
-def _grouped(rows: Sequence[tuple[str, float, tuple]]) -> list[tuple[str, float, tuple]]:  # type: ignore[type-arg]
+def _grouped(rows: Sequence[tuple[str, float, tuple[Any, ...]]]) -> list[tuple[str, float, tuple[Any, ...]]]:
     """Rows of equal value as one, with a common name; values of zero are omitted."""
-    groups: list[list[tuple[str, float, tuple]]] = []  # type: ignore[type-arg]
+    groups: list[list[tuple[str, float, tuple[Any, ...]]]] = []
     for row in rows:
         if row[1] <= EQUAL:
             continue

@@ -55,6 +55,8 @@ class Groups:
         Component of each element.
     kinds
         Kind of each component: `mesh`, or the first word of its name.
+    springs
+        Whether each component is a spring, unlike weight and other loads.
     ends
         Parts connected by each component, without ground.
     """
@@ -68,6 +70,7 @@ class Groups:
     components: tuple[str, ...]
     component: tuple[int, ...]
     kinds: tuple[str, ...]
+    springs: tuple[bool, ...]
     ends: tuple[tuple[int, ...], ...]
 
 
@@ -107,6 +110,10 @@ def groups_of(system: System, parts: Parts) -> Groups:
         components=listed_components,
         component=tuple(place[label] for label in labels),
         kinds=tuple(kinds[first[label]] for label in listed_components),
+        springs=tuple(
+            parts.kinds[k] != ROTATION and registry.find(parts.kinds[k]).names_modes
+            for k in (first[label] for label in listed_components)
+        ),
         ends=tuple(ends[first[label]] for label in listed_components),
     )
 
@@ -124,8 +131,7 @@ def _mounted(system: System) -> set[int]:
     return {
         b
         for b in range(1, len(body))
-        if b not in meshed
-        and ((spin := int(body[b]["spin"])) in held or (spin not in free and b in carries))
+        if b not in meshed and ((spin := int(body[b]["spin"])) in held or (spin not in free and b in carries))
     }
 
 

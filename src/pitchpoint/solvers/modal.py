@@ -30,7 +30,15 @@ from pitchpoint.solvers.body_shapes import DIRECTIONS, base_momenta, body_motion
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.linear_system import Linearised, damped_modes, linearise, lowest
 from pitchpoint.solvers.machine_groups import Groups
-from pitchpoint.solvers.mode_energies import WAYS, Energies, energies_of, gyroscopic_terms, motions_of, senses_of, whirl_index, whirl_words
+from pitchpoint.solvers.mode_energies import (
+    WAYS,
+    Energies,
+    energies_of,
+    gyroscopic_terms,
+    motions_of,
+    senses_of,
+    whirl_words,
+)
 from pitchpoint.solvers.mode_names import base_names, full_names
 from pitchpoint.solvers.stiffness_parts import Array, Parts
 from pitchpoint.system import evaluate
@@ -192,10 +200,14 @@ def find_modes(
     motions = motions_of(own, linear.state, parts)
     senses = senses_of(motions, linear.state.v)
     energies = energies_of(
-        motions, complex_shapes, np.where(omega == 0.0, 0.0, values[:n]), gyroscopic_terms(complex_shapes, linear.D), senses
+        motions,
+        complex_shapes,
+        np.where(omega == 0.0, 0.0, values[:n]),
+        gyroscopic_terms(complex_shapes, linear.D),
+        senses,
     )
     whirls = whirl_words(energies)
-    at_rest = energies_of(motions, shapes, 1j * omega, 0.0 * omega, 0.0 * senses)
+    at_rest = energies_of(motions, shapes, (1j * omega).astype(np.complex128), 0.0 * omega, 0.0 * senses)
     names = full_names(base_names(own, motions, omega, shapes, at_rest), whirls)
     factors, masses = participation(base_momenta(own, linear.state, shapes))
     moved = body_motions(own, linear.state, shapes)
@@ -288,7 +300,12 @@ def solve_modal(
         "damped_shape_real": (by_coordinate, m.damped_shape.real, "1", "damped shape, real part"),
         "damped_shape_imag": (by_coordinate, m.damped_shape.imag, "1", "damped shape, imaginary part"),
         "coordinate_share": (by_coordinate, m.kinetic, "1", "share of a coordinate in the kinetic energy"),
-        "potential_share": (("mode", "element"), m.potential, "1", "share of an element in the strain energy"),
+        "potential_share": (
+            ("mode", "element"),
+            m.potential,
+            "1",
+            "share of an element in the strain energy",
+        ),
         "participation": (("mode", "direction"), m.participation, "1", "participation factor, SI units"),
         "effective_mass": (("mode", "direction"), m.effective_mass, "1", "effective mass [kg, kg m^2]"),
         "body_shape": (("mode", "body", "direction"), m.body_shape, "1", "motion of the bodies [m, rad]"),

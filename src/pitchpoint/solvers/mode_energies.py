@@ -131,7 +131,10 @@ def motions_of(system: System, state: State, parts: Parts) -> Motions:
 def _in_body_axes(system: System, state: State, shapes: Array, axes: Array) -> tuple[Array, Array]:
     """Twists and inertia wrenches for real shapes (n, nd), shape (n, nb, 6) each."""
     shape = (len(shapes), len(axes), 2, 3)
-    found = (body_motions(system, state, shapes).reshape(shape), inertia_wrenches(system, state, shapes).reshape(shape))
+    found = (
+        body_motions(system, state, shapes).reshape(shape),
+        inertia_wrenches(system, state, shapes).reshape(shape),
+    )
     one, two = (np.einsum("bji,nbkj->nbki", axes, x).reshape(len(shapes), -1, 6) for x in found)
     return one, two
 
@@ -178,9 +181,7 @@ def energies_of(
     )
 
 
-def _kinetic(
-    groups: Groups, z: Complex, M: Array, twist: Complex, wrench: Complex
-) -> tuple[Array, Array]:
+def _kinetic(groups: Groups, z: Complex, M: Array, twist: Complex, wrench: Complex) -> tuple[Array, Array]:
     """z^H M_b z by part and direction, shape (n, parts, 4), and their sum (n,)."""
     found = np.zeros((len(z), len(groups.parts), len(WAYS)))
     each = (twist.conj() * wrench).real
@@ -229,9 +230,7 @@ def whirl_index(energies: Energies) -> Array:
     """
     ahead, back = energies.forward.sum(axis=1), energies.backward.sum(axis=1)
     both = ahead + back
-    return np.asarray(
-        np.divide(ahead - back, both, out=np.full(len(both), np.nan), where=both > LATERAL)
-    )
+    return np.asarray(np.divide(ahead - back, both, out=np.full(len(both), np.nan), where=both > LATERAL))
 
 
 def whirl_words(energies: Energies) -> list[str]:

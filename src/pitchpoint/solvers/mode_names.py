@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from pitchpoint.system.system import System
 
 Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 MAIN = 0.5
 """Share of the energy from which a planetary set, a mesh or an elastic body names a mode."""
@@ -78,7 +79,9 @@ class _Named:
         return self.plane is not None or self.multiple
 
 
-def base_names(system: System, motions: Motions, omega: Array, shapes: Array, energies: Energies) -> list[_Named]:
+def base_names(
+    system: System, motions: Motions, omega: Array, shapes: Array, energies: Energies
+) -> list[_Named]:
     """Names of undamped modes at rest in ascending order, without the direction of whirl.
 
     Parameters
@@ -191,7 +194,7 @@ class _Namer:
             if part >= 0:
                 self.moved_by[carried, part] = 1.0
 
-    def name(self, k: int, rigid: bool, twist: Array, wrench: Array) -> _Named:
+    def name(self, k: int, rigid: bool, twist: Complex, wrench: Complex) -> _Named:
         """Name of mode k."""
         kinetic = np.einsum("ab,bw->aw", self.moved_by, self.energies.kinetic[k])
         strain = np.abs(self.energies.strain[k])
@@ -231,14 +234,16 @@ class _Namer:
         names = [self.groups.components[e].partition(" ")[2] for e in sorted(chosen)]
         return " and ".join(names) if len(names) <= FEW else f"{names[0]} and {len(names) - 1} more"
 
-    def _motion(self, kinetic: Array, strain: Array, twist: Array, wrench: Array) -> _Named:
+    def _motion(self, kinetic: Array, strain: Array, twist: Complex, wrench: Complex) -> _Named:
         """Name from the largest motion."""
         rotating = np.array(self.groups.rotates)
         torsion = float(kinetic[rotating, 2].sum())
         others = kinetic[:, :2].copy()
         others[~rotating] = 0.0
         still = np.where(rotating, 0.0, kinetic[:, :3].sum(axis=1))
-        part, way = (int(k) for k in np.unravel_index(np.argmax(others), others.shape)) if others.size else (0, 0)
+        part, way = (
+            (int(k) for k in np.unravel_index(np.argmax(others), others.shape)) if others.size else (0, 0)
+        )
         lateral = float(others[part, way]) if others.size else 0.0
         fixed = int(np.argmax(still)) if still.size else 0
         if torsion >= max(lateral, float(still.max(initial=0.0))):
@@ -254,7 +259,7 @@ class _Namer:
         """Bodies that move with a part."""
         return [b for b, own in enumerate(self.groups.carried) if own == part]
 
-    def _lateral(self, part: int, strain: Array, twist: Array, wrench: Array) -> _Named:
+    def _lateral(self, part: int, strain: Array, twist: Complex, wrench: Complex) -> _Named:
         """Bending of a shaft, or its translation or tilting."""
         name, bodies = self.groups.parts[part], self._bodies(part)
         axes = self.motions.axes[bodies[0]]
@@ -278,7 +283,7 @@ class _Namer:
         word = "translation" if mean >= MAIN * own else "tilting"
         return _Named(f"{word} of {name}", False, plane, mark=mark)
 
-    def _torsion(self, kinetic: Array, strain: Array, twist: Array, wrench: Array) -> str:
+    def _torsion(self, kinetic: Array, strain: Array, twist: Complex, wrench: Complex) -> str:
         """Parts that rotate against each other, relative to the ratios of their train."""
         groups = self.groups
         each = (twist[:, 5].conj() * wrench[:, 5]).real
@@ -301,7 +306,9 @@ class _Namer:
             return f"torsion of {groups.parts[pair[0]]} against {groups.parts[pair[1]]}"
         part = groups.carried[lead]
         e = int(np.argmax(strain)) if strain.size else -1
-        held = e >= 0 and groups.kinds[e] != SHAFT and len(groups.ends[e]) < 2
+        if e < 0 or not groups.springs[e]:
+            return f"rotation of {groups.parts[part]}"
+        held = groups.kinds[e] != SHAFT and len(groups.ends[e]) < 2
         return f"torsion of {groups.parts[part]}" + (" against ground" if held else "")
 
     def _rates(self, spin: int) -> Array:
@@ -311,21 +318,19 @@ class _Namer:
             self.trains[spin] = self.motions.of(train[None])[0][0, :, 5].real
         return self.trains[spin]
 
-    def _of_housing(self, part: int, twist: Array, wrench: Array) -> str:
+    def _of_housing(self, part: int, twist: Complex, wrench: Complex) -> str:
         """Motion of a body that does not rotate: the world axis of its largest motion."""
         bodies = self._bodies(part)
         energy = np.zeros(6)
         for b in bodies:
-            one, two = (
-                (x[b].reshape(2, 3) @ self.motions.axes[b].T).reshape(6) for x in (twist, wrench)
-            )
+            one, two = ((x[b].reshape(2, 3) @ self.motions.axes[b].T).reshape(6) for x in (twist, wrench))
             energy += (one.conj() * two).real
         way = int(np.argmax(energy))
         word = "translation" if way < 3 else "rotation"
         return f"{word} {'xyz'[way % 3]} of {self.groups.parts[part]}"
 
 
-def _main_direction(twist: Array, each: Array) -> Array:
+def _main_direction(twist: Complex, each: Array) -> Array:
     """Direction of the largest lateral motion of bodies, unit vector in their axes, shape (3,).
 
     Tilt counts as the lateral motion that it causes: a rotation about x moves the shaft along y.

@@ -103,9 +103,7 @@ def _angles(planets: list[int], body: int, place: Array, axes: Array) -> Array |
     return angles if alike and even else None
 
 
-def _set(
-    system: System, groups: Groups, planets: list[int], angles: Array, central: list[int]
-) -> PlanetSet:
+def _set(system: System, groups: Groups, planets: list[int], angles: Array, central: list[int]) -> PlanetSet:
     """Set with its carrier: the parent of all planets, or a body connected to each of them."""
     near = [{int(system.program["body"][p]["parent"])} for p in planets]
     for records in system.records.values():
@@ -125,9 +123,7 @@ def _set(
     )
 
 
-def type_of_mode(
-    planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: Array
-) -> tuple[str, float]:
+def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: Array) -> tuple[str, float]:
     """Type of a mode of a set ("" if mixed), and the share of the set in its kinetic energy.
 
     Parameters

@@ -144,7 +144,7 @@ class WhirlModes:
         count = int(np.sum(omega != 0.0))
         if int(upper.sum()) < count:
             return None  # overdamped modes are left to the whole system
-        values, vectors = values[upper] * unit, vectors[:n, upper]
+        values, vectors = np.asarray(values[upper] * unit, np.complex128), vectors[:n, upper]
         order = np.argsort(np.abs(values))[:count]
         values, z = values[order], normalised((V @ vectors[:, order]).T, system.at_rest.M)
         if not self._accurate(system, values, z):
@@ -210,8 +210,7 @@ def _quadratic(
         """Interpolation between three speeds."""
         x = (speed - low) / (high - low)
         shares = np.array([(2.0 * x - 1.0) * (x - 1.0), 4.0 * x * (1.0 - x), x * (2.0 * x - 1.0)])
-        own = (np.tensordot(shares, A, axes=1) for A in (D, K))
-        return replace(linear, **dict(zip("DK", own, strict=True)))
+        return replace(linear, D=np.tensordot(shares, D, axes=1), K=np.tensordot(shares, K, axes=1))
 
     for share in (0.23, 0.81):
         speed = low + share * (high - low)

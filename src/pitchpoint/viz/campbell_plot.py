@@ -78,7 +78,14 @@ def plot_campbell(
     figure.update_layout(
         height=HEIGHT + top,
         margin={"l": 64, "r": right, "t": LEGEND + top, "b": BOTTOM},
-        legend={"orientation": "h", "x": 0, "y": 1.0, "yanchor": "top", "yref": "container", "font": {"size": 11}},
+        legend={
+            "orientation": "h",
+            "x": 0,
+            "y": 1.0,
+            "yanchor": "top",
+            "yref": "container",
+            "font": {"size": 11},
+        },
     )
     figure.update_xaxes(range=[x * revolutions.factor for x in wide], showgrid=False)
     figure.update_yaxes(range=[y * pitch.factor for y in high], showgrid=False, zeroline=False)
@@ -200,7 +207,9 @@ def _critical(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
     for rank, c in enumerate(ranked_speeds(diagram), start=1):
         if not place.inside(c.speed, c.frequency):
             continue
-        here = np.array([place.along(c.speed) * WIDTH, place.across(c.frequency) * (HEIGHT - BOTTOM - LEGEND)])
+        here = np.array(
+            [place.along(c.speed) * WIDTH, place.across(c.frequency) * (HEIGHT - BOTTOM - LEGEND)]
+        )
         clear = rank <= NUMBERED and not (np.abs(taken - here) < APART).all(axis=1).any()
         texts.append(str(rank) if clear else "")
         taken = np.vstack([taken, here]) if clear else taken
