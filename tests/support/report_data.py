@@ -179,7 +179,7 @@ def campbell(
     orders: Mapping[str, tuple[float, str]] | None = None,
     operating: tuple[float, float] | None = None,
 ) -> xr.Dataset:
-    """Campbell diagram as of `solve_campbell`: constant frequencies [Hz] by mode, orders and kinds by name."""
+    """Campbell diagram as of `solve_campbell`: frequencies [Hz] by mode, orders and kinds by name."""
     speed = np.linspace(0.0, 400.0, 21)
     modes = {"mesh mode of stage": 2958.0} if modes is None else modes
     orders = orders or {"mesh stage": (50.0, "mesh"), "2× mesh stage": (100.0, "mesh")}

@@ -30,14 +30,18 @@ TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
 @click.option(
     "--body", metavar="NAME", help="Body of the speed; default: the first that rotates and has a gear."
 )
-@quantities("--speeds", "angular_speed", "LOW..HIGH", "Speeds of the body, such as 300..7200rpm; default: from "
-            "zero to 1.2 times the highest speed of the scenarios.")  # fmt: skip
+@quantities(
+    "--speeds",
+    "angular_speed",
+    "LOW..HIGH",
+    "Speeds of the body, such as 300..7200rpm; default: from zero to 1.2 times the highest of the scenarios.",
+)
 @click.option("--points", type=click.IntRange(min=2), default=41, help="Number of speeds.", show_default=True)
 @click.option(
     "--orders",
     metavar="LIST",
-    help="Excitation orders, separated by commas: 1x, 2x (of every shaft), mesh, 2mesh, sidebands, 2sidebands, "
-    "bearings (fault frequencies), numbers. Default: 1x,2x,mesh,2mesh,sidebands.",
+    help="Excitation orders, separated by commas: 1x, 2x (of every shaft), mesh, 2mesh, sidebands, "
+    "2sidebands, bearings (fault frequencies), numbers. Default: 1x,2x,mesh,2mesh,sidebands.",
 )
 @click.option(
     "--modes", metavar="SELECTION", help="The lowest N modes, modes A..B, or modes with a text in their name."
@@ -45,8 +49,12 @@ TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
 @quantities(
     "--frequency", "frequency", "LOW..HIGH", "Frequencies, such as 0..2kHz; default: those of the modes."
 )
-@quantities("--operating", "angular_speed", "LOW..HIGH", "Operating speeds of the body, for the separation of "
-            "critical speeds; default: those of the scenarios.")  # fmt: skip
+@quantities(
+    "--operating",
+    "angular_speed",
+    "LOW..HIGH",
+    "Operating speeds of the body, for the separation of critical speeds; default: those of the scenarios.",
+)
 @writes("--plot", metavar="FILE", help="Write the diagram (html, svg, png).")
 @writes("--table", "csv", metavar="CSV", help="Write all critical speeds, with those of sidebands.")
 @output("Result file (netCDF-4/HDF5); default: none.")

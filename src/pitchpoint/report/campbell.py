@@ -48,7 +48,7 @@ def campbell_of(
     model, scenario
         The model, and the name of the scenario with loads and operating speed.
     body
-        Body of the speed; default: the first that rotates and has a gear in mesh, else the first that rotates.
+        Body of the speed; default: the first rotating one with a gear in mesh, else the first rotating one.
     speeds, points
         Range of its speeds [rad/s], default from zero to 1.2 times the highest speed of the scenario or of
         all scenarios; number of speeds.

@@ -260,9 +260,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         what = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
-            "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief or "
-            "sweep_speed, "
-            "or the name of a result file"
+            "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief "
+            "or sweep_speed, or the name of a result file"
         )
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
 

@@ -34,7 +34,7 @@ def check_picture(path: str | os.PathLike[str]) -> Path:
     Raises
     ------
     PitchpointError
-        If the extension is not one of `FORMATS`, or SVG and PNG cannot be made because the browser is missing.
+        If the extension is not one of `FORMATS`, or the browser for SVG and PNG is missing.
     """
     target = Path(path)
     if target.suffix.lower() not in FORMATS:
@@ -122,7 +122,7 @@ def _browser(kind: str) -> str:
     program = next(filter(None, map(shutil.which, BROWSERS)), None)
     if program is None or importlib.util.find_spec("playwright") is None:
         raise PitchpointError(
-            f"a {kind.removeprefix('.')} file requires Chromium and Playwright (pip install 'pitchpoint[film]'); "
-            "write an html page instead, whose menu saves pictures"
+            f"a {kind.removeprefix('.')} file requires Chromium and Playwright (pip install "
+            "'pitchpoint[film]'); write an html page instead, whose menu saves pictures"
         )
     return program

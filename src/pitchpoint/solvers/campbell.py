@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The linear system at other speeds, and modes followed over the speed.
 
-A branch is a continuous curve: from speed to speed, each mode becomes the one with the most similar shape (modal
-assurance criterion [1]_). Where two branches veer, they exchange their shapes. A branch keeps its number and
-name, which come from its shape at rest with the direction in which it whirls at most speeds; `character`
-states at every speed which name its shape fits best.
+A branch is a continuous curve: from speed to speed, each mode becomes the one with the most similar shape
+(modal assurance criterion [1]_). Where two branches veer, they exchange their shapes. A branch keeps its
+number and name, which come from its shape at rest with the direction in which it whirls at most speeds;
+`character` states at every speed which name its shape fits best.
 
 References
 ----------

@@ -2,14 +2,14 @@
 """Critical speeds: crossings of branches and excitation orders, with what drives them, ranked.
 
 Crossings of the computed points are solved again at the speed of the crossing. They are ranked by the
-amplification at resonance, X/((T + V) zeta), with the kinetic energy T, strain energy V and damping ratio zeta
-of the mode, and the energy X where the order acts. It follows from the response of a lightly damped mode z to
-a force f, amplitude z (z^H f)/((2 i omega z^H M z + z^H D z)(i Omega - lambda)), where the first factor is 4 i (T +
-V)/omega:
+amplification at resonance, X/((T + V) zeta), with the kinetic energy T, strain energy V and damping ratio
+zeta of the mode, and the energy X where the order acts. It follows from the response of a lightly damped mode
+z to a force f, with the amplitude z (z^H f)/((2 i omega z^H M z + z^H D z)(i Omega - lambda)), whose first
+factor is 4 i (T + V)/omega:
 
-* transmission error e of a mesh of stiffness k: f = k e in the mesh, so that its deflection is u = e V_m/((T +
-  V) zeta) with the strain energy V_m of the mesh;
-* eccentricity e of the mass of a shaft: f = m e Omega^2, so that its forward whirl is u = e T_f/((T + V) zeta) with
+* transmission error e of a mesh of stiffness k: f = k e in the mesh; its deflection is u = e V_m/((T + V)
+  zeta) with the strain energy V_m of the mesh;
+* eccentricity e of the mass of a shaft: f = m e Omega^2; its forward whirl is u = e T_f/((T + V) zeta) with
   the kinetic energy T_f of the forward whirl. The distribution of the unbalance along the shaft is the most
   unfavourable one, as are the phases of several meshes of one frequency.
 

@@ -119,7 +119,7 @@ def groups_of(system: System, parts: Parts) -> Groups:
 
 
 def _mounted(system: System) -> set[int]:
-    """Bodies that do not rotate: on mounts, or held against rotation and with the bearings of other bodies."""
+    """Bodies that do not rotate: on mounts, or held against rotation with bearings of other bodies."""
     body = system.program["body"]
     meshed = {int(r[end]) for r in mesh_records(system) for end in "ij"}
     held, free = set(resisted_spins(system)), turning_spins(system)

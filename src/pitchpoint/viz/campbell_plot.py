@@ -138,7 +138,8 @@ def _modes(
             legendgroup=legend,
             showlegend=way not in shown,
             line={"color": colour, "width": 2},
-            hovertemplate=f"{name}<br>%{{x:.5g}} {place.revolutions.unit}, %{{y:.5g}} {place.pitch.unit}<extra></extra>",
+            hovertemplate=f"{name}<br>%{{x:.5g}} {place.revolutions.unit}, "
+            f"%{{y:.5g}} {place.pitch.unit}<extra></extra>",
         )
         shown.add(way)
         end = float(np.interp(place.speed[1], omega, curves[:, k]))
