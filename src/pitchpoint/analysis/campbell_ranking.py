@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Ranked critical speeds of a Campbell diagram: sidebands beside their mesh order, selection of modes."""
+"""Ranked critical speeds of a Campbell diagram: sidebands with their mesh order, selection of modes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 SIDEBAND = "sideband"
-"""Kind of the orders that are listed beside their mesh order."""
+"""Kind of the orders that are listed with their mesh order."""
 LEAST = 1e-3
 """Least participation of a listed critical speed."""
 
@@ -82,19 +82,19 @@ def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpee
         if "crossing_separation" in diagram
         else np.full(len(speeds), np.nan)
     )
-    beside: dict[tuple[str, int], list[float]] = {}
+    bands_of: dict[tuple[str, int], list[float]] = {}
     whole = {(order, int(mode)) for order, mode in zip(orders, modes, strict=True)}
     listed = []
     for k, (order, mode) in enumerate(zip(orders, modes, strict=True)):
         base = _mesh_of(order) if kinds.get(order) == SIDEBAND else ""
         if base and (base, int(mode)) in whole:
-            beside.setdefault((base, int(mode)), []).append(float(speeds[k]))
+            bands_of.setdefault((base, int(mode)), []).append(float(speeds[k]))
         elif float(diagram["crossing_participation"].values[k]) >= least:
             listed.append(k)
     words = {name: _texts(diagram, f"crossing_{name}") for name in ("whirl", "source")}
     found = []
     for k in listed:
-        bands = beside.get((orders[k], int(modes[k])), [])
+        bands = bands_of.get((orders[k], int(modes[k])), [])
         found.append(
             RankedSpeed(
                 index=k,

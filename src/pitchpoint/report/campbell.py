@@ -19,7 +19,6 @@ if TYPE_CHECKING:
 
     from pitchpoint.io.container import Header
     from pitchpoint.model.model import Model
-    from pitchpoint.system.system import System
 
 BEARINGS = "bearings"
 """Word for the orders of the faults of all rolling bearings."""
@@ -66,7 +65,7 @@ def campbell_of(
     SolverError
         If nothing rotates, or as for `solve_campbell`.
     """
-    from pitchpoint.report.statics import highest_speed, reference_body
+    from pitchpoint.report.statics import highest_speed, reference_body, speeds_of_scenarios
     from pitchpoint.solvers.campbell import follow_modes
     from pitchpoint.solvers.campbell_dataset import campbell_dataset
     from pitchpoint.solvers.excitation_orders import USUAL
@@ -115,16 +114,6 @@ def _first_rotating(model: Model) -> str:
         if body.moves != "fixed" and seat is not None and "spin" in seat.coordinates:
             return name
     raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
-
-
-def speeds_of_scenarios(system: System, scenario: str | None, body: str) -> list[float]:
-    """Highest speeds of the body in the scenario, or in all scenarios [rad/s]."""
-    from pitchpoint.report.statics import highest_of_scenario, model_of
-
-    known = model_of(system).scenarios
-    chosen = known.values() if scenario is None else [known[scenario]]
-    found = [highest_of_scenario(system, one, body) for one in chosen]
-    return [speed for speed in found if speed > 0.0]
 
 
 def _bearing_orders(model: Model, body: str) -> dict[str, float]:

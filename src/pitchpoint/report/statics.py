@@ -157,7 +157,6 @@ def linear_parts(
     `before` is the number of completed work units reported to `progress`.
     """
     from pitchpoint.analysis.campbell_ranking import select_modes
-    from pitchpoint.report.campbell import speeds_of_scenarios
     from pitchpoint.solvers.campbell import follow_modes
     from pitchpoint.solvers.campbell_dataset import campbell_dataset
     from pitchpoint.solvers.linear_system import linearise
@@ -228,6 +227,14 @@ def highest_speed(system: System, body: str, frequency: Any) -> float:
     orders = mesh_orders(system, body_rates(system, body)).values()
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
     return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
+
+
+def speeds_of_scenarios(system: System, scenario: str | None, body: str) -> list[float]:
+    """Highest speeds of the body in the scenario, or in all scenarios [rad/s]."""
+    known = model_of(system).scenarios
+    chosen = known.values() if scenario is None else [known[scenario]]
+    found = [highest_of_scenario(system, one, body) for one in chosen]
+    return [speed for speed in found if speed > 0.0]
 
 
 def model_of(system: System) -> Model:

@@ -56,7 +56,7 @@ def solve_campbell(
     count
         Number of modes, the lowest at rest. Default: all of up to 24, otherwise the lowest 16.
     orders
-        `1x`, `2x` (shafts), `mesh`, `2mesh`, `sidebands` (one pair per gear beside every mesh order),
+        `1x`, `2x` (shafts), `mesh`, `2mesh`, `sidebands` (one pair per gear at every mesh order),
         `2sidebands`, numbers; default 1x, 2x, mesh, 2mesh, sidebands.
     more_orders
         Further orders per revolution of the body by name; `BPFO front` drives the rolling bearing `front`.

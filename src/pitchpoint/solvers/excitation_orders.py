@@ -75,7 +75,7 @@ def excitation_orders(
         Rates of all coordinates with the reference body at 1 rad/s.
     chosen
         `3x` for the third order of every shaft, `mesh` and `2mesh` for mesh harmonics, `sidebands` and
-        `2sidebands` for one and two pairs of sidebands per gear beside every chosen mesh harmonic, numbers.
+        `2sidebands` for one and two pairs of sidebands per gear at every chosen mesh harmonic, numbers.
     others
         Further orders by name, such as those of bearing faults.
 

@@ -74,8 +74,8 @@ class Groups:
     ends: tuple[tuple[int, ...], ...]
 
 
-SHAFT, BEAM = "shaft", "beam"
-"""First word of a component that is made of the beams of one shaft, and of the labels of the beams."""
+SHAFT = "shaft"
+"""First word of a component that is made of the beams of one shaft."""
 
 
 def groups_of(system: System, parts: Parts) -> Groups:
@@ -96,7 +96,8 @@ def groups_of(system: System, parts: Parts) -> Groups:
         for b in range(1, len(names))
         if (body[b]["spin"] >= 0 and (body[b]["n"] == 1 or b not in still)) or body[b]["spinner"]
     }
-    labels, kinds, ends = _components(parts, part, listed)
+    hidden = frozenset(modal_bodies(system, frames=True))
+    labels, kinds, ends = _components(parts, part, listed, hidden)
     listed_components = tuple(dict.fromkeys(labels))
     place = {label: k for k, label in enumerate(listed_components)}
     first = {label: e for e, label in reversed(list(enumerate(labels)))}
@@ -106,7 +107,7 @@ def groups_of(system: System, parts: Parts) -> Groups:
         carried=tuple(carried),
         moves=tuple(carried[part.index(k)] for k in range(len(listed))),
         rotates=tuple(k in spins for k in range(len(listed))),
-        hidden=frozenset(modal_bodies(system, frames=True)),
+        hidden=hidden,
         components=listed_components,
         component=tuple(place[label] for label in labels),
         kinds=tuple(kinds[first[label]] for label in listed_components),
@@ -119,7 +120,7 @@ def groups_of(system: System, parts: Parts) -> Groups:
 
 
 def _mounted(system: System) -> set[int]:
-    """Bodies that do not rotate: on mounts, or held against rotation with bearings of other bodies."""
+    """Bodies that do not rotate: on mounts, or held in rotation and with bearings of other bodies."""
     body = system.program["body"]
     meshed = {int(r[end]) for r in mesh_records(system) for end in "ij"}
     held, free = set(resisted_spins(system)), turning_spins(system)
@@ -136,14 +137,14 @@ def _mounted(system: System) -> set[int]:
 
 
 def _components(
-    parts: Parts, part: Sequence[int], names: Sequence[str]
+    parts: Parts, part: Sequence[int], names: Sequence[str], hidden: frozenset[int]
 ) -> tuple[list[str], list[str], list[tuple[int, ...]]]:
     """Label, kind and connected parts of the component of each element."""
     labels, kinds, ends = [], [], []
     for label, kind, pair in zip(parts.elements, parts.kinds, parts.bodies, strict=True):
         own = tuple(dict.fromkeys(part[b] for b in pair if b))
         word = label.partition(" ")[0]
-        if word == BEAM and pair.all() and len(own) == 1:
+        if pair.all() and len(own) == 1 and hidden.isdisjoint(pair.tolist()):
             label, word = f"{SHAFT} {names[own[0]]}", SHAFT
         elif kind != ROTATION and registry.find(kind).role == MESH:
             word = MESH

@@ -69,11 +69,11 @@ def plot_campbell(
         revolutions.title(f"speed of {diagram.attrs.get('body', '')}".rstrip()), pitch.title("frequency")
     )
     place = _Places(wide, high, revolutions, pitch)
-    beside, above = _orders(figure, diagram, place)
-    beside = _modes(figure, omega, curves, names, place) + beside
+    at_right, above = _orders(figure, diagram, place)
+    at_right = _modes(figure, omega, curves, names, place) + at_right
     _operating(figure, diagram, place)
     _critical(figure, diagram, place)
-    right = _beside(figure, beside, place)
+    right = _at_the_right(figure, at_right, place)
     top = _above(figure, above)
     figure.update_layout(
         height=HEIGHT + top,
@@ -152,7 +152,7 @@ def _orders(
     figure: go.Figure, diagram: xr.Dataset, place: _Places
 ) -> tuple[list[tuple[float, str, str]], list[tuple[float, str]]]:
     """Lines of the orders that enter the plot; returns the names at its right edge and above it."""
-    beside, above = [], []
+    at_right, above = [], []
     shown: set[bool] = set()
     values = np.asarray(diagram["excitation_order"].values, dtype=np.float64)
     kinds = [str(kind) for kind in diagram["excitation_kind"].values]
@@ -178,10 +178,10 @@ def _orders(
         if band:
             continue
         if end == place.speed[1]:
-            beside.append((per * end, name, theme.LIGHT["soft"]))
+            at_right.append((per * end, name, theme.LIGHT["soft"]))
         else:
             above.append((place.along(end), name))
-    return beside, above
+    return at_right, above
 
 
 def _operating(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
@@ -237,7 +237,7 @@ def _critical(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
     )
 
 
-def _beside(figure: go.Figure, listed: Sequence[tuple[float, str, str]], place: _Places) -> int:
+def _at_the_right(figure: go.Figure, listed: Sequence[tuple[float, str, str]], place: _Places) -> int:
     """Names right of the plot, a line of text apart, with leader lines; returns the width of the margin."""
     if not listed:
         return 16

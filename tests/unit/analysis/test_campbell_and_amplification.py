@@ -34,7 +34,7 @@ def test_crossing_on_a_sample_counts_once_and_gaps_do_not_cross() -> None:
 
 
 def test_crossings_have_the_names_of_their_orders_and_damping() -> None:
-    """f = 40 + w^2/2000 against w/pi: w^2 - 2000 w/pi + 8e4 = 0; chords would be 0.1 Hz off at 25 rad/s steps."""
+    """f = 40 + w^2/2000 against w/pi: w^2 - 2000 w/pi + 8e4 = 0; 0.1 Hz off with chords."""
     speed = np.arange(0.0, 301.0, 25.0)
     curve = (40.0 + speed**2 / 2000.0)[:, None]
     (one,) = campbell_crossings(speed, curve, {"2x": 2.0}, 0.01 + curve / 1e4)

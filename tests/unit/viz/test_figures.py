@@ -65,11 +65,11 @@ def test_names_of_a_campbell_diagram_never_overlap() -> None:
     modes = {f"mode {k}": 100.0 + 0.1 * k for k in range(12)} | {"high": 1000.0}
     orders = {f"{k}× shaft": (float(k), "shaft") for k in (1, 2, 50, 51, 52)}
     figure = plot_campbell(campbell(modes, orders))
-    beside = [a for a in figure.layout.annotations if a.x == 1 and a.text]
-    assert {a.text for a in beside} >= set(modes)
+    right = [a for a in figure.layout.annotations if a.x == 1 and a.text]
+    assert {a.text for a in right} >= set(modes)
     low, high = figure.layout.yaxis.range
     room = 560 - 48 - 34
-    shown = sorted(room * (a.y - low) / (high - low) - a.ay for a in beside)
+    shown = sorted(room * (a.y - low) / (high - low) - a.ay for a in right)
     assert np.diff(shown).min() >= 14 - 1e-6
     assert shown[0] >= -1e-6 and shown[-1] <= room + 1e-6
     above = [a for a in figure.layout.annotations if a.textangle == -90]
