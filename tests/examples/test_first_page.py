@@ -47,6 +47,7 @@ def test_commands_run_and_numbers_are_right(folder: Path, capsys: pytest.Capture
         "gears",
         "mesh",
         "modes",
+        "campbell",
         "run",
         "sweep",
         "report",

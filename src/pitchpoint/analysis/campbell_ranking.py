@@ -145,7 +145,9 @@ def select_modes(
     if frequency is not None:
         keep &= ((f >= frequency[0]) & (f <= frequency[1])).any(axis=0)
     if len(names) and not keep.any():
-        raise SignalError(f"modes: none of {len(names)} modes is selected; there are: {', '.join(names[:8])}")
+        raise SignalError(
+            f"modes: {modes!r} selects none of {len(names)} modes, such as {', '.join(names[:8])}"
+        )
     chosen = diagram.isel(mode=np.flatnonzero(keep))
     inside = np.isin(diagram["crossing_mode"].values, numbers[keep])
     if frequency is not None:

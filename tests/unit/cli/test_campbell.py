@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import csv
 import math
-import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,8 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from pitchpoint.io.reading import open_result
-from pitchpoint.report.figure_picture import marked_png
+from pitchpoint.io.target import OutputError, check_target
+from pitchpoint.report.figure_picture import check_picture, marked_png
 from pitchpoint.report.write import write_report
 from tests.support.browser import CHROMIUM
 from tests.support.cli_files import json_of
@@ -98,16 +100,29 @@ def test_what_is_refused(more: list[str], word: str, capsys: pytest.CaptureFixtu
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium")
-@pytest.mark.parametrize("kind", ["svg", "png"])
-def test_pictures(kind: str, tmp_path: Path) -> None:
-    target = tmp_path / f"rotor.{kind}"
-    arguments = ["campbell", str(MODEL), *RANGE, "--plot", str(target), "-q"]
-    assert run_command(arguments) == 0
-    assert run_command(arguments) == 0  # its own file is replaced
-    head = target.read_bytes()[:4]
-    assert head == (b"<svg" if kind == "svg" else b"\x89PNG")
-    shutil.copy(MODEL, target)
-    assert run_command(arguments) == 2
+def test_pictures(tmp_path: Path) -> None:
+    """In a process of its own: Playwright runs once per process."""
+    for kind in ("svg", "png"):
+        subprocess.run(
+            [sys.executable, "-c", PICTURE, str(tmp_path / f"plot.{kind}")], check=True, timeout=120
+        )
+        target = check_target(check_picture(tmp_path / f"plot.{kind}"), kind)  # its own file may be replaced
+        head = target.read_bytes()[:4]
+        assert head == (b"<svg" if kind == "svg" else b"\x89PNG")
+        target.write_bytes(head + bytes(2000))
+        with pytest.raises(OutputError):
+            check_target(target, kind)
+
+
+PICTURE = """
+import sys
+from pathlib import Path
+from pitchpoint.report.figure_picture import write_picture
+from pitchpoint.viz import theme
+figure = theme.figure("x", "y")
+figure.add_scatter(x=[0, 1], y=[0, 1])
+write_picture(Path(sys.argv[1]), figure)
+"""
 
 
 def test_a_marked_png_is_a_png() -> None:
