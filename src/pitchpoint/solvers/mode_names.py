@@ -60,7 +60,7 @@ FEW = 2
 class _Named:
     """Name without number and direction.
 
-    `ordinal`: the number is written also if it is 1; `plane`: direction of the lateral motion in world axes,
+    `ordinal`: the number is written also if it is 1; `plane`: direction of the lateral motion in body axes,
     for modes that occur in pairs; `mark`: this direction in words; `multiple`: copies of one frequency
     share a number; `omega` [rad/s].
     """
@@ -262,7 +262,6 @@ class _Namer:
     def _lateral(self, part: int, strain: Array, twist: Complex, wrench: Complex) -> _Named:
         """Bending of a shaft, or its translation or tilting."""
         name, bodies = self.groups.parts[part], self._bodies(part)
-        axes = self.motions.axes[bodies[0]]
         each = (twist[bodies].conj() * wrench[bodies]).real
         force = wrench[bodies][:, :2]
         size = np.linalg.norm(twist[bodies][:, :2], axis=1)
@@ -276,7 +275,7 @@ class _Namer:
                 beams += strain[e]
             elif word != MESH and part in self.groups.ends[e]:
                 held += strain[e]
-        plane = axes @ _main_direction(twist[bodies], each)
+        plane = _main_direction(twist[bodies], each)
         mark = "".join(letter for letter, size in zip("xyz", np.abs(plane), strict=True) if size > OBLIQUE)
         if beams > 0.0 and beams >= BENDS * (beams + held):
             return _Named(f"bending of {name}", True, plane, mark=mark)
@@ -319,12 +318,9 @@ class _Namer:
         return self.trains[spin]
 
     def _of_housing(self, part: int, twist: Complex, wrench: Complex) -> str:
-        """Motion of a body that does not rotate: the world axis of its largest motion."""
+        """Motion of a body that does not rotate: the axis of its largest motion."""
         bodies = self._bodies(part)
-        energy = np.zeros(6)
-        for b in bodies:
-            one, two = ((x[b].reshape(2, 3) @ self.motions.axes[b].T).reshape(6) for x in (twist, wrench))
-            energy += (one.conj() * two).real
+        energy = (twist[bodies].conj() * wrench[bodies]).real.sum(axis=0)
         way = int(np.argmax(energy))
         word = "translation" if way < 3 else "rotation"
         return f"{word} {'xyz'[way % 3]} of {self.groups.parts[part]}"
