@@ -210,7 +210,7 @@ def separation(speed: Array, operating: tuple[float, float]) -> Array:
 
     Examples
     --------
-    >>> separation(np.array([80.0, 110.0, 150.0]), (100.0, 120.0)).tolist()
+    >>> separation(np.array([80.0, 110.0, 150.0]), (100.0, 120.0)).round(6).tolist()
     [-0.2, 0.0, 0.25]
     """
     low, high = sorted(map(abs, operating))
