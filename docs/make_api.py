@@ -26,6 +26,7 @@ GROUPS = {
         "ReliefPlan",
         "solve_time",
         "reduce_system",
+        "state_space",
     ),
     "Many runs": ("sweep_speed", "run_cases", "cases_dataset"),
     "Analyse": ("analyse",),

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
+    from pitchpoint.solvers.state_space import state_space
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
@@ -74,6 +75,7 @@ __all__ = [
     "solve_modal",
     "solve_quasistatic",
     "solve_time",
+    "state_space",
     "sweep_speed",
     "write_report",
 ]
@@ -107,6 +109,7 @@ _HOMES = {
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),
+    "solvers.state_space": ("state_space",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
