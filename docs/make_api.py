@@ -29,7 +29,7 @@ GROUPS = {
         "state_space",
     ),
     "Many runs": ("sweep_speed", "run_cases", "cases_dataset"),
-    "Analyse": ("analyse",),
+    "Analyse": ("analyse", "by_component"),
     "Gears": ("CylindricalGear", "GearPair", "BasicRack"),
     "Errors": (
         "PitchpointError",

@@ -12,6 +12,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from pitchpoint.analysis.by_component import by_component
     from pitchpoint.analysis.dataset import analyse
     from pitchpoint.core.errors import (
         CompileError,
@@ -59,6 +60,7 @@ __all__ = [
     "ValidityWarning",
     "__version__",
     "analyse",
+    "by_component",
     "cases_dataset",
     "compile_model",
     "design_relief",
@@ -83,6 +85,7 @@ __all__ = [
 __version__: str
 
 _HOMES = {
+    "analysis.by_component": ("by_component",),
     "analysis.dataset": ("analyse",),
     "core.errors": (
         "CompileError",
