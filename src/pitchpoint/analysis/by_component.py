@@ -118,10 +118,10 @@ def by_component(result: xr.Dataset) -> Quantities:
     [nan, nan]
     """
     groups: dict[str, dict[tuple[str, ...], xr.Variable]] = {}
-    for name, array in result.data_vars.items():
+    for name, variable in result.variables.items():  # arrays of a dataset with coordinates are slow to make
         quantity, bracket, rest = str(name).partition("[")
         if bracket:
-            groups.setdefault(quantity, {})[_place(quantity, rest.rstrip("]"))] = array.variable
+            groups.setdefault(quantity, {})[_place(quantity, rest.rstrip("]"))] = variable
     if not groups:
         raise PitchpointError(
             "the dataset has no channel of an element, as in mesh_force[stage]; give a time response, a slow "
