@@ -109,7 +109,7 @@ def test_samples_begin_after_the_settling_time(planned: tuple[DatasetPlan, Model
 
 
 def test_states_and_phases_are_not_filtered(tmp_path: Path) -> None:
-    """A rattling pair: the states stay whole numbers, the phase starts again at 1; both are the machine's own."""
+    """A rattling pair: the states stay whole, the phase starts again at 1; both are the machine's own."""
     text = PLAN.replace('clean: {type: observation, channel: "mesh_force[stage]"}', STATES)
     plan, model = both(tmp_path, text.replace("[100 N m, 150 N m]", "[1 N m, 2 N m]"))
     plan = dataclasses.replace(plan, jitter={}, length=0.05)
