@@ -470,6 +470,11 @@ def test_backlash_is_the_total_gap_in_a_named_direction() -> None:
             "circumferential": math.cos(p.alpha_wt),
         }
         assert model.backlash("m") == pytest.approx(1e-4 * factor[name], rel=1e-12)
+    per_module = loads_model(pair(*gears, "backlash: {factor: 0.04}"))
+    by_circle = loads_model(pair(*gears, f"backlash: {{circumferential: {0.04 * p.gear1.m_n} m}}"))
+    assert per_module.backlash("m") == pytest.approx(by_circle.backlash("m"), rel=1e-12)
+    with pytest.raises(ModelError, match="gives circumferential and factor together"):
+        loads_model(pair(*gears, "backlash: {circumferential: 0.1 mm, factor: 0.04}"))
     geometric = GearPair(p.gear1, p.gear2, p.a_w + 1e-4)
     assert geometric.j_wt == pytest.approx(geometric.j_bt / math.cos(geometric.alpha_wt))
     assert geometric.j_bn == pytest.approx(geometric.j_bt * math.cos(p.gear1.beta_b))

@@ -198,3 +198,11 @@ def test_errors_of_the_flanks_shake_two_inertias_as_the_closed_form_says():
     found = find_response(system, ["transmission_error[m]"], ["mesh_force[m]"], frequency)
     expected = 3e8 * omega**2 / (omega_0**2 - omega**2)
     assert found.response[:, 0, 0].real == pytest.approx(expected, rel=1e-5)
+
+
+def test_the_backlash_factor_counts_in_mean_normal_modules():
+    """j_mt = factor m_mn at the mean cone distance; along the base tangent times cos(alpha_t)."""
+    text = bevel_file(shaft=80.0, spiral=30.0, rest=LOADS)
+    model = loads_model(text).replace("bevel_meshes.m.backlash", {"factor": 0.05})
+    pair = model.bevel_pairs["m"]
+    assert model.backlash("m") == pytest.approx(0.05 * pair.gear1.m_mn * math.cos(pair.alpha_t), rel=1e-12)
