@@ -206,3 +206,16 @@ def test_the_backlash_factor_counts_in_mean_normal_modules():
     model = loads_model(text).replace("bevel_meshes.m.backlash", {"factor": 0.05})
     pair = model.bevel_pairs["m"]
     assert model.backlash("m") == pytest.approx(0.05 * pair.gear1.m_mn * math.cos(pair.alpha_t), rel=1e-12)
+
+
+def test_the_backlash_of_a_bevel_mesh_is_observed():
+    """At rest that of the model; with the pinion pulled out of its apex it grows."""
+    model = loads_model(bevel_file(shaft=90.0, spiral=20.0, bodies=FREE, rest=BEARINGS + LOADS))
+    system = compile_model(model)
+    state = system.initial_state()
+    at = system.layout.channel("backlash[m]")
+    rest = evaluate.observe(system, state)[at]
+    assert rest == pytest.approx(model.backlash("m"), abs=1e-14)
+    out = model.bevel_gears[model.bevel_meshes["m"].gears[0]].direction
+    state.q[system.layout.coordinate("first.z")] += 1e-4 * out
+    assert evaluate.observe(system, state)[at] > rest + 1e-6
