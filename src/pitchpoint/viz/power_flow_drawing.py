@@ -188,7 +188,8 @@ def _band(
         f"V{yb + h:.1f}C{back:.1f} {yb + h:.1f} {there:.1f} {ya + h:.1f} {a:.1f} {ya + h:.1f}Z"
     )
     colour = COLOURS.get(link.kind, theme.TEAL)
-    drop, labels = "", []
+    drop = ""
+    labels: list[Label] = []
     if not start.outside and not end.outside:
         if not any(shared) and abs(yb - ya) <= 0.5 * width and b > a:
             drop, labels = _named(link, unit, 0.5 * (a + b), ya, width)
