@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import click
 
 from pitchpoint.cli.mesh_map import MOST_OVERLAP, write_map
-from pitchpoint.cli.options import common, writes
+from pitchpoint.cli.options import common, output
 from pitchpoint.cli.output import emit_json, show, show_unless, shown, table
 
 if TYPE_CHECKING:
@@ -50,8 +50,7 @@ _BARS = "▁▂▃▄▅▆▇█"
 @click.option(
     "--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Number of samples."
 )
-@writes("--table", "table_file", help="Write the stiffness of meshes and of single tooth pairs (csv).")
-@writes("--map", "map_file", help="Draw the variation of the stiffness over both contact ratios (html).")
+@output("Table of the stiffness of meshes and tooth pairs (csv), or map of its variation (html).")
 @common
 def mesh(
     file: str | None,
@@ -60,8 +59,7 @@ def mesh(
     stiffness_ratio: float | None,
     tip_relief_factor: float | None,
     points: int,
-    table_file: str | None,
-    map_file: str | None,
+    output: str | None,
     as_json: bool,
     allow_code: bool,
     quiet: bool,
@@ -70,17 +68,18 @@ def mesh(
 
     Values are relative to c' b (single stiffness times common face width), or to the mean for a prescribed
     waveform; mean and extremes are analytic. Torsional stiffness is about the axis of a gear, the other one
-    being fixed. --map is for the parabolic stiffness of one tooth pair.
+    being fixed. The map is that of the parabolic stiffness of one tooth pair over both contact ratios.
     """
     from pitchpoint.report.number_rows import C_PRIME_B
     from pitchpoint.report.numbers import cycle_numbers, cycles_of_model
     from pitchpoint.report.stiffness_tables import mesh_table, pair_table
 
     bare = (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor)
+    ending = _ending(output)
     model, tables = None, []
     if file is None:
-        if table_file is not None:
-            raise click.BadParameter("requires a model FILE", param_hint="--table")
+        if ending == ".csv":
+            raise click.BadParameter("a table requires a model FILE", param_hint="--output")
         if eps_alpha is None:
             raise click.UsageError("give a model FILE, or --eps-alpha with its second processes")
         from pitchpoint.contact.mesh_cycle import mesh_cycle
@@ -100,11 +99,11 @@ def mesh(
         for name, (cycle, _, unit) in cycles.items():
             pairs = {"mesh": mesh_table(model, name, cycle, unit), "pair": pair_table(model, name, points)}
             tables += [(name, of, found) for of, found in pairs.items() if found is not None]
-    if table_file is not None and file is not None:
-        _write_table(Path(table_file), tables, file)
     best = {}
-    if map_file is not None:
-        best = write_map(Path(map_file), model, (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor))
+    if output is not None and ending == ".html":
+        best = write_map(Path(output), model, (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor))
+    elif output is not None and file is not None:
+        _write_table(Path(output), tables, file)
     if as_json:
         found_numbers = {name: cycle_numbers(*found) for name, found in cycles.items()}
         for name, of, stiffness in tables:
@@ -128,9 +127,20 @@ def mesh(
             show(
                 f"  best overlap ratio up to {MOST_OVERLAP:g}: {value:.4g}, peak to peak {variation:.4g} c' b"
             )
-    for written in (table_file, map_file):
-        if written is not None:
-            show_unless(quiet, f"written to {written}")
+    if output is not None:
+        show_unless(quiet, f"written to {output}")
+
+
+def _ending(output: str | None) -> str:
+    """Extension of the output file; empty without one."""
+    if output is None:
+        return ""
+    ending = Path(output).suffix.lower()
+    if ending not in (".csv", ".html"):
+        raise click.BadParameter(
+            f"{Path(output).name} ends neither in .csv nor in .html", param_hint="--output"
+        )
+    return ending
 
 
 def _write_table(target: Path, tables: Sequence[tuple[str, str, StiffnessTable]], file: str) -> None:
@@ -138,8 +148,6 @@ def _write_table(target: Path, tables: Sequence[tuple[str, str, StiffnessTable]]
     from pitchpoint.io.target import check_target, write_file
     from pitchpoint.report.stiffness_tables import csv_text
 
-    if target.suffix.lower() != ".csv":
-        raise click.BadParameter(f"{target.name} does not end in .csv", param_hint="--table")
     write_file(check_target(target, "stiffness", [file]), csv_text(tables))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`pitchpoint mesh --map`: variation of the mesh stiffness over both contact ratios as a page."""
+"""`pitchpoint mesh -o map.html`: variation of the mesh stiffness over both contact ratios as a page."""
 
 from __future__ import annotations
 
@@ -37,8 +37,6 @@ def write_map(target: Path, model: Model | None, given: Given) -> dict[str, Best
     from pitchpoint.io.target import check_target
     from pitchpoint.viz.overlap_plot import plot_overlap_map
 
-    if target.suffix.lower() != ".html":
-        raise click.BadParameter(f"{target.name} does not end in .html", param_hint="--map")
     check_target(target, "page", [model.file] if model is not None and model.file else [])
     marks, (S_R, T_R) = _marks(model, given)
     across = max(2.5, *(math.ceil(10.0 * a) / 10.0 for a, _ in marks.values()))
@@ -69,6 +67,6 @@ def _marks(model: Model | None, given: Given) -> tuple[dict[str, tuple[float, fl
         raise click.BadParameter(
             f"{found} parabolic stiffness; give --eps-alpha, --stiffness-ratio and --tip-relief-factor "
             "instead of the file",
-            param_hint="--map",
+            param_hint="--output",
         )
     return marks, laws.pop()

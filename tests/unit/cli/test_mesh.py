@@ -112,7 +112,7 @@ def test_a_mesh_without_contact_for_a_while_has_no_least_stiffness_of_round_off(
 def test_torsional_and_single_pair_stiffness(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """k r_b^2 about each axis; one pair has c' b at the middle of its path and S_R of that at A and E."""
     file, target = written(tmp_path, ISO_EX1), tmp_path / "k.csv"
-    found = json_of(["mesh", file, "--table", str(target)], capsys)["meshes"]["stage"]
+    found = json_of(["mesh", file, "-o", str(target)], capsys)["meshes"]["stage"]
     pair = loads_model(ISO_EX1).pairs["stage"]
     mesh, one = found["mesh_table"], found["pair_table"]
     for k, own in ((1, pair.gear1), (2, pair.gear2)):
@@ -134,10 +134,10 @@ def test_torsional_and_single_pair_stiffness(tmp_path: Path, capsys: pytest.Capt
 
 def test_the_map_names_the_best_overlap_ratio(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = tmp_path / "map.html"
-    found = json_of(["mesh", "--eps-alpha", "1.3", "--eps-beta", "0.7", "--map", str(target)], capsys)
+    found = json_of(["mesh", "--eps-alpha", "1.3", "--eps-beta", "0.7", "-o", str(target)], capsys)
     assert found["meshes"]["mesh"]["best_overlap_ratio"] == 1.0
     assert "plotly" in target.read_text(encoding="utf-8")
-    assert run_command(["mesh", written(tmp_path, TORSION), "--map", str(target)]) == 2
+    assert run_command(["mesh", written(tmp_path, TORSION), "-o", str(target)]) == 2
     assert "no mesh has parabolic stiffness" in capsys.readouterr().err
-    assert run_command(["mesh", "--eps-alpha", "1.3", "--table", str(tmp_path / "t.csv")]) == 2
-    assert "requires a model FILE" in capsys.readouterr().err
+    assert run_command(["mesh", "--eps-alpha", "1.3", "-o", str(tmp_path / "t.csv")]) == 2
+    assert "a table requires a model FILE" in capsys.readouterr().err
