@@ -98,6 +98,8 @@ CONTACT_TABLE = "gear-contact-potential-"
 """Beginning of the attribute `format` of a contact table; the version of the format follows."""
 
 
+STIFFNESS_HEAD = "stiffness of mesh"
+"""First cell of a table of stiffness."""
 INDEX_HEAD = "case,file,status,status_code,sentence"
 """First columns of the table of the cases of a data set."""
 
@@ -109,6 +111,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
     "model": ("a model written by a command of pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
+    "stiffness": ("a table of stiffness of pitchpoint (CSV)", _begins(STIFFNESS_HEAD.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "png": ("a picture of pitchpoint (PNG)", _is_png),
