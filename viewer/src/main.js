@@ -68,6 +68,14 @@ window.pitchpointViewer = {
   /** View of a target point [m] from a direction; `height` is the visible height at the target [m]. */
   look: (target, direction, height) => shown().views?.look(target, direction, height),
   view: (name) => shown().views?.named(name, true),
+  /** @param {"parallel"|"central"} projection */
+  project: (projection) => shown().project(projection === "parallel"),
+  /**
+   * Section normal to x, y, z, the axis of the shafts or a direction; none: no section.
+   * @param {"x"|"y"|"z"|"axis"|number[]|null} normal
+   * @param {number} [at] position along the normal [m]; default: the middle
+   */
+  section: (normal, at) => (normal ? shown().section?.set(normal, at) : shown().section?.turn(false)),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),
   /**
    * Show a spectrum instead of curves.

@@ -65,6 +65,7 @@ export class Page {
       ),
       this.panels.bar,
     );
+    this.transport.row.append(this.curves.bar);
     root.replaceChildren(head, this.area, this.transport.element, this.curves.element);
     this.#scene();
     this.#panels();
@@ -345,6 +346,15 @@ export class Page {
     this.transport.draw();
     this.changed();
     return wrong;
+  }
+
+  /** Parallel or central projection. @param {boolean} parallel */
+  project(parallel) {
+    if (!this.stage) return;
+    this.stage.parallel = parallel;
+    this.parallel.input.checked = parallel;
+    if (!this.orbit.chosen) this.views.fit(true);
+    this.changed();
   }
 
   /** @param {number} body index in the list of bodies to follow, -1 none */

@@ -73,11 +73,12 @@ export class Panels {
 export function viewRows(page) {
   const { stage } = page;
   const views = [
-    ["axis", "Along the axis"],
-    ["front", "From the side"],
-    ["top", "From above"],
-    ["iso", "Oblique"],
+    ["axis", "Along the axis of the shafts (a)"],
+    ["side", "From the side (e)"],
+    ["top", "From above (t)"],
+    ["iso", "Oblique (i)"],
   ];
+  page.parallel = tick("parallel projection (o)", false, (on) => page.project(on));
   page.followed = choice(
     "follow",
     [["-1", "none"], ...page.views.names.map((name, k) => [String(k), name])],
@@ -123,6 +124,7 @@ export function viewRows(page) {
       { className: "ppv-buttons" },
       ...views.map(([name, title]) => button(name, title, () => page.views.named(name))),
     ),
+    page.parallel.row,
     page.followed.row,
     turning.row,
     covers,

@@ -80,23 +80,24 @@ export class Transport {
           button("⟩", "Next mark (])", () => this.toMark(1)),
         ]
       : [];
+    this.row = el(
+      "div",
+      { className: "ppv-transport" },
+      this.play,
+      button("|◂", "To the start (Home)", () => does.seek(player.window[0])),
+      button("◂", `One frame back (left arrow)${step}`, () => does.step(-1)),
+      button("▸", `One frame forward (right arrow)${step}`, () => does.step(1)),
+      ...this.jump,
+      this.read,
+      this.speed.row,
+      this.loop.row,
+      this.status,
+    );
     this.element = el(
       "div",
       { className: "ppv-time" },
       el("div", { className: "ppv-track" }, this.strip, this.range, this.tip),
-      el(
-        "div",
-        { className: "ppv-transport" },
-        this.play,
-        button("|◂", "To the start (Home)", () => does.seek(player.window[0])),
-        button("◂", `One frame back (left arrow)${step}`, () => does.step(-1)),
-        button("▸", `One frame forward (right arrow)${step}`, () => does.step(1)),
-        ...this.jump,
-        this.read,
-        this.speed.row,
-        this.loop.row,
-        this.status,
-      ),
+      this.row,
     );
     if (player.times.length < 2) this.element.classList.add("ppv-still");
   }
