@@ -50,7 +50,7 @@ export class Curves {
     this.tab = button("Spectrum", "Switch between time curves and spectrum", () => this.turn());
     this.tab.hidden = !this.spectra.names.length;
     this.plots.onRemove = () => this.list.hidden || this.fill();
-    this.body = el("div", { className: "ppv-curves-body" }, this.plots.element, this.spectra.element);
+    this.body = el("div", { className: "ppv-curves-body" }, this.plots.element, this.plots.more, this.spectra.element);
     this.element = el(
       "div",
       { className: "ppv-curves" },
@@ -138,6 +138,7 @@ export class Curves {
     const spectra = this.spectra.element.hidden;
     this.spectra.element.hidden = !spectra;
     this.plots.element.hidden = spectra;
+    this.plots.more.hidden = true;
     this.tab.textContent = spectra ? "Curves" : "Spectrum";
     this.picker.style.visibility = spectra ? "hidden" : "";
     if (spectra) this.spectra.build();

@@ -40,7 +40,7 @@ export function withGroups(channels) {
       Object.assign(member, {
         whole: name,
         first: false,
-        label: `${first.group.label}, planet ${member.group.planet}`,
+        label: first.group.label.replace("planets", `planet ${member.group.planet}`),
       });
   }
   // A group precedes its members.

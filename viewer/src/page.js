@@ -263,14 +263,17 @@ export class Page {
     }
     if (!this.modes?.active) this.views.update();
     this.section?.update();
-    for (const picture of stage.pictures) {
+    stage.pictures.forEach((picture, k) => {
       const pixel = picture.factor * orbit.pixel;
       picture.solids.update(0.25 * pixel);
       picture.arrows.hidden = picture.flanks.hidden = Boolean(this.modes?.active);
       picture.flanks.look();
       picture.flanks.update(pixel);
-      picture.arrows.update(pixel);
-    }
+      picture.arrows.update(pixel, (point) => ({
+        ...stage.onScreen(point, k),
+        removed: Boolean(this.section?.on) && this.section.removes(point, k),
+      }));
+    });
     stage.render(orbit);
     stage.pictures.forEach(({ arrows }, k) =>
       this.legends[k].update(arrows.now, arrows.shown, arrows.hidden),
@@ -376,6 +379,13 @@ export class Page {
   arrows(kind, on) {
     for (const { arrows } of this.stage.pictures) on ? arrows.shown.add(kind) : arrows.shown.delete(kind);
     if (this.kinds?.[kind]) this.kinds[kind].input.checked = on;
+    this.changed();
+  }
+
+  /** All arrows, or only those that do not clutter the picture. @param {boolean} sparse */
+  density(sparse) {
+    for (const { arrows } of this.stage.pictures) arrows.sparse = sparse;
+    if (this.sparse) this.sparse.input.checked = sparse;
     this.changed();
   }
 

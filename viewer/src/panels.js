@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The toolbar and its panels. One panel is open at a time, over a corner of the scene.
 import { button, choice, el, logSlider, tick } from "./dom.js";
+import { addressOf } from "./link.js";
 import { number } from "./numbers.js";
 import { download, fileName, film, movingSolids, png, stl } from "./save.js";
 
@@ -169,7 +170,20 @@ export function forceRows(page) {
       tick(NAMES[kind] ?? kind, all.some((arrows) => arrows.shown.has(kind)), (on) => page.arrows(kind, on)),
     ]),
   );
-  return [...Object.values(page.kinds).map(({ row }) => row), scale.row];
+  page.sparse = tick("sparse", true, (on) => page.density(on));
+  page.sparse.row.title = "Omit small components and arrows close to larger ones; smaller arrows where there are many";
+  return [...Object.values(page.kinds).map(({ row }) => row), page.sparse.row, scale.row];
+}
+
+/** Copy a text; without a clipboard it appears in the address bar. @param {string} text @param {Element} opener */
+async function copy(text, opener) {
+  history.replaceState(null, "", text);
+  try {
+    await navigator.clipboard.writeText(text);
+    opener.textContent = "copied";
+  } catch {
+    opener.textContent = "in the address bar";
+  }
 }
 
 /** Rows of the panel "Save". @param {import("./page.js").Page} page */
@@ -212,6 +226,15 @@ export function saveRows(page) {
       button("picture × 2", "PNG with twice the resolution", () => picture(2)),
       record,
     ),
+    /^(file|https?):/.test(location.protocol)
+      ? el(
+          "div",
+          { className: "ppv-buttons" },
+          button("copy link", "Copy the address of this page with view, section and time", (event) =>
+            copy(addressOf(page), event.currentTarget),
+          ),
+        )
+      : null,
     el(
       "div",
       { className: "ppv-buttons" },
@@ -220,7 +243,7 @@ export function saveRows(page) {
       ),
       button("STL", "Solids at the current time, in metres", () => download(stl(page), fileName(page, "stl"))),
     ),
-  ];
+  ].filter(Boolean);
 }
 
 /** Rows of the panel "Vibration". @param {import("./page.js").Page} page */

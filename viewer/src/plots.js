@@ -7,8 +7,10 @@ import { fixed, timeUnit } from "./numbers.js";
 
 const LOW = 84; // minimum height of a plot [px]
 const HIGH = 260; // maximum height of a plot [px]
-const NARROW = 480; // minimum width of plots that are next to each other [px]
+const NARROW = 340; // minimum width of plots that are next to each other [px]
 const COLUMNS = 3;
+/** Minimum distance of marks of one kind [px]; all are in the list of marks. */
+export const SPARSE = 4;
 const LINE = 20; // height of a caption of one line [px]
 /**
  * Distance of the centres of two curves, in spans, above which a common plot would show both as straight
@@ -76,6 +78,8 @@ function apart(a, b) {
   return gap > APART * span && span > 1e-9 * gap;
 }
 
+const PARTING = { className: "ppv-parting" };
+
 export class Plots {
   /**
    * @param {any[][]} channels of each result
@@ -94,7 +98,13 @@ export class Plots {
     this.seek = seek;
     this.time = range[0];
     this.drawn = [];
-    this.element = el("div", { className: "ppv-plots" });
+    this.element = el("div", { className: "ppv-plots", tabindex: "-1" });
+    /** Number of plots below the visible ones; scrolls to them. */
+    this.more = button("", "Scroll to the next plots", () => this.element.scrollBy({ top: this.element.clientHeight }), {
+      className: "ppv-more",
+    });
+    this.more.hidden = true;
+    this.element.addEventListener("scroll", () => this.#count());
     this.names = new Set(
       channels
         .flat()
@@ -175,10 +185,10 @@ export class Plots {
   /** Button that shows a group apart or together, for a group and the first of its members. */
   #parting(channel, shown) {
     const { name, members, whole } = channel;
-    if (members) return button("apart", `Show the ${members.length} planets apart`, () => this.part(name));
+    if (members) return button("apart", `Show the ${members.length} planets apart`, () => this.part(name), PARTING);
     if (!whole || shown.has(whole)) return null;
     shown.add(whole);
-    return button("together", "Show the range of all planets", () => this.part(name));
+    return button("together", "Show the range of all planets", () => this.part(name), PARTING);
   }
 
   #plot(unit, members, box, caption) {
@@ -282,11 +292,11 @@ export class Plots {
 
   #drawMarks(plot) {
     const { left, top, width } = plot.bbox;
-    let last = -9;
+    const last = {};
     for (const mark of this.marks) {
       const x = plot.valToPos(mark.time, "x", true);
-      if (x < left || x > left + width || x - last < 1) continue;
-      last = x;
+      if (x < left || x > left + width || x - (last[mark.kind] ?? -9) < SPARSE * this.ratio) continue;
+      last[mark.kind] = x;
       plot.ctx.fillStyle = colourOfMark(this.kinds, mark.kind);
       plot.ctx.fillRect(x - this.ratio / 2, top, 1.2 * this.ratio, 6 * this.ratio);
     }
@@ -328,6 +338,15 @@ export class Plots {
     this.cursor(this.time);
   }
 
+  /** Show how many plots are below. */
+  #count() {
+    const { scrollTop, clientHeight } = this.element;
+    const below = this.drawn.filter(({ box }) => box.offsetTop > scrollTop + clientHeight - LOW / 2).length;
+    this.more.hidden = !below;
+    this.more.textContent = `▾ ${below} more`;
+    this.more.setAttribute("aria-label", `Scroll to ${below} more plot${below === 1 ? "" : "s"}`);
+  }
+
   /** Plots are next to each other where they fit, and rows are as high as makes whole ones visible. */
   resize() {
     const count = Math.max(1, this.drawn.length);
@@ -351,6 +370,7 @@ export class Plots {
       caption.style.minHeight = used > 1 ? `${rows[Math.floor(k / used)]}px` : "";
       plot.setSize({ width: Math.max(120, box.clientWidth), height: each });
     });
+    this.#count();
     this.cursor(this.time);
   }
 
@@ -405,7 +425,9 @@ function room(_, values) {
 /** A non-empty axis range with a margin. */
 function range(low, high) {
   if (!(high >= low)) return [0, 1];
-  const air = 0.06 * (high - low || Math.abs(high) || 1);
+  // Round-off is not magnified.
+  const least = 1e-7 * Math.max(Math.abs(low), Math.abs(high));
+  const air = high - low > least ? 0.06 * (high - low) : 0.06 * (Math.abs(high) || 1);
   return [low - air, high + air];
 }
 

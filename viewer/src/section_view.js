@@ -267,6 +267,12 @@ export class SectionView {
     this.changed();
   }
 
+  /** Whether a point is in the half that the section has removed. @param {Vector3} point @param {number} picture */
+  removes(point, picture) {
+    const above = this.normal.dot(point) - this.places[picture];
+    return (this.flipped ? -above : above) > 1e-3 * this.stage.pictures[picture].bounds.whole.radius;
+  }
+
   /** Transform the planes to the camera's world. */
   update() {
     // Clipping keeps the half-space towards which the normal of a plane points.

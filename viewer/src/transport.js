@@ -5,6 +5,7 @@ import { button, choice, el, logSlider } from "./dom.js";
 import { nameOfMark } from "./marks_panel.js";
 import { duration, instant, speedWords } from "./numbers.js";
 import { SLOWEST } from "./player.js";
+import { SPARSE } from "./plots.js";
 
 const FINE = 1e6;
 
@@ -174,13 +175,17 @@ export class Transport {
       );
       pen.globalAlpha = 1;
     }
+    const last = {};
     for (const mark of this.marks) {
       pen.fillStyle = colourOfMark(this.kinds, mark.kind);
       pen.globalAlpha = 0.3;
       if (mark.until > mark.time) pen.fillRect(x(mark.time), 3, x(mark.until) - x(mark.time), height - 9);
+      if (x(mark.time) - (last[mark.kind] ?? -9) < SPARSE) continue;
+      last[mark.kind] = x(mark.time);
       pen.globalAlpha = 1;
       pen.fillRect(x(mark.time) - 0.75, 1, 1.5, height - 5);
     }
+    pen.globalAlpha = 1;
   }
 
   update() {
