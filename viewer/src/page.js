@@ -268,11 +268,9 @@ export class Page {
       picture.solids.update(0.25 * pixel);
       picture.arrows.hidden = picture.flanks.hidden = Boolean(this.modes?.active);
       picture.flanks.look();
-      picture.flanks.update(pixel);
-      picture.arrows.update(pixel, (point) => ({
-        ...stage.onScreen(point, k),
-        removed: Boolean(this.section?.on) && this.section.removes(point, k),
-      }));
+      const removed = (point) => Boolean(this.section?.on) && this.section.removes(point, k);
+      picture.flanks.update(pixel, removed);
+      picture.arrows.update(pixel, (point) => ({ ...stage.onScreen(point, k), removed: removed(point) }));
     });
     stage.render(orbit);
     stage.pictures.forEach(({ arrows }, k) =>

@@ -125,9 +125,9 @@ export function viewRows(page) {
       { className: "ppv-buttons" },
       ...views.map(([name, title]) => button(name, title, () => page.views.named(name))),
     ),
-    page.parallel.row,
     page.followed.row,
     turning.row,
+    page.parallel.row,
     covers,
     schematics,
     looks.length

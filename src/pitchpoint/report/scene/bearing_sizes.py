@@ -181,12 +181,9 @@ def ring(size: BearingSize, inner: bool, sides: int = 64) -> shapes.Surface:
     h = 0.5 * size.width
     seat = 0.5 * (size.bore if inner else size.outside)
     race = raceway(size, inner)
-    if inner:
-        line = [(seat, -h), *((r, z) for r, z in race), (seat, h)]
-    else:
-        line = [(r, z) for r, z in race[::-1]]
-        line = [(race[0][0], -h), (seat, -h), (seat, h), (race[-1][0], h), *line]
-        line = line[1:] if np.allclose(line[0], line[-1]) else line
+    ends = [(seat, -h), (seat, h)]
+    # counter-clockwise in the section: the seat of an inner ring is on the left
+    line = [ends[0], *race, ends[1]] if inner else [*ends, *race[::-1]]
     return shapes.turned_profile([*line, line[0]], sides)
 
 

@@ -304,6 +304,8 @@ def cage_bodies(
             turned = turned - _spin(system, moved, int(record["j"]), world[:, 2])
             angle = size.cage_ratio * turned
             gross, ratio = kinematic(angle, moved)
+            if how == "bearing" and gross is not None:
+                angle = ratio * gross  # a symbol does not vibrate
             found[name] = SceneBody(
                 name=f"{name} (cage)",
                 parent=number,
