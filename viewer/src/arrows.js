@@ -17,7 +17,7 @@ import { FORCES, STATES, colourOfForce } from "./colours.js";
 import { lerp } from "./frames.js";
 import { Z } from "./poses.js";
 
-const FEW = 6; // with more arrows, all are smaller
+const FEW = 6; // more arrows are smaller, and some are omitted
 const SMALLEST = 0.45; // their minimum relative size
 const THIN_OUT = 40; // distance of points of action below which only the largest force is shown [px]
 const SLIGHT = 0.06; // fraction of the largest force below which components are not shown
@@ -62,8 +62,9 @@ export class Arrows {
     if (this.arrows.filter((arrow) => arrow.kind === "bearing").length > MOST_BEARINGS)
       this.shown.delete("bearing");
     this.hidden = false;
-    /** Whether small components, and arrows close to larger ones, are omitted. */
-    this.sparse = true;
+    /** Whether there are so many arrows that small components, and arrows close to larger ones, are omitted. */
+    this.many = this.arrows.filter(({ kind }) => kind !== "pair").length > FEW;
+    this.sparse = this.many;
     const shape = arrowShape();
     const ball = new SphereGeometry(0.5, 14, 10);
     const lit = (colour) =>
@@ -176,9 +177,9 @@ export class Arrows {
     order.sort((a, b) => (this.arrows[b].size ?? 0) - (this.arrows[a].size ?? 0));
     for (const k of order) {
       const { kind, at } = this.now[k];
-      const place = this.sparse && kind !== "pair" && onScreen?.(at);
+      const place = onScreen?.(at);
       if (place?.removed) continue;
-      if (place) {
+      if (place && this.sparse && kind !== "pair") {
         const near = (other) => other.kind === kind && Math.hypot(other.x - place.x, other.y - place.y) < THIN_OUT;
         if (places.some(near)) continue;
         places.push({ ...place, kind });

@@ -58,6 +58,7 @@ export class Curves {
     );
     /** Shown with the time controls. */
     this.bar = el("div", { className: "ppv-bar" }, this.picker, this.tab);
+    this.plots.needs = (height) => (this.element.style.minHeight = `${height}px`);
     this.bar.hidden = this.element.hidden = !this.labels.size && !this.spectra.names.length;
   }
 

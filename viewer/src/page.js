@@ -107,7 +107,7 @@ export class Page {
     // On a longer page the wheel scrolls the page until the user clicks the scene.
     this.orbit.takesWheel = (event) => {
       const takes = this.fills || event.ctrlKey || document.activeElement === stage.canvas;
-      if (!takes) this.#hint("click the scene to zoom with the wheel");
+      if (!takes) this.hint("click the scene to zoom with the wheel");
       return takes;
     };
     touches(this);
@@ -306,7 +306,7 @@ export class Page {
   }
 
   /** @param {string} words message, shown temporarily */
-  #hint(words) {
+  hint(words) {
     this.status.textContent = words;
     clearTimeout(this.hinted);
     this.hinted = setTimeout(() => this.changed(), 2500);

@@ -172,17 +172,18 @@ export function forceRows(page) {
   );
   page.sparse = tick("sparse", true, (on) => page.density(on));
   page.sparse.row.title = "Omit small components and arrows close to larger ones; smaller arrows where there are many";
-  return [...Object.values(page.kinds).map(({ row }) => row), page.sparse.row, scale.row];
+  const many = all.some((arrows) => arrows.many);
+  return [...Object.values(page.kinds).map(({ row }) => row), many ? page.sparse.row : null, scale.row].filter(Boolean);
 }
 
-/** Copy a text; without a clipboard it appears in the address bar. @param {string} text @param {Element} opener */
-async function copy(text, opener) {
+/** Copy a text, which is also the new address of the page. @param {string} text @returns {Promise<string>} */
+async function copied(text) {
   history.replaceState(null, "", text);
   try {
     await navigator.clipboard.writeText(text);
-    opener.textContent = "copied";
+    return "link copied";
   } catch {
-    opener.textContent = "in the address bar";
+    return "the link is in the address bar";
   }
 }
 
@@ -230,8 +231,8 @@ export function saveRows(page) {
       ? el(
           "div",
           { className: "ppv-buttons" },
-          button("copy link", "Copy the address of this page with view, section and time", (event) =>
-            copy(addressOf(page), event.currentTarget),
+          button("copy link", "Copy the address of this page with view, section and time", async () =>
+            page.hint(await copied(addressOf(page))),
           ),
         )
       : null,

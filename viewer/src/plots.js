@@ -11,6 +11,7 @@ const NARROW = 340; // minimum width of plots that are next to each other [px]
 const COLUMNS = 3;
 /** Minimum distance of marks of one kind [px]; all are in the list of marks. */
 export const SPARSE = 4;
+const AROUND = 8; // margins and borders of a row [px]
 const LINE = 20; // height of a caption of one line [px]
 /**
  * Distance of the centres of two curves, in spans, above which a common plot would show both as straight
@@ -113,6 +114,8 @@ export class Plots {
     );
     this.order = [...new Set(channels.flat().map((channel) => channel.name))];
     this.onRemove = () => {};
+    /** Set the minimum height of all around the plots. @type {(height: number) => void} */
+    this.needs = () => {};
   }
 
   /** @param {string} name @param {boolean} on */
@@ -277,7 +280,7 @@ export class Plots {
         scales: { x: { time: false, range: () => this.x }, y: { range: (_, low, high) => range(low, high) } },
         axes: [
           { ...axis, size: 22, gap: 3, values: (_, splits) => timeLabels(splits) },
-          { ...axis, size: room, gap: 4, space: ticks, values: (_, splits) => labels(splits) },
+          { ...axis, size: room, gap: 4, space: ticks, values: (self, splits) => clear(self, splits, labels(splits)) },
         ],
         hooks: { draw: [(self) => this.#drawMarks(self)] },
       },
@@ -350,9 +353,9 @@ export class Plots {
   /** Plots are next to each other where they fit, and rows are as high as makes whole ones visible. */
   resize() {
     const count = Math.max(1, this.drawn.length);
-    const { clientWidth: width, clientHeight: height } = this.element;
+    const { clientWidth: width } = this.element;
     const columns = Math.max(1, Math.min(count, COLUMNS, Math.floor(width / NARROW)));
-    const most = Math.max(1, Math.floor(height / (LOW + LINE)));
+    const most = Math.max(1, Math.floor(this.element.clientHeight / (LOW + LINE)));
     const used = Math.max(1, Math.min(columns, Math.ceil(count / most)));
     this.element.style.gridTemplateColumns = `repeat(${used}, minmax(0, 1fr))`;
     // Captions of many curves take several lines on narrow pages.
@@ -361,7 +364,9 @@ export class Plots {
       const row = Math.floor(k / used);
       rows[row] = Math.max(rows[row] ?? 0, caption.offsetHeight);
     });
-    const room = height - 4;
+    // The first row is always whole, at the expense of the scene.
+    this.needs(this.drawn.length ? rows[0] + LOW + AROUND : 0);
+    const room = this.element.clientHeight - 4;
     const seen = rows.findIndex((_, n) => rows.slice(0, n + 1).reduce((sum, high) => sum + high + LOW, 0) > room);
     const whole = seen < 0 ? rows.length : Math.max(1, seen);
     const captions = rows.slice(0, whole).reduce((sum, high) => sum + high, 0);
@@ -370,6 +375,9 @@ export class Plots {
       caption.style.minHeight = used > 1 ? `${rows[Math.floor(k / used)]}px` : "";
       plot.setSize({ width: Math.max(120, box.clientWidth), height: each });
     });
+    // Scrolled to the end, the plots at the top are whole as well.
+    const last = rows.slice(-whole).reduce((sum, high) => sum + high + each, 0);
+    this.element.style.paddingBottom = whole < rows.length ? `${Math.max(0, this.element.clientHeight - last - 3)}px` : "";
     this.#count();
     this.cursor(this.time);
   }
@@ -416,6 +424,12 @@ export function secondTint(element, colour) {
  * @param {number} size of the axis
  */
 const ticks = (_, __, ___, ____, size) => Math.max(9, Math.min(24, size / 4));
+
+/** Labels without those next to the labels of the time axis. */
+function clear(plot, splits, texts) {
+  const { min, max } = plot.scales.y;
+  return texts.map((text, k) => (splits[k] - min < 0.02 * (max - min) ? "" : text));
+}
 
 /** Width of an axis for its labels [px]. @param {any} _ @param {string[]|null} values */
 function room(_, values) {

@@ -80,11 +80,24 @@ export class SectionView {
     this.along(axis);
   }
 
-  /** Section normal to a world axis, through the centre. @param {string} name */
+  /** Section normal to a world axis, through the middle. @param {string} name */
   along(name) {
     if (name in AXES) this.#direct(AXES[name], name);
-    this.#share(0.5);
+    this.#share(this.#middle());
     this.#face();
+  }
+
+  /** Middle as a share of the range; of planes along the shafts, the axis of rotation that is next to it. */
+  #middle() {
+    const [{ poses, data }] = this.stage.pictures;
+    const [low, high] = this.#ends();
+    if (Math.abs(this.normal.dot(poses.axis())) > 0.1 || !(high > low)) return 0.5;
+    const still = !data.bodies.some(({ gross }) => gross);
+    const shares = data.bodies
+      .map((body, k) => (this.normal.dot(new Vector3().setFromMatrixPosition(poses.rest[k])) - low) / (high - low))
+      .filter((_, k) => !data.bodies[k].part && (data.bodies[k].gross || still))
+      .filter((share) => share > 0.05 && share < 0.95);
+    return shares.reduce((best, share) => (Math.abs(share - 0.5) < Math.abs(best - 0.5) ? share : best), shares[0] ?? 0.5);
   }
 
   /** Section parallel to the screen through the target of the camera. */
@@ -162,7 +175,7 @@ export class SectionView {
     const near = Object.entries(AXES).find(([, each]) => each.dot(wanted) > 1 - 1e-9);
     this.#direct(wanted, near ? near[0] : "free");
     const [low, high] = this.#ends();
-    this.#share(at === undefined ? 0.5 : (at - low) / (high - low || 1));
+    this.#share(at === undefined ? this.#middle() : (at - low) / (high - low || 1));
     this.#face();
     this.#cut(true);
   }
