@@ -127,7 +127,9 @@ def test_planets_are_one_curve_or_one_each(open_page: OpenPage, planets: tuple[s
     assert high == pytest.approx(at_start.max() + 0.5, abs=0.02)
 
 
-def test_the_list_of_channels_has_one_entry_for_all_planets(open_page: OpenPage, planets: tuple[str, str]) -> None:
+def test_the_list_of_channels_has_one_entry_for_all_planets(
+    open_page: OpenPage, planets: tuple[str, str]
+) -> None:
     script = """
       const options = () => all(".ppv-list [role=option]").map((node) => node.textContent);
       $(".ppv-picker input").focus();

@@ -104,9 +104,10 @@ export class SectionView {
   facing() {
     const { camera, pictures } = this.stage;
     const world = pictures[0].seen.clone().invert();
-    const normal = new Vector3(0, 0, 1).applyQuaternion(camera.quaternion).transformDirection(world);
+    const toward = new Vector3(0, 0, 1).applyQuaternion(camera.quaternion);
+    const normal = toward.clone().transformDirection(world);
     this.#direct(normal, "free");
-    const target = pictures[0].centre.clone().applyMatrix4(world);
+    const target = camera.position.clone().addScaledVector(toward, -camera.distance).applyMatrix4(world);
     const [low, high] = this.#ends();
     this.#share(Math.max(0, Math.min(1, (normal.dot(target) - low) / (high - low || 1))));
     this.#face();

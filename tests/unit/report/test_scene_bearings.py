@@ -53,12 +53,18 @@ FAULTS = """faults:
 
 
 def rolling(**more):
-    keys = {"elements": 10, "element_diameter": "12.7 mm", "pitch_diameter": "70 mm", "stiffness": 1e9, **more}
+    keys = {
+        "elements": 10,
+        "element_diameter": "12.7 mm",
+        "pitch_diameter": "70 mm",
+        "stiffness": 1e9,
+        **more,
+    }
     text = ", ".join(f"{k}: {v}" for k, v in keys.items())
     body = "bodies: {a: {motion: planar, mass: 1 kg, inertia: 1 kg m^2, position: [0, 0, 0]}}"
-    return loads_model(
-        f"{body}\nrolling_bearings: {{b: {{ends: [a, ground], {text}}}}}"
-    ).rolling_bearings["b"]
+    return loads_model(f"{body}\nrolling_bearings: {{b: {{ends: [a, ground], {text}}}}}").rolling_bearings[
+        "b"
+    ]
 
 
 @pytest.fixture(scope="module")
@@ -111,7 +117,8 @@ def test_a_tapered_roller_and_its_races_have_one_apex_on_the_axis():
 
 
 @pytest.mark.parametrize(
-    ("shaft", "outside", "width"), [(10, 30, 9), (25, 54.5, 15), (50, 90, 20), (100, 180, 34), (600, 1080, 170)]
+    ("shaft", "outside", "width"),
+    [(10, 30, 9), (25, 54.5, 15), (50, 90, 20), (100, 180, 34), (600, 1080, 170)],
 )
 def test_linear_bearings_have_the_size_of_a_catalogue(shaft, outside, width):
     """6200, 6210, 6220 of ISO 15; between and beyond in proportion (6205: 52 x 15)."""
@@ -169,7 +176,9 @@ def test_faults_are_marked_where_they_are(runs):
         ("front, outer race", 270.0, "outer", 1e-3 / (0.5 * (PITCH + D))),
     ):
         assert spalls[name]["body"] == seen.body(body)
-        assert spalls[name]["pieces"][0]["fault"].startswith(f"spall of {1 if '20' in str(degrees) else 2} mm")
+        assert spalls[name]["pieces"][0]["fault"].startswith(
+            f"spall of {1 if '20' in str(degrees) else 2} mm"
+        )
         points = seen.mesh(name)[0]
         angle = np.unwrap(np.arctan2(points[:, 1], points[:, 0]))
         middle = 0.5 * (angle.min() + angle.max())

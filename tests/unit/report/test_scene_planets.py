@@ -31,7 +31,10 @@ def on_bearings(housing: str, motion: str = "torsion"):
     arm = 0.5 * 4.0 * (21 + 39)
     places = [arm * np.array([np.cos(a), np.sin(a)]) for a in 2 * np.pi * np.arange(3) / 3]
     parts = {
-        "gears": [f"p{k}: {{number_of_teeth: 39, normal_module: 4 mm, face_width: 40 mm, profile_shift_coefficient: 0}}" for k in range(3)],
+        "gears": [
+            f"p{k}: {{number_of_teeth: 39, normal_module: 4 mm, face_width: 40 mm, profile_shift_coefficient: 0}}"
+            for k in range(3)
+        ],
         "bodies": [
             f"b{k}: {{gears: [p{k}], position: [{x!r} mm, {y!r} mm, 0]}}"
             for k, (x, y) in enumerate((float(x), float(y)) for x, y in places)
@@ -41,7 +44,9 @@ def on_bearings(housing: str, motion: str = "torsion"):
             for k in range(3)
             for side, z in (("a", -30), ("b", 30))
         ],
-        "meshes": [f"s{k}: {{gears: [sun, p{k}], stiffness: {{law: constant, value: 5e8 N/m}}}}" for k in range(3)],
+        "meshes": [
+            f"s{k}: {{gears: [sun, p{k}], stiffness: {{law: constant, value: 5e8 N/m}}}}" for k in range(3)
+        ],
     }
     return loads_model(ON_BEARINGS.format(motion=motion, **{k: "\n  ".join(v) for k, v in parts.items()}))
 
@@ -68,7 +73,9 @@ def test_equal_gears_on_ground_are_no_planets():
     assert planet_members(on_bearings("")) == {}
 
 
-@pytest.mark.parametrize("name", ["shovel-gearbox/model.yaml", "camshaft-drive/train.yaml", "phm-2009-rig/model.yaml"])
+@pytest.mark.parametrize(
+    "name", ["shovel-gearbox/model.yaml", "camshaft-drive/train.yaml", "phm-2009-rig/model.yaml"]
+)
 def test_gearboxes_without_planets_have_no_groups(name):
     assert planet_members(load_model(f"examples/{name}")) == {}
 
