@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Curves of a scene are never cut off, in windows of any size; groups of planets are shown apart or together."""
+"""Curves of a scene are never cut off, in windows of any size; planets are shown apart or together."""
 
 from __future__ import annotations
 
@@ -19,7 +19,8 @@ WINDOWS = [(360, 640), (640, 480), (768, 600), (1024, 420), (1440, 380), (1440, 
 CUT = """
   const box = (node) => node.getBoundingClientRect();
   const list = box($(".ppv-plots")), root = box($(".ppv"));
-  const plots = all(".ppv-plot").map((node) => ({top: box(node).top - list.top, bottom: box(node).bottom - list.top}));
+  const plots = all(".ppv-plot").map((node) => ({
+    top: box(node).top - list.top, bottom: box(node).bottom - list.top}));
   // ink on the outermost pixels of a canvas is a label that is cut
   const inked = all(".ppv-plots canvas").map((canvas) => {
     const {width, height} = canvas;
@@ -34,9 +35,11 @@ CUT = """
     return n; });
   const words = all(".ppv-caption .ppv-curve, .ppv-caption .ppv-curve > *").filter((node) => {
     const own = box(node), around = box(node.closest(".ppv-caption"));
-    return own.right > around.right + 1 || own.left < around.left - 1 || node.scrollWidth > node.clientWidth + 1
-      && getComputedStyle(node).display !== "inline"; }).map((node) => node.textContent);
-  return {plots, height: list.height, inked, words, below: root.bottom - list.bottom, wide: document.documentElement.scrollWidth,
+    const wider = node.scrollWidth > node.clientWidth + 1;
+    return own.right > around.right + 1 || own.left < around.left - 1 
+      || wider && getComputedStyle(node).display !== "inline"; }).map((node) => node.textContent);
+  return {plots, height: list.height, inked, words, below: root.bottom - list.bottom,
+    wide: document.documentElement.scrollWidth,
     more: $(".ppv-more").hidden ? 0 : parseInt($(".ppv-more").textContent.slice(2)),
     scene: box($(".ppv-scene")).height};
 """

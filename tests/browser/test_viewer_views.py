@@ -131,7 +131,8 @@ def test_cut_parts_are_filled_with_hatches_that_differ(open_page: OpenPage) -> N
             const s = Math.round(-x * Math.sin(angle) + y * Math.cos(angle));
             bins.set(s, (bins.get(s) ?? 0) + 1); }}
           let sum = 0; for (const n of bins.values()) sum += n * n; return sum; }};
-        let best = 0; for (let a = 0; a < 180; a += 5) if (spread(a * Math.PI / 180) > spread(best * Math.PI / 180)) best = a;
+        const angles = [...Array(36).keys()].map((k) => k * Math.PI / 36), sums = angles.map(spread);
+        const best = 5 * sums.indexOf(Math.max(...sums));
         areas[name] = dark / (dark + light); spans[name] = best; }}
       return {{areas, spans, hatches: S().pictures[0].hatches, section: S().section}};
     """
@@ -178,7 +179,8 @@ def test_a_section_can_be_moved_turned_and_put_parallel_to_the_screen(open_page:
 def test_the_address_of_a_page_keeps_its_view(open_page: OpenPage, pair: tuple[str, str]) -> None:
     """Copied from one page and opened in another: same time, camera, projection and section."""
     script = """
-      V.seek(0.05); V.project("parallel"); V.look([0.05, 0.01, 0.02], [1, 2, 3], 0.5); V.section([0, 1, 0], 0.01);
+      V.seek(0.05); V.project("parallel"); V.look([0.05, 0.01, 0.02], [1, 2, 3], 0.5);
+      V.section([0, 1, 0], 0.01);
       V.draw(); named("Save").click();
       all(".ppv-panel button").find((node) => node.textContent === "copy link").click();
       await wait(200);

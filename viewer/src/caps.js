@@ -91,7 +91,8 @@ export class Caps {
     const square = new BufferGeometry();
     square.setAttribute("position", new Float32BufferAttribute([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], 3));
     square.setIndex([0, 1, 2, 0, 2, 3]);
-    this.counters = [counter(true), counter(false)];
+    // Single solids and copies have materials of their own, because each change of use costs time.
+    this.counters = [false, true].map(() => [counter(true), counter(false)]);
     this.face = new Mesh(square, hatchMaterial());
     
     this.face.matrixAutoUpdate = false;
@@ -144,9 +145,10 @@ export class Caps {
    * @param {import("three").Plane} plane in the camera's world; the side that its normal points to is kept
    * @param {Matrix4} seen from the scene to the camera's world
    * @param {number} pixel size at the target [m]
+   * @param {{left: number, width: number, height: number}} view viewport [px]
    */
-  render(renderer, camera, plane, seen, pixel) {
-    for (const material of this.counters) material.clippingPlanes = [plane];
+  render(renderer, camera, plane, seen, pixel, view) {
+    for (const material of this.counters.flat()) material.clippingPlanes = [plane];
     const spacing = 2 ** Math.round(Math.log2(SPACING * pixel));
     this.#place(plane, seen, spacing);
     this.shown = [];
@@ -155,12 +157,49 @@ export class Caps {
       const lines = member.batch ? [] : this.#outline(member, plane);
       if (!member.batch && !lines.length) continue;
       this.shown.push(member);
+      if (lines.length && !this.#within(renderer, camera, lines, view)) continue;
       this.#draw(renderer, camera, lines, member, plane, pixel);
       this.#count(renderer, camera, member);
       this.#hatch(member, spacing);
       renderer.render(this.face, camera);
     }
+    renderer.setScissor(view.left, 0, view.width, view.height);
     if (this.shown.length) renderer.clearStencil();
+  }
+
+  /**
+   * Restrict drawing to the rectangle around the outline of a face.
+   * @returns {boolean} whether it is in the view
+   */
+  #within(renderer, camera, lines, { left, width, height }) {
+    VIEW.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const e = VIEW.elements;
+    let [low, high, bottom, top] = [1, -1, 1, -1];
+    for (let k = 0; k < lines.length; k += 3) {
+      const x = lines[k],
+        y = lines[k + 1],
+        z = lines[k + 2];
+      const w = e[3] * x + e[7] * y + e[11] * z + e[15];
+      if (w <= 0) {
+        // Behind the camera: the whole view.
+        [low, high, bottom, top] = [-1, 1, -1, 1];
+        break;
+      }
+      const u = (e[0] * x + e[4] * y + e[8] * z + e[12]) / w,
+        v = (e[1] * x + e[5] * y + e[9] * z + e[13]) / w;
+      low = Math.min(low, u);
+      high = Math.max(high, u);
+      bottom = Math.min(bottom, v);
+      top = Math.max(top, v);
+    }
+    const edge = (value, size, round) => Math.max(0, Math.min(size, round(((value + 1) / 2) * size)));
+    const x = edge(low, width, Math.floor),
+      y = edge(bottom, height, Math.floor);
+    const wide = edge(high, width, Math.ceil) - x,
+      tall = edge(top, height, Math.ceil) - y;
+    if (wide <= 0 || tall <= 0) return false;
+    renderer.setScissor(left + x, y, wide, tall);
+    return true;
   }
 
   /** One face for all parts: overlapping ones then have the same depth, and the first one stays. */
@@ -199,7 +238,7 @@ export class Caps {
 
   #count(renderer, camera, { objects, batch }) {
     const own = objects.map(({ material }) => material);
-    for (const material of this.counters) {
+    for (const material of this.counters[Number(Boolean(objects[0].isInstancedMesh))]) {
       const used = batch ? batch.adapted(material) : material;
       for (const object of objects) object.material = used;
       for (const object of objects) if (object.visible) renderer.render(object, camera);
@@ -245,4 +284,5 @@ export class Caps {
 const TURN = new Quaternion();
 const ONE = new Vector3();
 const PLACED = new Matrix4();
+const VIEW = new Matrix4();
 const SPHERE = new Sphere();

@@ -231,7 +231,11 @@ export class Stage {
       renderer.render(picture.scene, camera);
       if (this.section?.on) {
         const size = (2 * camera.distance * Math.tan((camera.fov * Math.PI) / 360)) / this.size.height;
-        picture.caps.render(renderer, camera, this.section.planes[k], seen, size);
+        picture.caps.render(renderer, camera, this.section.planes[k], seen, size, {
+          left: k * width,
+          width,
+          height: this.size.height,
+        });
       }
       if ((picture.arrows.hidden || !picture.arrows.shown.size) && !picture.flanks.over) return;
       renderer.clearDepth();

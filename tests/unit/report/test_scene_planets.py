@@ -32,7 +32,8 @@ def on_bearings(housing: str, motion: str = "torsion"):
     places = [arm * np.array([np.cos(a), np.sin(a)]) for a in 2 * np.pi * np.arange(3) / 3]
     parts = {
         "gears": [
-            f"p{k}: {{number_of_teeth: 39, normal_module: 4 mm, face_width: 40 mm, profile_shift_coefficient: 0}}"
+            f"p{k}: {{number_of_teeth: 39, normal_module: 4 mm, face_width: 40 mm, "
+            "profile_shift_coefficient: 0}"
             for k in range(3)
         ],
         "bodies": [

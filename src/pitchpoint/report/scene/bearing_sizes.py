@@ -166,7 +166,7 @@ def size_on(shaft: float, axial: bool) -> BearingSize:
     )
 
 
-def ring(size: BearingSize, inner: bool, sides: int = 64) -> shapes.Surface:
+def ring(size: BearingSize, inner: bool, sides: int = 48) -> shapes.Surface:
     """Surface of a ring with its raceway, about the third axis, the middle of the elements at the origin.
 
     Parameters
@@ -202,7 +202,7 @@ def raceway(size: BearingSize, inner: bool) -> Array:
             open_side = size.angle * side * sign < 0.0
             edge = middle + sign * (0.42 if open_side else SHOULDER) * size.element
             most = math.acos(min(1.0, abs(edge - centre) / radius))
-            angles = np.linspace(0.0, most, 7)
+            angles = np.linspace(0.0, most, 5)
             arc = [(centre + sign * radius * math.cos(a), side * radius * math.sin(a)) for a in angles]
             found.append([*arc, (edge, side * h)])
         line = np.array([*found[0][::-1], *found[1][1:]])

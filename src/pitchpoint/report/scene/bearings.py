@@ -212,11 +212,11 @@ def _linear(model: Model, at: Places, name: str) -> list[SceneSolid]:
         outer = _outer_seat(model, at, name, z)
         named = (("inner", at.own(part.body, (0.0, 0.0, z))), ("outer", outer))
         found += [
-            placed_solid(f"bearing {name}, {word} ring", "bearing", seat, ring(size, word == "inner", 48))
+            placed_solid(f"bearing {name}, {word} ring", "bearing", seat, ring(size, word == "inner", 40))
             for word, seat in named
         ]
         if len(model.bearings) <= MOST:
-            turns = TWO_PI / size.count * np.arange(size.count)
+            turns: Array = TWO_PI / size.count * np.arange(size.count, dtype=np.float64)
             found.append(_elements(at, name, size, outer, turns, {}, True))
     return found
 
