@@ -36,7 +36,7 @@ CUT = """
   const words = all(".ppv-caption .ppv-curve, .ppv-caption .ppv-curve > *").filter((node) => {
     const own = box(node), around = box(node.closest(".ppv-caption"));
     const wider = node.scrollWidth > node.clientWidth + 1;
-    return own.right > around.right + 1 || own.left < around.left - 1 
+    return own.right > around.right + 1 || own.left < around.left - 1
       || wider && getComputedStyle(node).display !== "inline"; }).map((node) => node.textContent);
   return {plots, height: list.height, inked, words, below: root.bottom - list.bottom,
     wide: document.documentElement.scrollWidth,

@@ -5,7 +5,7 @@ import { Vector3 } from "three";
 const VIEWS = ["axis", "side", "front", "top", "iso"];
 const KNOWN = ["view", "projection", "section", "t", "look", "follow"];
 
-/** What the address of the page asks for. @returns {Record<string, string>} */
+/** View specified by the address of the page. @returns {Record<string, string>} */
 export function fromAddress() {
   const asked = new URLSearchParams(location.hash.slice(1));
   return Object.fromEntries([...asked].filter(([key]) => KNOWN.includes(key)));
