@@ -26,6 +26,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import ACROSS, FRAME, HOLDS, NOTHING, TOGETHER, Kind, Power
+from pitchpoint.elements.ring import put_resultants
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, times, unit
 
@@ -59,12 +60,18 @@ OUTPUTS = (
     ("bearing_force[{}.my]", "N m", "moment on the body, y"),
     ("bearing_force[{}.mz]", "N m", "moment on the body about the axis"),
 )
+RESULTANTS = (
+    ("bearing_force[{}.radial]", "N", "radial force on the body"),
+    ("bearing_force[{}.axial]", "N", "axial force on the body, along its axis"),
+    ("bearing_force[{}.direction]", "rad", "direction of the radial force, from x"),
+)
+"""Observations of a bearing beside the components; couplings have none."""
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     """Observations of one record, named as bearing (on ground, in a housing) or as coupling."""
     if record["j"] == 0 or record["housed"]:
-        return OUTPUTS
+        return OUTPUTS + RESULTANTS
     return tuple(
         (name.replace("bearing", "coupling"), unit, words.replace("the body", "the first body"))
         for name, unit, words in OUTPUTS
@@ -339,6 +346,8 @@ def bearing(rec, ctl, fr, kk):
             out = observations(ctl)
             for r in range(6):
                 out[b["out"] + r] = u[r]
+            if b["j"] == 0 or b["housed"] == 1:
+                put_resultants(out, b["out"])
     return OK
 
 

@@ -19,6 +19,7 @@ from pitchpoint.core.errors import GeometryError, MissingDependencyError
 from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.triangle_file import join_corners
 from pitchpoint.model.frames import frame
+from pitchpoint.model.rings import rings_of
 from pitchpoint.model.shafts import middle_of, section_at, station_names
 from pitchpoint.report.scene.bevel_gears import bevel_part
 from pitchpoint.report.scene.cad_files import surface_of
@@ -211,14 +212,15 @@ def _on_axis(place: Iterable[float]) -> bool:
 def _rolling_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
     """Both rings of a rolling bearing, each on its body."""
     part = model.rolling_bearings[name]
-    d, pitch = part.element_diameter, part.pitch_diameter
+    d, pitch = part.geometry.element_diameter, part.geometry.pitch_diameter
     width, rib = 1.4 * d, 0.5 * d
     inner = (width, pitch - 1.1 * d, pitch - 1.1 * d - rib)
     outer = (width, pitch + 1.1 * d + rib, pitch + 1.1 * d)
     middle = np.array([0.0, 0.0, -0.5 * width])
     found = []
-    for end, ring, word in zip(part.ends, (inner, outer), ("inner", "outer"), strict=True):
-        number, place, axes = at.end(end)
+    for where, ring, word in zip(rings_of(model, part), (inner, outer), ("inner", "outer"), strict=True):
+        centre = np.zeros(3) if where.place is None else where.place
+        number, place, axes = at.at_world(where.body, centre, where.axes)
         corners = (shaft_solid([ring], ROUND) + middle) @ axes.T + place
         found.append(_solid(f"{name}, {word} ring", "bearing", number, corners))
     return found
