@@ -26,7 +26,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import ACROSS, FRAME, HOLDS, NOTHING, TOGETHER, Kind, Power
-from pitchpoint.elements.ring import put_resultants
+from pitchpoint.elements.ring import RESULTANT_OUTPUTS, put_resultants
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, times, unit
 
@@ -60,22 +60,14 @@ OUTPUTS = (
     ("bearing_force[{}.my]", "N m", "moment on the body, y"),
     ("bearing_force[{}.mz]", "N m", "moment on the body about the axis"),
 )
-RESULTANTS = (
-    ("bearing_force[{}.radial]", "N", "radial force on the body"),
-    ("bearing_force[{}.axial]", "N", "axial force on the body, along its axis"),
-    ("bearing_force[{}.direction]", "rad", "direction of the radial force, from x"),
-)
-"""Observations of a bearing beside the components; couplings have none."""
 
 
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     """Observations of one record, named as bearing (on ground, in a housing) or as coupling."""
     if record["j"] == 0 or record["housed"]:
-        return OUTPUTS + RESULTANTS
-    return tuple(
-        (name.replace("bearing", "coupling"), unit, words.replace("the body", "the first body"))
-        for name, unit, words in OUTPUTS
-    )
+        return OUTPUTS + RESULTANT_OUTPUTS
+    first = ("the body", "the first body")
+    return tuple((n.replace("bearing", "coupling"), u, words.replace(*first)) for n, u, words in OUTPUTS)
 
 
 @kernel

@@ -41,6 +41,11 @@ RING: list[tuple[Any, ...]] = [
     ("g", "f8", 6),  # scratch: change of force
 ]
 
+RESULTANT_OUTPUTS = (
+    ("bearing_force[{}.radial]", "N", "radial force on the body or inner ring"),
+    ("bearing_force[{}.axial]", "N", "axial force on the body or inner ring"),
+    ("bearing_force[{}.direction]", "rad", "direction of the radial force, from the x axis"),
+)
 OUTPUTS = (
     ("bearing_force[{}.fx]", "N", "force on the inner ring, axes of the outer ring, x"),
     ("bearing_force[{}.fy]", "N", "force on the inner ring, y"),
@@ -48,9 +53,7 @@ OUTPUTS = (
     ("bearing_force[{}.mx]", "N m", "moment on the inner ring about its centre, x"),
     ("bearing_force[{}.my]", "N m", "moment on the inner ring, y"),
     ("bearing_force[{}.mz]", "N m", "moment on the inner ring about the axis"),
-    ("bearing_force[{}.radial]", "N", "radial force on the inner ring"),
-    ("bearing_force[{}.axial]", "N", "axial force on the inner ring, along z of the outer ring"),
-    ("bearing_force[{}.direction]", "rad", "direction of the radial force, from x of the outer ring"),
+    *RESULTANT_OUTPUTS,
 )
 RESULTANTS = len(OUTPUTS)
 """Number of these observations; those of a kind follow."""

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.bearing_geometry import BearingGeometry
     from pitchpoint.model.model import Model
 
-HEAD = ("bearing", "d x D x B [mm]", "elements", "pitch circle", "angle", "clearance", "axial force")
+HEAD = ("name", "d x D x B [mm]", "elements", "pitch circle", "angle", "clearance", "axial force")
 """Columns of `bearing_lines`."""
 
 

@@ -59,7 +59,10 @@ def ball_static(elements: int, diameter: float, pitch: float, angle: float = 0.0
 def ball_dynamic(elements: int, diameter: float, pitch: float, angle: float = 0.0) -> float:
     """Dynamic load rating C of a single-row ball bearing [N].
 
-    Arguments as of `ball_static`.
+    Parameters
+    ----------
+    elements, diameter, pitch, angle
+        As of `ball_static`.
 
     Notes
     -----
@@ -123,7 +126,12 @@ def roller_dynamic(
 ) -> float:
     """Dynamic load rating C of a roller bearing [N].
 
-    Arguments as of `roller_static`; `rating` is the factor b_m: 1.1, for spherical roller bearings 1.15.
+    Parameters
+    ----------
+    elements, diameter, length, pitch, angle, rows
+        As of `roller_static`.
+    rating
+        Factor b_m: 1.1, for spherical roller bearings 1.15.
 
     Notes
     -----
