@@ -69,6 +69,49 @@ def test_mounted_and_marked_bearings_of_shafts_placed_by_their_mesh():
     assert loads_model(dump_model(model)) == model
 
 
+HOUSED = """\
+bodies:
+  frame: {motion: free, mass: 9 kg, inertia: 0.1, transverse_inertia: 0.1, position: [0.1, 0.2, 0.3],
+    axes: {z: [1, 0, 0]}, markers: {bore: {position: [0, 0, 50 mm]}}}
+  rotor: {motion: free, mass: 2 kg, inertia: 2e-3, transverse_inertia: 2e-3, position: [0.1, 0.2, 0.3],
+    axes: {z: [1, 0, 0]}, markers: {seat: {position: [0, 0, 50 mm]}}}
+bearings: {feet: {body: frame, stiffness: {radial: 1e7, axial: 1e7, tilt: 1e4, torsion: 1e4}}}
+SECTION:
+"""
+
+
+@pytest.mark.filterwarnings("ignore:.*is not used")
+@pytest.mark.parametrize(
+    ("section", "keys"),
+    [
+        ("rolling_bearings", "designation: 6308"),
+        ("plain_bearings", "clearance: 20 um, stiffness: 1e8"),
+    ],
+)
+def test_a_housing_that_moves(section, keys):
+    """On a moving body along another axis: the same records as with markers on both bodies."""
+    text = HOUSED.replace("SECTION", section)
+    records = [
+        next(
+            record
+            for kind, record in compile_model(
+                loads_model(text + f"  b: {{{where}, {keys}}}\n")
+            ).records.items()
+            if kind in ("rolling_bearing", "clearance_bearing")
+        )
+        for where in (
+            "ends: [rotor.seat, frame.bore]",
+            "body: rotor, position: [0, 0, 50 mm], housing: frame",
+            "body: rotor, position: [0, 0, 50 mm], housing: frame.bore",
+        )
+    ]
+    for name in ("i", "j", "p_i", "p_j", "A_i", "A_j", "gap"):
+        for other in records[1:]:
+            np.testing.assert_allclose(other[name], records[0][name], atol=1e-15)
+    with pytest.raises(ModelError, match=r"frame\.bore is 20 mm away from the bearing"):
+        loads_model(text + f"  b: {{body: rotor, position: [0, 0, 30 mm], housing: frame.bore, {keys}}}\n")
+
+
 ROTOR = """\
 bodies:
   rotor: {motion: free, mass: 2 kg, inertia: 2e-3, transverse_inertia: 2e-3, position: PLACE, axes: {z: AXIS}}
