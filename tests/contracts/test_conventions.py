@@ -845,6 +845,7 @@ def test_faults_of_rolling_bearings_are_where_their_angles_say() -> None:
         assert math.degrees(math.atan2(fy, fx)) == pytest.approx(40.0, abs=1e-9)
 
 
+@pytest.mark.filterwarnings("ignore:.*is not used")
 def test_a_ring_on_ground_is_where_the_other_ring_is() -> None:
     """A rotor along world x away from the origin; only the bearing for +z presses back on a shift to +z."""
     text = (

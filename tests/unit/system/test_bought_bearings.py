@@ -12,6 +12,7 @@ from pitchpoint.contact.rolling import LINE, Raceways, roller_slices
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import dump_model, loads_model
 from pitchpoint.report.bearing_data import bearing_data, bearing_lines
+from pitchpoint.report.defaults import defaults
 from pitchpoint.report.frequencies import frequencies_of, turning_speeds
 from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.system.compile import compile_model
@@ -232,6 +233,17 @@ def test_catalogue_data_are_those_of_the_designation():
     rows, notes = bearing_lines(models[0])
     assert rows[0][:2] == ["a: 30208", "40 x 80 x 19.75"]
     assert "C0 = 70 kN (reproduced) and C = 63.5 kN (ISO 281 with these elements: 63" in notes[0]
+
+
+def test_check_prints_the_defaults_that_apply():
+    """Slices of rollers, grooves of balls, clearance classes of bearings that have one."""
+    found = defaults(loads_model(MOUNTED))
+    named = {
+        key.rpartition(".")[2]: key.split(".")[1] for key, _ in found if key.startswith("rolling_bearings.")
+    }
+    assert (named["slices"], named["grooves"], named["damping"]) == ("b,c", "a,d", "*")
+    assert named["clearance_class"] == "*"
+    assert dict(found)["rolling_bearings.*.damping"] == "0"
 
 
 def test_clearance_by_class():

@@ -5,7 +5,7 @@ The pitch diameter is the mean of bore and outside diameter. Number and size of 
 the static load rating exactly and, as closely as possible at the same time, the dynamic load rating and the
 usual proportions of the type (weighted least squares). The static load rating follows from geometry alone;
 many makers raise the dynamic one for better steel, so it has the weight of one source among three. Sources:
-ISO 281, ISO 76, ISO 492 grooves; proportions fitted to the ratings of NSK CAT. No. E1102.
+ISO 281:2007, ISO 76:2006; proportions fitted to the ratings of NSK CAT. No. E1102.
 """
 
 from __future__ import annotations

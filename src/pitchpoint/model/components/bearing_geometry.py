@@ -148,7 +148,10 @@ def _given(part: RollingBearing) -> BearingGeometry:
     _together(part, ELEMENTS, "")
     values: Any = part
     angle = part.contact_angle or 0.0
-    absorbs = part.axial_force_absorption or (BOTH if angle == 0.0 else POSITIVE if angle > 0.0 else NEGATIVE)
+    upright = FLOATING if part.type == "roller" or part.grooves is None else BOTH  # at a constant angle of 0
+    absorbs = part.axial_force_absorption or (
+        upright if angle == 0.0 else POSITIVE if angle > 0.0 else NEGATIVE
+    )
     if part.axial_force_absorption is not None and absorbs in (POSITIVE, NEGATIVE):
         if angle == 0.0:
             raise GeometryError(
