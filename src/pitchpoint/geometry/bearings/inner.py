@@ -140,7 +140,8 @@ def inner_geometry(
             best = score, found
     if best is None:
         raise GeometryError(
-            f"no {kind.replace('_', ' ')} bearing of these dimensions has this static load rating",
+            f"is not the static load rating of a {kind.replace('_', ' ')} bearing of these dimensions",
+            where="radial_static_load_rating",
             value=f"{static * 1e-3:.6g} kN",
             remedy="check the units of the dimensions and load ratings, or give elements, element_diameter "
             "and pitch_diameter",
@@ -148,8 +149,8 @@ def inner_geometry(
     apart = best[1].dynamic / dynamic - 1.0
     if abs(apart) > RATINGS_APART:
         raise GeometryError(
-            f"the dynamic load rating does not fit the static one: by ISO 281 it is "
-            f"{best[1].dynamic * 1e-3:.4g} kN",
+            f"does not fit the static load rating, by which it is {best[1].dynamic * 1e-3:.4g} kN (ISO 281)",
+            where="radial_dynamic_load_rating",
             value=f"{dynamic * 1e-3:.6g} kN",
             limit=f"{100 * RATINGS_APART:.0f} % difference",
             remedy="check the type and both load ratings, or give elements, element_diameter and "
