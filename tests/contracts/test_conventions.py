@@ -869,6 +869,27 @@ def test_faults_of_rolling_bearings_are_where_their_angles_say() -> None:
         assert math.degrees(math.atan2(fy, fx)) == pytest.approx(40.0, abs=1e-9)
 
 
+@pytest.mark.filterwarnings("ignore:.*is not used")
+def test_a_ring_on_ground_is_where_the_other_ring_is() -> None:
+    """A rotor along world x away from the origin; only the bearing for +z presses back on a shift to +z."""
+    text = (
+        "bodies: {rotor: {motion: free, position: [0.3, 0.2, 0.1], axes: {z: [1, 0, 0]}, mass: 2 kg, "
+        "inertia: 0.01 kg m^2, transverse_inertia: 0.01 kg m^2, markers: {m: {position: [0, 0, 40 mm]}}}}\n"
+        "rolling_bearings:\n  a: {%s, designation: 30208, axial_force_absorption: %s}\n"
+    )
+    for place in ("ends: [rotor.m, ground]", "body: rotor, position: [0, 0, 40 mm]"):
+        for direction, loaded in (("positive", True), ("negative", False)):
+            system = compile_model(loads_model(text % (place, direction)))
+            record = system.records["rolling_bearing"][0]
+            np.testing.assert_allclose(record["p_j"], [0.34, 0.2, 0.1], atol=1e-15)
+            np.testing.assert_allclose(record["A_j"][:, 2], [1.0, 0.0, 0.0], atol=1e-15)
+            state = system.initial_state()
+            state.q[system.layout.coordinate("rotor.z")] = 20e-6
+            row = evaluate.observe(system, state)
+            axial = row[system.layout.channel("bearing_force[a.axial]")]
+            assert axial < -1.0 if loaded else axial == 0.0
+
+
 def test_friction_acts_against_the_slip_speed() -> None:
     system = two_shafts("friction_clutch", i=1, j=2, value=5.0, ratio=2.0, v_s=0.1, v_eps=0.1)
     get = shown_by(system, v_one__spin=3.0, v_two__spin=1.0)

@@ -55,6 +55,7 @@ def summary(model: Model) -> dict[str, Any]:
     """Data of the simulated model."""
     from pitchpoint.model.mechanism import seat_frame
     from pitchpoint.model.signals import HEAD, signal_lines
+    from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.masses import masses
     from pitchpoint.system.rules.elastic_body import elastic_facts
@@ -116,6 +117,7 @@ def summary(model: Model) -> dict[str, Any]:
         "ratios": list(model.ratios),
         "mobility": _mobility(model),
         "bearings": list(model.bearings),
+        "bearing_data": bearing_data(model),
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in (*FORCES, *model.others)},
         "loads": list(model.loads),
@@ -248,8 +250,10 @@ def _print(model: Model, file: str) -> None:
     _show_joints(found)
     _show_meshes(found)
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
-        if found[group]:
+        if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
+    if model.rolling_bearings:
+        _show_bearings(model)
     if found["signals"]:
         table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
@@ -258,6 +262,16 @@ def _print(model: Model, file: str) -> None:
     if assumed:
         rows = [[entry["key"], entry["value"]] for entry in assumed]
         table("Defaults in effect", ["key", "value"], rows)
+
+
+def _show_bearings(model: Model) -> None:
+    """Print the data of rolling bearings, given or estimated."""
+    from pitchpoint.report.bearing_data import HEAD, bearing_lines
+
+    rows, notes = bearing_lines(model)
+    table("Rolling bearings", list(HEAD), rows)
+    for note in notes:
+        show(note)
 
 
 def _show_bodies(found: dict[str, Any]) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.components.flank_contact import default_clamp
+from pitchpoint.model.components.rolling_bearing import RollingBearing
 from pitchpoint.model.keys import defaults_of, keys_of
 from pitchpoint.model.remarks.collect import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
@@ -62,6 +63,10 @@ def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
 
 def _keys_without_effect(part: Any) -> set[str]:
     """Keys without effect on this component in its present configuration."""
+    if isinstance(part, RollingBearing):
+        found = part.geometry
+        idle = {"slices"} if found.effective_length is None else {"grooves"}
+        return idle if found.clearance_class is not None else idle | {"clearance_class"}
     idle = (
         {"inertia_tensor"}
         if getattr(part, "inertia_tensor", None) is None

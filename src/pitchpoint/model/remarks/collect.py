@@ -151,8 +151,10 @@ def flat_grooves(model: Model) -> tuple[Message, ...]:
     """A remark for every groove of a ball bearing whose radius exceeds that of its raceway."""
     found = []
     for name, bearing in model.rolling_bearings.items():
-        for k, (ring, ratio) in enumerate(zip(("inner", "outer"), bearing.grooves or (), strict=False)):
-            groove, race = ratio * bearing.element_diameter, track_radius(bearing, k == 0)
+        for k, (ring, ratio) in enumerate(
+            zip(("inner", "outer"), bearing.geometry.grooves or (), strict=False)
+        ):
+            groove, race = ratio * bearing.geometry.element_diameter, track_radius(bearing, k == 0)
             if groove > race:
                 found.append(
                     remark(

@@ -53,7 +53,7 @@ THINNEST = 0.06
 
 @dataclass(frozen=True, kw_only=True)
 class BearingSize:
-    """Dimensions of one row.
+    """Dimensions of a bearing.
 
     Attributes
     ----------
@@ -65,8 +65,8 @@ class BearingSize:
         Pitch diameter, diameter of an element and length of a roller [m].
     angle
         Contact angle; positive supports an inner ring that is loaded along +z [rad].
-    count
-        Number of elements.
+    count, rows
+        Number of elements of a row, and of rows next to each other.
     """
 
     type: str
@@ -78,6 +78,7 @@ class BearingSize:
     length: float
     angle: float
     count: int
+    rows: int = 1
 
     @property
     def cage_ratio(self) -> float:
@@ -105,28 +106,34 @@ def size_of(part: RollingBearing, shaft: float | None) -> BearingSize:
     >>> [round(1e3 * x, 1) for x in (found.bore, found.outside, found.width)]
     [49.9, 90.1, 19.9]
     """
-    d, pitch = part.element_diameter, part.pitch_diameter
-    length = part.effective_length or d
-    along, across = abs(math.sin(part.contact_angle)), math.cos(part.contact_angle)
-    half = 0.5 * d if part.type == "ball" else 0.5 * (d * across + length * along)
-    rim = RIM[part.type] * d
+    known = part.geometry
+    kind = "ball" if known.is_ball else "roller"
+    d, pitch = known.element_diameter, known.pitch_diameter
+    length = known.effective_length or d
+    angle = known.contact_angle if known.rows == 1 else 0.0
+    along, across = abs(math.sin(angle)), math.cos(angle)
+    half = 0.5 * d if known.is_ball else 0.5 * (d * across + length * along)
+    rim = RIM[kind] * d
     bore, outside = pitch - 2.0 * (half + rim), pitch + 2.0 * (half + rim)
-    wide = d if part.type == "ball" else length * across + d * along
-    width = 1.57 * d if part.type == "ball" else wide + 0.8 * d
-    if shaft is not None and pitch - 2.0 * half - 4.0 * rim < 2.0 * shaft < pitch - 2.0 * (
+    wide = d if known.is_ball else known.rows * length * across + d * along
+    width = 1.57 * d if known.is_ball else wide + 0.8 * d
+    if known.bore and known.outside and known.width:  # catalogue data
+        bore, outside, width = known.bore, known.outside, known.width
+    elif shaft is not None and pitch - 2.0 * half - 4.0 * rim < 2.0 * shaft < pitch - 2.0 * (
         half + THINNEST * d
     ):
         bore = 2.0 * shaft
     return BearingSize(
-        type=part.type,
+        type=kind,
         bore=max(bore, 0.1 * pitch),
         outside=outside,
         width=width,
         pitch=pitch,
         element=d,
         length=length,
-        angle=part.contact_angle,
-        count=part.elements,
+        angle=angle,
+        count=known.elements,
+        rows=known.rows,
     )
 
 
@@ -225,16 +232,17 @@ def roller_line(size: BearingSize, sign: float) -> tuple[tuple[float, float], tu
     The cone of a roller and both raceways have a common apex on the axis of the bearing, as for pure rolling.
     """
     ends = []
-    for place in (-0.5, 0.5):
+    for place in (-0.5 * size.rows, 0.5 * size.rows):
         half = 0.5 * size.element * (1.0 - 2.0 * place * size.length / size.pitch * math.sin(size.angle))
         r = 0.5 * size.pitch - place * size.length * math.sin(size.angle) + sign * half * math.cos(size.angle)
         ends.append((r, place * size.length * math.cos(size.angle) + sign * half * math.sin(size.angle)))
     return ends[0], ends[1]
 
 
-def element_surface(size: BearingSize, sides: int) -> shapes.Surface:
-    """Surface of a ball or roller on the first axis."""
-    place = (0.5 * size.pitch, 0.0, 0.0)
+def element_surface(size: BearingSize, sides: int, row: int = 0) -> shapes.Surface:
+    """Surface of a ball or roller of a row, above the first axis."""
+    size_of_row = size.length if size.type == "roller" else size.element
+    place = (0.5 * size.pitch, 0.0, 1.04 * (row - 0.5 * (size.rows - 1)) * size_of_row)
     if size.type == "ball":
         return shapes.ball(0.5 * size.element, place, sides)
     low, high = (

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from pitchpoint.elements import registry
 from pitchpoint.model.checks.bearing_faults import element_angles, track_radius
 from pitchpoint.model.components.bearing_fault import CageFault, ElementFault, Spall
-from pitchpoint.model.frames import GROUND, axes_of, place_of, split
+from pitchpoint.model.frames import GROUND, split
+from pitchpoint.model.rings import rings_of
 from pitchpoint.report.scene.bearing_sizes import BearingSize, element_surface, ring, size_of, size_on, spall
 from pitchpoint.report.scene.gear_room import seated
 from pitchpoint.report.scene.modes import rest_axes
@@ -105,9 +106,9 @@ def bearing_seats(model: Model, at: Places, body: str) -> list[BearingSeat]:
             found += [_seat(z, size) for z in ring_places(model, name, at.size)]
     origin, axes = at.world(body)
     for name, rolling in model.rolling_bearings.items():
-        place = place_of(model, rolling.ends[0])
-        if split(rolling.ends[0])[0] == body and place is not None:
-            found.append(_seat(float((place - origin) @ axes[:, 2]), rolling_size(model, at, name)))
+        inner = rings_of(model, rolling)[0]
+        if inner.body == body and inner.place is not None:
+            found.append(_seat(float((inner.place - origin) @ axes[:, 2]), rolling_size(model, at, name)))
     return found
 
 
@@ -136,7 +137,8 @@ def bearing_solids(model: Model, at: Places) -> list[SceneSolid]:
 
 def _rolling(model: Model, at: Places, name: str, part: RollingBearing) -> list[SceneSolid]:
     size = rolling_size(model, at, name)
-    seats = [at.end(end) for end in part.ends]
+    rings = rings_of(model, part)
+    seats = [at.ring(one) for one in rings]
     found = [
         placed_solid(f"{name}, {word} ring", "bearing", seat, ring(size, word == "inner"), schematic=False)
         for word, seat in zip(("inner", "outer"), seats, strict=True)
@@ -151,7 +153,9 @@ def _rolling(model: Model, at: Places, name: str, part: RollingBearing) -> list[
         for label, fault in part.faults.items()
         if isinstance(fault, CageFault) and fault.severity > 0.0
     }
-    found.append(_elements(at, name, size, seats[1], element_angles(part), {**wide, **faulty}, False))
+    for row in range(size.rows):
+        marked = {**wide, **faulty} if row == 0 else {}
+        found.append(_elements(at, name, size, seats[1], element_angles(part), marked, False, row))
     for label, fault in part.faults.items():
         if isinstance(fault, Spall) and not isinstance(fault, ElementFault) and fault.severity > 0.0:
             inner = fault.form == "inner_race"
@@ -163,12 +167,7 @@ def _rolling(model: Model, at: Places, name: str, part: RollingBearing) -> list[
                 f"spall of {1e3 * fault.severity * fault.length:.3g} mm ({label})",
             )
             # angles on both races count from the x axis of the outer ring as assembled
-            place = place_of(model, part.ends[0 if inner else 1])
-            body, origin, axes = at.at_world(
-                split(part.ends[0 if inner else 1])[0],
-                np.zeros(3) if place is None else place,
-                axes_of(model, part.ends[1]),
-            )
+            body, origin, axes = at.ring(rings[0 if inner else 1]._replace(axes=rings[1].axes))
             found.append(
                 SceneSolid(
                     name=f"{name}, {'inner' if inner else 'outer'} race",
@@ -195,11 +194,11 @@ def rolling_size(model: Model, at: Places, name: str) -> BearingSize:
         Name of the bearing.
     """
     part = model.rolling_bearings[name]
-    body, place = split(part.ends[0])[0], place_of(model, part.ends[0])
+    inner = rings_of(model, part)[0]
     radius = None
-    if body in model.bodies and place is not None:
-        origin, axes = at.world(body)
-        radius = shaft_radius(model, body, float((place - origin) @ axes[:, 2]))
+    if inner.body in model.bodies and inner.place is not None:
+        origin, axes = at.world(inner.body)
+        radius = shaft_radius(model, inner.body, float((inner.place - origin) @ axes[:, 2]))
     return size_of(part, radius)
 
 
@@ -236,13 +235,14 @@ def _elements(
     turns: Array,
     faults: Mapping[int, str],
     schematic: bool,
+    row: int = 0,
 ) -> SceneSolid:
     """Rolling elements on the cage, or at rest on the outer ring if the scene has none."""
     word = "balls" if size.type == "ball" else "rollers"
     levels = [
         SceneLevel(
             0.5 * size.element * (1.0 - math.cos(math.pi / sides)) if sides < CORNERS[size.type][-1] else 0.0,
-            *element_surface(size, sides),
+            *element_surface(size, sides, row),
         )
         for sides in CORNERS[size.type]
     ]
@@ -255,7 +255,7 @@ def _elements(
         body, (_, origin, frame) = cage
         place, axes = frame.T @ (place - origin), frame.T @ axes
     return SceneSolid(
-        name=f"{name}, {word}",
+        name=f"{name}, {word}" + (f" of row {row + 1}" if size.rows > 1 else ""),
         kind="element",
         body=body,
         pieces=pieces,
@@ -291,7 +291,7 @@ def cage_bodies(
             how = drawn(record)
             if how == "ring" and name in model.rolling_bearings:
                 size = rolling_size(model, at, name)
-                number, place, axes = at.end(model.rolling_bearings[name].ends[1])
+                number, place, axes = at.ring(rings_of(model, model.rolling_bearings[name])[1])
             elif (
                 how == "bearing" and model.bearings[name].body in model.bodies and len(model.bearings) <= MOST
             ):

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from pitchpoint.model.frames import GROUND, split
+from pitchpoint.model.rings import ring_ends
 from pitchpoint.viz.scene.content import SceneChannel
 
 if TYPE_CHECKING:
@@ -73,8 +74,8 @@ def _carrier(model: Model, bodies: Sequence[str]) -> str | None:
             other
             for ends in (
                 *(joint.bodies for joint in model.joints.values()),
-                *(part.ends for part in model.rolling_bearings.values()),
-                *(part.ends for part in model.plain_bearings.values()),
+                *(ring_ends(part) for part in model.rolling_bearings.values()),
+                *(ring_ends(part) for part in model.plain_bearings.values()),
                 *((part.body, part.housing or GROUND) for part in model.bearings.values()),
             )
             if body in (names := [split(end)[0] for end in ends])
@@ -90,12 +91,12 @@ def _carrier(model: Model, bodies: Sequence[str]) -> str | None:
 def _carrying(model: Model, body: str) -> list[tuple[str, str]]:
     """Bearings and joints of a planet, each with its role."""
     linear = [n for n, part in model.bearings.items() if part.body == body]
-    others = [
-        n
-        for group in (model.rolling_bearings, model.plain_bearings, model.bushings)
-        for n, part in group.items()
-        if body in {split(end)[0] for end in part.ends}
-    ]
+    ends = {
+        **{n: ring_ends(part) for n, part in model.rolling_bearings.items()},
+        **{n: ring_ends(part) for n, part in model.plain_bearings.items()},
+        **{n: part.ends for n, part in model.bushings.items()},
+    }
+    others = [n for n, named in ends.items() if body in {split(end)[0] for end in named}]
     joints = [n for n, part in model.joints.items() if body in {split(end)[0] for end in part.bodies}]
     bearings = [*linear, *others]
     many = len(bearings) > 1

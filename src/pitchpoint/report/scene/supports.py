@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.frames import GROUND, joint_axes, joint_place, place_of, split
+from pitchpoint.model.frames import GROUND, joint_axes, joint_place, split
+from pitchpoint.model.rings import ring_bodies, rings_of
 from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene import shapes
 from pitchpoint.report.scene.bearing_sizes import size_on
@@ -105,7 +106,7 @@ def covers(model: Model) -> dict[str, str]:
     They are fixed, or support bearings or rotating gears; moving bodies with own gears and shafts are not
     covers.
     """
-    rings = [p.ends[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
+    rings = [ring_bodies(p)[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
     seats = [b.housing or GROUND for b in model.bearings.values()]
     pins = [j.bodies for j in model.joints.values() if j.type == "revolute"]
     carrying = [on for on, body in pins if body != GROUND and model.bodies[split(body)[0]].gears]
@@ -137,8 +138,8 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
             held.setdefault(split(part.housing or GROUND)[0], []).append((part.body, place))
     for group in (model.rolling_bearings, model.plain_bearings):
         for pair in group.values():
-            inner, outer = (split(end)[0] for end in pair.ends)
-            where = place_of(model, pair.ends[1])
+            inner, outer = ring_bodies(pair)
+            where = rings_of(model, pair)[1].place
             if inner in model.bodies and where is not None:
                 held.setdefault(outer, []).append((inner, where))
     found = {}
