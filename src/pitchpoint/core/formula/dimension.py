@@ -60,6 +60,10 @@ class CycleError(UnitError):
     """Cycles in place of radians."""
 
 
+class RadianError(UnitError):
+    """Radians in place of cycles."""
+
+
 class Kind(NamedTuple):
     """Known dimension of a part of a formula.
 
@@ -76,6 +80,7 @@ class Kind(NamedTuple):
     loose: bool = False  # a number without unit may compensate the seconds of variables
     cycles: float = 0.0  # exponent of the cycle (Hz)
     turned: bool = False  # has a factor that converts cycles to radians: pi, an angle
+    rad: float = 0.0  # exponent of the radian from written units
 
     @property
     def seconds(self) -> tuple[float, float]:
@@ -135,6 +140,7 @@ def of_number(value: float, unit: str) -> Kind:
         written=True,
         cycles=float(u.cycle),
         turned=u.rad + u.rev != 0,
+        rad=float(u.rad + u.rev),
     )
 
 
@@ -212,6 +218,8 @@ def check_result(kind: Kind, dimension: str) -> None:
         )
     if dimension in ("angle", "angular_speed") and kind.open_cycles:
         raise CycleError(f"its units give cycles, not {wanted.si}: Hz needs the factor 2*pi")
+    if dimension == "frequency" and kind.rad - kind.cycles > 0.5:
+        raise RadianError("its units give rad/s, not Hz: an angular speed is divided by 1 rev")
 
 
 def unit_text(kind: Kind) -> str:
@@ -235,6 +243,37 @@ def unit_text(kind: Kind) -> str:
     return f"{above or '1'}/{f'({below})' if ' ' in below else below}"
 
 
+def of_amount(value: float, unit: str) -> Kind:
+    """Kind of a named constant; without unit it is a plain number, in contrast to a number in a formula.
+
+    Parameters
+    ----------
+    value
+        Value in SI units.
+    unit
+        SI unit, as `si_unit` writes it.
+    """
+    kind = of_number(value, unit)
+    return kind if unit else PLAIN._replace(written=True, turned=kind.turned)
+
+
+def si_unit(kind: Kind) -> str:
+    """SI unit of the result of a formula without variables, with radians and cycles.
+
+    A factor pi or an angle makes radians of cycles.
+
+    Examples
+    --------
+    >>> si_unit(of_number(1.0, "rpm")), si_unit(of_number(1.0, "N/mm")), si_unit(of_number(25.0, "Hz"))
+    ('s^-1 rad', 'kg s^-2', 'Hz')
+    """
+    m, kg, kelvin = kind.base
+    cycles = kind.open_cycles
+    rad = kind.rad + kind.cycles - cycles
+    powers = {"kg": kg, "m": m, "s": kind.s + cycles, "K": kelvin, "Hz": cycles, "rad": rad}
+    return " ".join(_powered(n, p) for n, p in powers.items() if abs(p) > _CLOSE)
+
+
 def _powered(name: str, power: float) -> str:
     return name if abs(power - 1.0) < _CLOSE else f"{name}^{power:.4g}"
 
@@ -250,6 +289,7 @@ def _product(a: Kind, b: Kind) -> Kind:
         a.loose or b.loose,
         a.cycles + b.cycles,
         a.turned or b.turned,
+        a.rad + b.rad,
     )
 
 
@@ -262,6 +302,7 @@ def _raised(a: Kind, power: float) -> Kind:
         rising=rising,
         falling=falling,
         cycles=a.cycles * power,
+        rad=a.rad * power,
     )
 
 
