@@ -75,6 +75,12 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         return {"type": "array", "items": inner} if key.kind == "list" else inner
     if key.kind == "variant":
         return {"oneOf": [_reference(cls, definitions, word, key.tag) for word, cls in key.of.items()]}
+    if key.kind == "parameters":
+        of_text = {"type": ["number", "string"]}
+        return {
+            "type": "object",
+            "additionalProperties": {"anyOf": [of_text, _reference(key.of, definitions)]},
+        }
     row = {"type": "array", "items": number}
     # a list of any length may also be read from a text file
     file = {"type": "string"}
@@ -116,6 +122,8 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "gains": {"type": "object", "additionalProperties": number},
         "curve": {"anyOf": [{"type": "array", "items": row}, file]},
         "code": {"type": "string"},
+        "formula": {"type": "string"},
+        "parameter": {"type": ["number", "string"]},
     }
     return plain[key.kind]
 

@@ -14,6 +14,7 @@ factor 2*pi for an angle or an angular speed.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from pitchpoint.core.errors import UnitError
@@ -236,10 +237,33 @@ def unit_text(kind: Kind) -> str:
     with_kg = {"kg": kg, "m": m, "s": s, "K": kelvin}
     with_newton = {"N": kg, "m": m - kg, "s": s + 2.0 * kg, "K": kelvin}
     powers = min(with_kg, with_newton, key=lambda p: sum(abs(v) for v in p.values()))
+    return _quotient(powers) or _NUMBER
+
+
+def readable(unit: str) -> str:
+    """Unit of an amount as it is usually written.
+
+    Examples
+    --------
+    >>> readable("kg m^2 s^-2 rad^-1"), readable("s^-1 rad"), readable("")
+    ('N m/rad', 'rad/s', '')
+    """
+    if not unit:
+        return ""
+    kind = of_number(1.0, unit)
+    kg, m, s = kind.base[1], kind.base[0], kind.s + kind.cycles
+    rest = {"K": kind.base[2], "Hz": kind.cycles, "rad": kind.rad}
+    with_kg = {"kg": kg, "m": m, "s": s, **rest}
+    with_newton = {"N": kg, "m": m - kg, "s": s + 2.0 * kg, **rest}
+    return _quotient(min(with_kg, with_newton, key=lambda p: sum(abs(v) for v in p.values())))
+
+
+def _quotient(powers: Mapping[str, float]) -> str:
+    """Product of the units with positive powers over that of the others."""
     above = " ".join(_powered(n, p) for n, p in powers.items() if p > _CLOSE)
     below = " ".join(_powered(n, -p) for n, p in powers.items() if p < -_CLOSE)
     if not below:
-        return above or _NUMBER
+        return above
     return f"{above or '1'}/{f'({below})' if ' ' in below else below}"
 
 

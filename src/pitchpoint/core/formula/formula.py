@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.formula.dimension import si_unit
 from pitchpoint.core.formula.language import (
     ARITY,
     CONST,
@@ -29,7 +30,6 @@ from pitchpoint.core.formula.language import (
     FormulaError,
     apply,
 )
-from pitchpoint.core.formula.dimension import si_unit
 from pitchpoint.core.formula.parser import Parser
 
 __all__ = ["CONSTANTS", "FUNCTIONS", "MAX_DEPTH", "Amount", "Formula", "FormulaError", "constant"]
