@@ -86,6 +86,7 @@ SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
 STEP_MARK = "pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
+SCHEMA_TITLE = '"title": "pitchpoint model file"'
 MODEL_MARK = "# model written by pitchpoint\n"
 """Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
 
@@ -108,6 +109,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "animation": ("an animation of modes of pitchpoint (JSON, NPZ)", _is_animation),
+    "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }

@@ -13,6 +13,8 @@ from pitchpoint.model.model import Model
 from pitchpoint.model.sections import load_others
 from pitchpoint.model.write import quantity_text
 
+INCLUDE = "include"
+FILES = Key("names", "files below the folder of the model file, whose sections are added")
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -29,6 +31,8 @@ def json_schema() -> dict[str, Any]:
     load_others()
     definitions: dict[str, Any] = {}
     top = _object(Model, definitions)
+    top["properties"] = {INCLUDE: _property(FILES, None, definitions), **top["properties"]}
+    top["properties"][INCLUDE]["type"] = ["string", "array"]
     return {"$schema": DRAFT, "title": "pitchpoint model file", **top, "$defs": definitions}
 
 
