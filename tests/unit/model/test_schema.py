@@ -8,7 +8,8 @@ import json
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.model.keys import walk
 from pitchpoint.model.model import Model
-from pitchpoint.model.schema import json_schema, reference_page
+from pitchpoint.model.reference import reference_page
+from pitchpoint.model.schema import json_schema
 
 
 def test_every_key_is_described() -> None:
