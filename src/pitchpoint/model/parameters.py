@@ -38,12 +38,12 @@ def good_name(reader: Reader, name: str) -> bool:
     what = ""
     if not _NAME.fullmatch(name):
         what = "is not a name that a formula can use"
-    elif name in UNITS:
-        what = "is the symbol of a unit"
     elif name in FUNCTIONS or name in CONSTANTS:
         what = "is a function or constant of formulas"
     elif name in VARIABLES:
         what = "is a variable of formulas"
+    elif name in UNITS:
+        what = "is the symbol of a unit"
     if what:
         reader.problem((SECTION, name), what, remedy=_SIMPLE)
     return not what

@@ -25,8 +25,9 @@ booleans are rejected where a number is expected. `pitchpoint new` writes a mode
 
 Every number may be a formula of numbers with units, [parameters](#model-parameters), `pi` and functions:
 `302.585 mm * cos(120 deg)`. A *law* is a constant, a formula of the time `t` (loads: also `angle` and
-`speed`; along lines: `elongation` and `rate`), a table `{table: [[0 s, 0], [1 s, 150 N m]], over: time}`, or a
-Python function `{python: "file.py:function"}`; a torque may be `balance`, the value that balances all others.
+`speed`; along lines: `elongation` and `rate`), a table `{table: [[0 s, 0], [1 s, 150 N m]], over: time}`, or
+a Python function `{python: "file.py:function"}`; a torque may be `balance`, the value that balances all
+others.
 
 (model-include)=
 ## include
@@ -130,7 +131,10 @@ class _Page:
             "The keys at the top of the file; each section has a heading below.",
             "",
         ]
-        yield from self._table(Model)
+        yield from ["| key | meaning |", "|---|---|"]
+        for name, key in keys_of(Model).items():
+            yield f"| [{name}](#{self._label((name,))}) | {_escape(key.meaning)} |"
+        yield ""
         for name, key in keys_of(Model).items():
             yield from [f"({self._label((name,))})=", f"## {name}", "", f"{_sentence(key.meaning)}", ""]
             if name in self.snippets:
@@ -169,7 +173,7 @@ class _Page:
             default = default_text(key, defaults[name]) if name in defaults else "**required**"
             cells = (
                 f"`{name}`",
-                self._form(name, key, cls is Model),
+                self._form(name, key),
                 default,
                 _range(key),
                 _escape(key.meaning),
@@ -177,10 +181,8 @@ class _Page:
             yield f"| {' | '.join(cells)} |"
         yield ""
 
-    def _form(self, name: str, key: Key, at_top: bool) -> str:
+    def _form(self, name: str, key: Key) -> str:
         """Form of the value of a key, with a link to its description."""
-        if at_top and (key.kind == "components" or _classes(key)):
-            return f"[{name}](#{self._label((name,))})"
         linked = [f"[{word or name}](#{self._label(self.uses[c][0])})" for word, c in _classes(key)]
         if linked:
             form = " or ".join(linked)

@@ -82,6 +82,7 @@ class Kind(NamedTuple):
     cycles: float = 0.0  # exponent of the cycle (Hz)
     turned: bool = False  # has a factor that converts cycles to radians: pi, an angle
     rad: float = 0.0  # exponent of the radian from written units
+    named: bool = False  # contains a named constant, next to which a number without unit is a plain number
 
     @property
     def seconds(self) -> tuple[float, float]:
@@ -99,7 +100,7 @@ class Kind(NamedTuple):
     @property
     def anything(self) -> bool:
         """Whether the dimension is arbitrary because of a number without unit."""
-        return self.bare and (not self.written or self.fits(PLAIN))
+        return self.bare and not self.named and (not self.written or self.fits(PLAIN))
 
     def fits(self, other: Kind) -> bool:
         """Whether both can have the same dimension."""
@@ -278,7 +279,7 @@ def of_amount(value: float, unit: str) -> Kind:
         SI unit, as `si_unit` writes it.
     """
     kind = of_number(value, unit)
-    return kind if unit else PLAIN._replace(written=True, turned=kind.turned)
+    return (kind if unit else PLAIN._replace(written=True, turned=kind.turned))._replace(named=True)
 
 
 def si_unit(kind: Kind) -> str:
@@ -314,6 +315,7 @@ def _product(a: Kind, b: Kind) -> Kind:
         a.cycles + b.cycles,
         a.turned or b.turned,
         a.rad + b.rad,
+        a.named or b.named,
     )
 
 
@@ -349,7 +351,8 @@ def _same(op: int, a: Kind, b: Kind) -> Kind:
     """Common kind of two operands of the same dimension, as in a sum."""
     cycles = a.open_cycles or b.open_cycles
     kind = _firm(op, a, b)
-    return kind._replace(cycles=cycles, turned=a.turned and b.turned and not cycles)
+    named = a.named or b.named
+    return kind._replace(cycles=cycles, turned=a.turned and b.turned and not cycles, named=named)
 
 
 def _firm(op: int, a: Kind, b: Kind) -> Kind:

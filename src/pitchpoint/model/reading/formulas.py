@@ -225,7 +225,7 @@ def parameters(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         result: Any = BAD
         if own.good_name(reader, str(name)):
             given = entry if isinstance(entry, Mapping) else {"value": entry}
-            result = reader.component(Parameter, given, place)
+            result = entry if isinstance(entry, Parameter) else reader.component(Parameter, given, place)
         if result is BAD:
             reader.unreadable.add(str(name))
         else:
