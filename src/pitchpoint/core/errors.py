@@ -36,8 +36,8 @@ class FileLine(int):
         self.file = file
         return self
 
-    def __getnewargs__(self) -> tuple[int, str]:
-        return int(self), self.file
+    def __reduce__(self) -> tuple[type[FileLine], tuple[int, str]]:
+        return FileLine, (int(self), self.file)
 
 
 class Message(str):
