@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a model file says beyond the values of a model: formulas with parameters, numbers without unit."""
+"""Contents of a model file beyond the values of a model: formulas with parameters, numbers without unit."""
 
 from __future__ import annotations
 

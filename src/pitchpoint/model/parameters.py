@@ -18,6 +18,7 @@ from pitchpoint.core.unit_table import UNITS
 from pitchpoint.core.units import natural_quantity
 from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.keys import BAD
+from pitchpoint.model.reading.formula_text import is_formula
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
@@ -108,7 +109,6 @@ def amount_of(data: Any, reader: Reader, name: str, known: Mapping[str, Amount])
     """
     from pitchpoint.core.formula.dimension import of_number, si_unit
     from pitchpoint.core.formula.formula import Amount, FormulaError, constant
-    from pitchpoint.model.reading.formulas import is_formula
 
     place = (SECTION, name)
     try:

@@ -135,7 +135,15 @@ class Formula:
 def parsed(
     text: str, variables: tuple[str, ...], dimension: str = "", names: Mapping[str, Amount] | None = None
 ) -> Parser:
-    """Run the parser over a formula; arguments as in `Formula.parse`, `names` as in `constant`."""
+    """Run the parser over a formula.
+
+    Parameters
+    ----------
+    text, variables, dimension
+        As in `Formula.parse`.
+    names
+        As in `constant`.
+    """
     if not isinstance(text, str):
         raise FormulaError(f"{text!r} is not a formula")
     if len(text) > MAX_TEXT:

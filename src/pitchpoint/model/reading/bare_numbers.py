@@ -13,7 +13,7 @@ def is_doubtful(value: float, dimension: str) -> bool:
     """Whether a number without unit may be meant in rpm, millimetres or degrees.
 
     Speeds always: a number in rad/s has no typical size. Lengths from 1 m, where most parts are smaller.
-    Angles beyond a turn, and whole numbers: 15 rad is no usual angle, and 0.26 is.
+    Angles beyond a turn, and whole numbers: 15 rad is rarely meant, in contrast to 0.26 rad.
 
     Parameters
     ----------

@@ -7,8 +7,7 @@ and its dimension is compared with that of the key.
 
 from __future__ import annotations
 
-import re
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import UnitError
@@ -17,45 +16,11 @@ from pitchpoint.core.units import format_quantity, parse_quantity
 from pitchpoint.model import parameters as own
 from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.reading.formula_text import WORDS, is_formula
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
     from pitchpoint.model.reading.reader import Reader
-
-WORDS = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
-_CALL = re.compile(r"[A-Za-z_]\w*\s*\([^()]*[,\d]|\b(?:sin|cos|tan|sqrt|exp|log|abs)\s*\(")
-_POWER = re.compile(r"(?:\^|\*\*)\s*\(?\s*[+-]?\d+\s*\)?|(?<=[A-Za-zµ°])-?\d+|(?<![\d.])1\s*(?=/)")
-_NUMBER = re.compile(r"(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
-_OPERATOR = re.compile(r"[+*/^()-]|\s−")
-_BEGINS = re.compile(r"\s*[-+(\s]*[A-Za-z_]")
-
-
-def is_formula(text: str, names: Collection[str]) -> bool:
-    """Whether a text is a formula rather than a number with a unit.
-
-    Parameters
-    ----------
-    text
-        The text.
-    names
-        Names of parameters.
-
-    Examples
-    --------
-    >>> is_formula("302.585 mm * cos(120 deg)", ()), is_formula("14 N/(mm um)", ()), is_formula("a/2", {"a"})
-    (True, False, True)
-    """
-    words = set(WORDS.findall(text))
-    if words & {"pi", *names} or _CALL.search(text):
-        return True
-    if "," in text:
-        return False
-    rest = _POWER.sub(" ", text)
-    numbers = _NUMBER.findall(rest)
-    plain = _NUMBER.sub(" ", rest)
-    if len(numbers) > 1 and _OPERATOR.search(plain.strip().lstrip("+-")):
-        return True
-    return "+" in plain.strip().lstrip("+-") or (bool(names) and _BEGINS.match(text) is not None)
 
 
 def mentions(reader: Reader, text: str) -> bool:
@@ -176,7 +141,7 @@ def expanded(reader: Reader, text: str, variables: tuple[str, ...], dimension: s
 
 
 def whole(reader: Reader, text: str, path: Place) -> Any:
-    """Value of a formula for a whole number, without rounding errors; None if the text is no formula."""
+    """Value of a formula for a whole number, without rounding errors; None if the text is not a formula."""
     found = number(reader, "dimensionless", text, path)
     if found is None or found is BAD:
         return found

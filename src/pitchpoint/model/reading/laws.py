@@ -56,6 +56,7 @@ def laws(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 
 def formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[str, ...]) -> Any:
+    """Read a formula of the variables; its parameters are replaced by their values in SI units."""
     from pitchpoint.core.formula.formula import FormulaError
 
     if reader.unreadable.intersection(_WORDS.findall(text)):

@@ -19,6 +19,7 @@ from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.origin import Bare, Source
 from pitchpoint.model.reading import bare_numbers, data_files, forms, formulas, laws, mechanism, signals
+from pitchpoint.model.reading.formula_text import is_formula
 from pitchpoint.model.show import SI, dotted, example, limit_text, shown
 
 if TYPE_CHECKING:
@@ -368,7 +369,7 @@ class Reader:
 
 def _within(reader: Reader, description: Key, data: Any, value: float) -> str:
     """Remedy for a quantity out of range: the number with its customary unit, or without its sign."""
-    if isinstance(data, str) and formulas.is_formula(data, reader.parameters):
+    if isinstance(data, str) and is_formula(data, reader.parameters):
         return f"correct the formula; the value is {example(description)}, for instance"
     if not isinstance(data, str) and description.dimension in ("length", "angle"):
         meant = f"{data} {DIMENSIONS[description.dimension].example.partition(' ')[2]}"

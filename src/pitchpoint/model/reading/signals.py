@@ -12,7 +12,8 @@ from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
-from pitchpoint.model.reading import data_files, formulas, laws
+from pitchpoint.model.reading import data_files, laws
+from pitchpoint.model.reading.formula_text import WORDS
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return reader.problem(
             path, "is empty" if data is None else "is not a number", value=_text_of(data), remedy=REMEDY
         )
-    if reader.unreadable.intersection(formulas.WORDS.findall(data)):
+    if reader.unreadable.intersection(WORDS.findall(data)):
         return reader.taint(path)
     try:
         amount, used = constant(data, "", reader.parameters)
