@@ -175,12 +175,7 @@ def in_unit(value: float, dimension: str, unit: str) -> float:
 def natural_quantity(text: str) -> tuple[float, str]:
     """SI value of a quantity of any dimension, and its unit as written.
 
-    Cycles and radians are kept apart as in `natural_si`.
-
-    Raises
-    ------
-    UnitError
-        For text that is not a number with a unit.
+    Cycles and radians are kept apart as in `natural_si`. Text that is not a number with a unit is an error.
 
     Examples
     --------

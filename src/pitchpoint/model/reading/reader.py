@@ -14,23 +14,16 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean, nearest
-from pitchpoint.core.unit_table import DIMENSIONS
-from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.origin import Bare, Source
-from pitchpoint.model.reading import bare_numbers, data_files, forms, formulas, laws, mechanism, signals
-from pitchpoint.model.reading.formula_text import is_formula
-from pitchpoint.model.show import SI, dotted, example, limit_text, shown
+from pitchpoint.model.reading import data_files, forms, formulas, laws, mechanism, ranges, signals
+from pitchpoint.model.show import dotted, example, shown
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
 
-HUGE, TINY = 1e60, 1e-60
-"""Limits of SI values, so that products of a few quantities neither overflow nor underflow."""
 WHOLE = ("list", "tooth_profile")
 """Kinds of keys whose components have no path of their own in `Model.replace`."""
-FASTEST = 1e9
-"""Maximum rotational speed [rad/s]: the rim of a gear of 1 mm would move at 0.2 % of the speed of light."""
 
 
 @dataclass
@@ -191,29 +184,7 @@ class Reader:
                 path, "is not a number", value=shown(data), remedy=f"write {example(description)}"
             )
         result = formulas.quantity(self, description, data, path)
-        if result is BAD:
-            return BAD
-        most = FASTEST if description.dimension == "angular_speed" else HUGE
-        if not abs(result) <= most or 0.0 < abs(result) < TINY:
-            limit = f"0, or {TINY:g} to {most:g} in SI units"
-            return self.problem(
-                path,
-                "is out of the range of computation",
-                value=formulas.with_value(self, description, data, result),
-                limit=limit,
-                remedy=f"write {example(description)}",
-            )
-        if not description.allows(result):
-            return self.problem(
-                path,
-                "is out of range",
-                value=formulas.with_value(self, description, data, result),
-                limit=limit_text(description),
-                remedy=_within(self, description, data, result),
-            )
-        if not isinstance(data, str) and bare_numbers.is_doubtful(result, description.dimension):
-            self.bare.append(Bare(path, result, description.dimension))
-        return result
+        return BAD if result is BAD else ranges.within(self, description, data, result, path)
 
     def whole(self, description: Key, data: Any, path: Place) -> Any:
         """Read a whole number."""
@@ -225,7 +196,7 @@ class Reader:
             data = found
         number = isinstance(data, Real) and not isinstance(data, bool)
         if not number or data != data or data in (math.inf, -math.inf):
-            quoted = f"write {data.strip()} without quotes" if _is_quoted_number(data) else ""
+            quoted = f"write {data.strip()} without quotes" if ranges.is_quoted_number(data) else ""
             remedy = quoted or f"write {example(description)}"
             return self.problem(
                 path, "is not a whole number", value=shown(data), limit=description.limit, remedy=remedy
@@ -365,29 +336,6 @@ class Reader:
         if word is BAD:
             return BAD
         return self.component(forms[word], {k: v for k, v in data.items() if k != tag}, path)
-
-
-def _within(reader: Reader, description: Key, data: Any, value: float) -> str:
-    """Remedy for a quantity out of range: the number with its customary unit, or without its sign."""
-    if isinstance(data, str) and is_formula(data, reader.parameters):
-        return f"correct the formula; the value is {example(description)}, for instance"
-    if not isinstance(data, str) and description.dimension in ("length", "angle"):
-        meant = f"{data} {DIMENSIONS[description.dimension].example.partition(' ')[2]}"
-        fits = description.allows(parse_quantity(meant, description.dimension))
-        better = meant if fits else example(description)
-        return f"a bare number is in {SI[description.dimension]}; write {better}"
-    if isinstance(data, str) and description.allows(-value):
-        return f"write {data.strip().lstrip('+-−').strip()}"
-    sample = example(description)
-    usual = DIMENSIONS[description.dimension].example.split(" or ")[0]
-    if description.dimension == "dimensionless" and sample == usual and not description.allows(float(usual)):
-        closest = min(max(value, description.minimum), description.maximum)
-        sample = f"{closest:g}" if description.allows(closest) else f"a number {limit_text(description)}"
-    return f"write {sample}"
-
-
-def _is_quoted_number(data: Any) -> bool:
-    return isinstance(data, str) and data.strip().isascii() and data.strip().isdigit()
 
 
 _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
