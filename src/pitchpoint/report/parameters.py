@@ -30,8 +30,8 @@ def value_of(amount: Amount) -> str:
     Examples
     --------
     >>> from pitchpoint.core.formula.formula import Amount
-    >>> value_of(Amount(0.003, "m")), value_of(Amount(100.0, "s^-1 rad")), value_of(Amount(2.0, "m^4"))
-    ('3 mm', '954.9297 rpm', '2 m^4')
+    >>> value_of(Amount(0.003, "m")), value_of(Amount(100.0, "s^-1 rad")), value_of(Amount(2.0, "m^7"))
+    ('3 mm', '954.9297 rpm', '2 m^7')
     """
     unit = readable(amount.unit)
     found = next((name for name, row in DIMENSIONS.items() if row.si == unit), None)
