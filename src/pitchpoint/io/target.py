@@ -81,10 +81,15 @@ def _is_animation(_: Path, head: bytes) -> bool:
     return head.startswith(b'{"about": "motion: mode, frame') or head[30:40] == b"bodies.npy"
 
 
+def _is_png(_: Path, head: bytes) -> bool:
+    return head.startswith(b"\x89PNG") and PNG_MARK in head
+
+
 PAGE_MARK = '<meta name="generator" content="pitchpoint">'
 SVG_MARK = "<!-- generator: pitchpoint -->"
 DXF_MARK = "999\npitchpoint\n"
 STEP_MARK = "pitchpoint"
+PNG_MARK = b"Software\x00pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
 SCHEMA_TITLE = '"title": "pitchpoint model file"'
 MODEL_MARK = "# model written by pitchpoint\n"
@@ -107,6 +112,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "model": ("a model written by a command of pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
+    "png": ("a picture of pitchpoint (PNG)", _is_png),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "animation": ("an animation of modes of pitchpoint (JSON, NPZ)", _is_animation),
     "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),

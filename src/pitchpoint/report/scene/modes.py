@@ -72,14 +72,14 @@ def modes_of_result(
     PitchpointError
         If it does not contain the motion of the bodies.
     """
-    if "body_shape" not in result:
-        raise PitchpointError("this result of modes contains no motion of bodies; recompute it")
+    if "body_shape" not in result or "undamped_frequency" not in result:
+        raise PitchpointError("this result of modes is of an older version; recompute it")
     names = [str(name) for name in result["body"].values]
     coordinates = [str(name) for name in result["coordinate"].values]
     return [
         _mode(
             f"{k + 1}: {result['name'].values[k]}",
-            (float(result["frequency"][k]), float(result["damping_ratio"][k])),
+            (float(result["undamped_frequency"][k]), float(result["damping_ratio"][k])),
             (names, np.asarray(result["body_shape"].values[k], dtype=complex)),
             (coordinates, np.asarray(result["shape"].values[k], dtype=complex)),
             bodies,
