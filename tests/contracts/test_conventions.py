@@ -125,6 +125,19 @@ def test_units_in_a_formula_must_give_what_is_wanted() -> None:
     assert Formula.parse("25 Hz")(0.0) == 25.0
 
 
+def test_a_parameter_retains_its_dimension() -> None:
+    text = "parameters: {gap: VALUE}\nbodies: {a: {inertia: 1 kg m^2, position: [2*gap, 0, 0]}}"
+    model = loads_model(text.replace("VALUE", "3 mm"))
+    assert model.bodies["a"].position[0] == 0.006
+    for given in ("0.003", "3 N", "3 deg"):
+        with pytest.raises(ModelError):
+            loads_model(text.replace("VALUE", given))
+        if given != "0.003":
+            with pytest.raises(ModelError):
+                model.replace("parameters.gap", given)
+    assert model.replace("parameters.gap", 0.004).bodies["a"].position[0] == 0.008  # in Python in SI
+
+
 def test_spin_axis_is_the_third_axis_of_a_right_handed_frame() -> None:
     system = compile_model(loads_model(FREE))
     evaluate.prepare(system)

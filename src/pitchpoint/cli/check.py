@@ -39,10 +39,10 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """
     from pitchpoint.cli.failure import say
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.model.remarks.collect import odd_shapes, remarks_of
+    from pitchpoint.model.remarks.collect import odd_shapes, remarks_of, remarks_of_file
 
     model = read_model(file, allow_code, quiet)
-    messages = (*remarks_of(model), *odd_shapes(model))
+    messages = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model))
     for message in messages:
         say(f"warning: {message}")
     if as_json:
@@ -80,6 +80,8 @@ def summary(model: Model) -> dict[str, Any]:
     return {
         "ok": True,
         "title": model.title,
+        "parameters": _parameters(model),
+        "included": list(model.origin.files),
         "degrees_of_freedom": sum(
             len(_freedoms(model, name)) * len(model.stations.get(name, (0.0,))) for name in model.bodies
         ),
@@ -124,6 +126,21 @@ def summary(model: Model) -> dict[str, Any]:
         "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
+    }
+
+
+def _parameters(model: Model) -> dict[str, dict[str, Any]]:
+    """Parameters as written, with SI value and unit."""
+    from pitchpoint.core.formula.dimension import readable
+
+    return {
+        name: {
+            "written": part.value,
+            "value": model.amounts[name].value,
+            "unit": readable(model.amounts[name].unit),
+            "text": part.text,
+        }
+        for name, part in model.parameters.items()
     }
 
 
@@ -231,7 +248,13 @@ def _direction(axis: list[float]) -> str:
 def _print(model: Model, file: str) -> None:
     """Print the data as tables."""
     found = summary(model)
+    from pitchpoint.report.parameters import HEAD, parameter_lines
+
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
+    if found["included"]:
+        show(f"included files: {', '.join(found['included'])}")
+    if model.parameters:
+        table("Parameters", HEAD, parameter_lines(model))
     _show_bodies(found)
     if found["masses"]:
         from pitchpoint.cli.mass import show_masses

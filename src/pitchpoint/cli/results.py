@@ -85,19 +85,23 @@ def result_path(output: str | None, file: str, scenario: str) -> Path:
 
 
 def header_of(model: Model, file: str, scenario: str, kind: str, solver: str) -> Header:
-    """Provenance of a result; for a modified model it contains the model instead of the text of its file."""
+    """Provenance of a result; for a modified model it contains the model instead of the text of its file.
+
+    Likewise for a model of several files.
+    """
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.io.container import Header
     from pitchpoint.model.write import model_text
 
     chosen = model.scenarios[scenario] if scenario else None
+    is_whole = model.changed or bool(model.origin.files)
     return Header(
         kind=kind,
         title=model.title,
         scenario=scenario,
         solver=solver,
         model_hash=content_hash(model),
-        model_text=model_text(model) if model.changed else Path(file).read_text(encoding="utf-8-sig"),
+        model_text=model_text(model) if is_whole else Path(file).read_text(encoding="utf-8-sig"),
         options=options_of(chosen) if chosen is not None else {},
     )
 

@@ -33,6 +33,7 @@ from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
@@ -41,7 +42,7 @@ from pitchpoint.model.components.shaft import Shaft
 from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
 from pitchpoint.model.components.unbalance import Unbalance
-from pitchpoint.model.keys import Key, component, defaults_of, keys_of, quantities, text
+from pitchpoint.model.keys import Key, component, defaults_of, key, keys_of, quantities, text
 from pitchpoint.model.scenario import Scenario
 
 
@@ -78,6 +79,9 @@ class Contents:
     """All keys of a model file, in their order."""
 
     title: str = text("title of the model", "")
+    parameters: Mapping[str, Parameter] = key(
+        "parameters", "named values for all keys and formulas", {}, of=Parameter, later=True
+    )
     gravity: Triple | None = quantities(
         "acceleration",
         "acceleration of gravity in world axes; no weight if omitted",
@@ -160,9 +164,9 @@ class Contents:
 
 
 SECTIONS: dict[str, Section] = {
-    f.name: Section(f.name, key.meaning, key.of, f.metadata["rules"], f.metadata["needs"])
+    f.name: Section(f.name, held.meaning, held.of, f.metadata["rules"], f.metadata["needs"])
     for f in dataclasses.fields(Contents)
-    if (key := f.metadata["key"]).kind == "components"
+    if (held := f.metadata["key"]).kind == "components"
 }
 """Sections of this package by name."""
 GROUPS = tuple(SECTIONS)

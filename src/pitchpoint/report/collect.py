@@ -50,6 +50,7 @@ def describe(model: Model) -> ReportModel:
     from pitchpoint.report.flanks import flank_lines, inactive_faults
     from pitchpoint.report.numbers import geometry_of_model
     from pitchpoint.report.overview import counts_of
+    from pitchpoint.report.parameters import parameter_lines
 
     numbers = geometry_of_model(model)
     bodies = {name: model.body_of(mesh.gears[0]) for name, mesh in model.every_mesh.items()}
@@ -66,6 +67,7 @@ def describe(model: Model) -> ReportModel:
         shafts={mesh: body for mesh, body in bodies.items() if body},
         counts=counts_of(model),
         signals=signal_lines(model),
+        parameters=parameter_lines(model),
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],
         sources=_sources(model),
     )

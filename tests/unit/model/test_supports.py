@@ -7,7 +7,7 @@ import pytest
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.model.schema import reference_page
+from pitchpoint.model.reference import reference_page
 from pitchpoint.system.compile import compile_model
 from tests.support.model_files import gear, pair
 

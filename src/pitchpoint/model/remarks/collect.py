@@ -17,6 +17,7 @@ from pitchpoint.model.checks.gear_pairs import at_tip_diameter
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
 from pitchpoint.model.remarks.beams import ends_left_behind
+from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameters
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks.places import places_left_open
@@ -211,6 +212,11 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
     )
     found = [each for find in finders for each in find(model)]
     return tuple(e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
+
+
+def remarks_of_file(model: Model) -> tuple[Message, ...]:
+    """Remarks on the text of the file, which runs do not repeat."""
+    return (*numbers_without_unit(model), *unused_parameters(model))
 
 
 def warn_of_remarks(model: Model) -> None:
