@@ -30,8 +30,9 @@ from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.replace import replace_at
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.sections import GROUPS, Contents
-from pitchpoint.model.shafts import own_bodies, station_names, stations_of
+from pitchpoint.model.shafts import station_names, stations_of
 from pitchpoint.model.show import dotted
+from pitchpoint.model.stand_ins import own_parts
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
 
 if TYPE_CHECKING:
@@ -85,9 +86,8 @@ class Model(Contents):
     """Kinematic tree of the bodies and the cut joints."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "bodies", own_bodies(self.bodies))
         for group in GROUPS:
-            object.__setattr__(self, group, Frozen(getattr(self, group)))
+            object.__setattr__(self, group, Frozen(own_parts(getattr(self, group))))
         self._set_others(self.others)
         report = Reader()
         for name in self.others:
@@ -207,7 +207,8 @@ class Model(Contents):
             name, *rest = path.split(".")
             if rest and name in keys_of(Model):
                 part = tops.get(name, getattr(self, name))
-                part = own_bodies(part) if name == "bodies" else part
+                if isinstance(part, Mapping):
+                    part = _own(part, name, rest[0], report)
                 tops[name] = replace_at(part, tuple(rest), value, report, (name,), keys_of(Model)[name])
             else:
                 whole = replace_at(self, (name, *rest), value, report)
@@ -316,3 +317,15 @@ class Model(Contents):
         from pitchpoint.model.table import model_table
 
         return model_table(self)
+
+
+def _own(parts: Mapping[str, Any], section: str, name: str, report: Reader) -> dict[str, Any]:
+    """Components of a section that can be replaced; reports one that belongs to a planetary stage."""
+    stage = getattr(parts.get(name), "stage", None)
+    if stage is not None:
+        report.problem(
+            (section, name),
+            f"belongs to the planetary stage {stage}",
+            remedy=f"replace keys of planetary_stages.{stage}",
+        )
+    return own_parts(parts)

@@ -170,7 +170,7 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
         return
     before = len(report.problems)
     try:
-        pair = _pair(one.geometry, two.geometry, mesh.center_distance)
+        pair = pair_of(one.geometry, two.geometry, mesh.center_distance)
         for problem in pair.problems("", mesh.gears, gears=False):
             report.hand_on(("meshes", name), problem)
         if len(report.problems) > before or not parts.misshapen.isdisjoint(mesh.gears):
@@ -182,6 +182,21 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
     else:
         parts.pairs[name] = pair
         parts.meshes[name] = replace(mesh, a_w=pair.a_w)
+
+
+def pair_at_distance(parts: Parts, name: str, distance: float, report: Reader) -> None:
+    """Set the centre distance of a mesh to the distance of its bodies [m] and report problems there."""
+    pair, mesh = parts.pairs[name], parts.meshes[name]
+    try:
+        moved = pair_of(pair.gear1, pair.gear2, distance)
+        for problem in moved.problems("", mesh.gears, gears=False):
+            report.hand_on(("meshes", name), problem)
+        _ = moved.eps_alpha, moved.j_bt
+    except GeometryError as error:
+        report.hand_on(("meshes", name), error.problem)
+    else:
+        parts.pairs[name] = moved
+        parts.meshes[name] = replace(mesh, a_w=moved.a_w)
 
 
 def _check_misalignment(mesh: Mesh, at: Place, report: Reader) -> None:
@@ -201,7 +216,8 @@ def _check_misalignment(mesh: Mesh, at: Place, report: Reader) -> None:
         )
 
 
-def _pair(one: CylindricalGear, two: CylindricalGear, distance: float | None) -> GearPair:
+def pair_of(one: CylindricalGear, two: CylindricalGear, distance: float | None) -> GearPair:
+    """Pair of two gears at a centre distance [m], or at that without backlash."""
     from pitchpoint.geometry.gear_pair import GearPair
 
     if distance is not None:

@@ -29,12 +29,15 @@ from pitchpoint.model.checks.supports import (
     check_turning,
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
+from pitchpoint.model.checks.planetary_stages import check_planets, check_spacing
 from pitchpoint.model.parts import Parts
+from pitchpoint.model.planetary_stages import add_planetary_stages
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.shafts import add_shafts, check_shaft_places
 
 CHECKS = (
     check_given,
+    add_planetary_stages,
     check_solids,
     add_shafts,
     add_elastic_bodies,
@@ -52,7 +55,9 @@ CHECKS = (
     check_elastic_bodies,
     check_signals,
     check_positions,
+    check_spacing,
     resolve,
+    check_planets,
     check_fault_laws,
     check_flank_contacts,
     check_shaft_places,
