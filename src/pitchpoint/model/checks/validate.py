@@ -11,7 +11,6 @@ from pitchpoint.model.checks.contacts import check_contacts
 from pitchpoint.model.checks.elastic_bodies import add_elastic_bodies, check_elastic_bodies
 from pitchpoint.model.checks.flank_contact import check_flank_contacts
 from pitchpoint.model.checks.forces import check_forces, check_loads, check_unbalances
-from pitchpoint.model.checks.gear_pairs import check_phasing
 from pitchpoint.model.checks.gears import check_choices
 from pitchpoint.model.checks.joints import check_joints
 from pitchpoint.model.checks.masses import check_masses, check_motions
@@ -29,6 +28,7 @@ from pitchpoint.model.checks.supports import (
     check_turning,
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
+from pitchpoint.model.checks.phasing import check_phasing
 from pitchpoint.model.checks.planetary_stages import check_planets, check_spacing
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.planetary_stages import add_planetary_stages
