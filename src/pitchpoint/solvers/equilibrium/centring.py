@@ -65,7 +65,7 @@ def centred(system: System, state: State, held: Iterable[int] = (), *, loaded: b
         if not isinstance(supports, np.ndarray):
             mass, supports = mass.toarray(), supports.toarray()
         root, new = np.sqrt(np.diagonal(mass)), state.copy()
-        aim = np.zeros(len(records))
+        aim, flank = np.zeros(len(records)), np.zeros(len(records))
         for count in range(2 * PASSES if loaded else PASSES):
             residual = evaluate.residual(system, new)[free] if loaded else np.zeros(free.size)
             moved = np.zeros(free.size) if loaded else supports @ (new.q[free] - state.q[free])
@@ -75,7 +75,9 @@ def centred(system: System, state: State, held: Iterable[int] = (), *, loaded: b
             new.q[free] += step
             if loaded and count == PASSES - 1:
                 flank = np.sign(stretch + slopes @ step)
-                aim = flank * np.array([0.5 * float(r["now"]["gap"]) for r in records])
+            if loaded and count >= PASSES - 1:  # the backlash changes with the centre distances
+                _travel(system, new)
+                aim = flank * np.array([0.5 * max(0.0, float(r["now"]["gap"])) for r in records])
     finally:
         for record, value in zip(records, kept, strict=True):
             record["c_prime"] = value
