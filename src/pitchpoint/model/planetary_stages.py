@@ -120,7 +120,7 @@ def _add(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> None
     if taken:
         return
     for group, word, part, key in members(name, stage):
-        getattr(parts, group)[word] = part
+        parts.section(group)[word] = part
         parts.names[group] = parts.known(group) | {word}
         report.aliases[group, word] = (*at, key) if key else at
         if group == "meshes":
