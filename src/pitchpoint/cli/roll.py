@@ -30,7 +30,14 @@ SIZES = [
 ROUND_OFF = 1e-12
 """Lengths below this are shown as zero [m]."""
 
-NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "periods_rolled": [], "meshes": {}, "channels": {}, "planet_loads": {}}
+NOT_BEGUN: dict[str, Any] = {
+    "steps": 0,
+    "mesh": None,
+    "periods_rolled": [],
+    "meshes": {},
+    "channels": {},
+    "planet_loads": {},
+}
 """Parts of the summary that are empty if a roll fails before its first point."""
 
 

@@ -37,10 +37,11 @@ def orient(parts: Parts) -> None:
             mates.setdefault(one, []).append(two)
             mates.setdefault(two, []).append(one)
     for stage in parts.planetary_stages.values():
-        for body in (body for body in axis_bodies(parts, stage) if body in parts.bodies):
-            for planet in (planet for planet in stage.names if planet in parts.bodies):
-                mates.setdefault(body, []).append(planet)
-                mates.setdefault(planet, []).append(body)
+        for central in axis_bodies(parts, stage):
+            for planet in stage.names:
+                if {central, planet} <= parts.bodies.keys():
+                    mates.setdefault(central, []).append(planet)
+                    mates.setdefault(planet, []).append(central)
     queue = deque(n for n, b in parts.bodies.items() if b.axes is not None)
     while queue:
         here = queue.popleft()

@@ -32,8 +32,8 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.sections import GROUPS, Contents
 from pitchpoint.model.shafts import station_names, stations_of
 from pitchpoint.model.show import dotted
-from pitchpoint.model.stand_ins import own_parts
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.bevel.pair import BevelPair

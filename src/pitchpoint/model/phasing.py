@@ -40,12 +40,12 @@ class Phasing:
     offset: Mapping[str, float]
     """Base-tangent distance from the middle of the backlash at zero spin, by mesh [m], in (-p_bt/2, p_bt/2];
     zero unless both gears have an initial_angle or the meshes form a loop. It is added to u_bt."""
-    loops_close: bool
-    """Whether the teeth of all loops of meshes meet except for small errors, such as those of pins. These are
-    divided over the meshes of the loop."""
     travel: Mapping[str, float]
     """Base-tangent travel of gear 1 past the state where its nearest tooth is centred on the line of centres,
     in the middle of the common face width, by mesh [m], in (-p_bt/2, p_bt/2]."""
+    loops_close: bool
+    """Whether the teeth of all loops of meshes meet except for small errors, such as those of pins. These are
+    divided over the meshes of the loop."""
 
 
 def pitch_directions(mesh: Mesh, gear1: Gear, gear2: Gear) -> tuple[float, float]:

@@ -8,12 +8,14 @@ the pins, moved by the error of its pin; the distances of the places are the cen
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
@@ -22,6 +24,7 @@ from pitchpoint.model.components.planetary_stage import JOINTS, PinError, Planet
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.show import dotted
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
@@ -46,11 +49,9 @@ def add_planetary_stages(parts: Parts, report: Reader) -> None:
             report.tainted.add((group,))
         report.tainted.add((SECTION, name))
     for name, stage in parts.planetary_stages.items():
-        if _usable(parts, name, stage, report):
-            _add(parts, name, stage, report)
-        else:
-            for group in ("gears", "bodies"):
-                parts.names[group] = parts.known(group) | set(stage.names)
+        if not (_usable(parts, name, stage, report) and _add(parts, name, stage, report)):
+            for group, word, _, _ in members(name, stage):  # known, though without data
+                parts.names[group] = parts.known(group) | {word}
                 report.tainted.add((group,))
 
 
@@ -104,8 +105,8 @@ def _usable(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> b
     return len(report.problems) == before and at not in report.tainted
 
 
-def _add(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> None:
-    """Add gears, bodies, joints, bearings and meshes of the planets of one stage."""
+def _add(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> bool:
+    """Add gears, bodies, joints, bearings and meshes of the planets of one stage; False if names are taken."""
     at: Place = (SECTION, name)
     taken = {
         (group, word) for group, word, _, _ in members(name, stage) if word in parts.known(group)
@@ -116,16 +117,63 @@ def _add(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> None
             f"needs the name {word}, which {group}.{word} has already",
             remedy="rename that component, or give the stage another planet_name",
         )
-        report.tainted.add((group,))
     if taken:
-        return
-    for group, word, part, key in members(name, stage):
+        return False
+    for group, word, part, _ in members(name, stage):
         parts.section(group)[word] = part
         parts.names[group] = parts.known(group) | {word}
-        report.aliases[group, word] = (*at, key) if key else at
+    report.aliases |= places_in_file(name, stage)
+    return True
+
+
+def places_in_file(name: str, stage: PlanetaryStage) -> dict[Place, Place]:
+    """Paths in the file that describe the components of the planets: SECTION, NAME or SECTION, NAME, KEY."""
+    at: Place = (SECTION, name)
+    found: dict[Place, Place] = {}
+    for group, word, _, key in members(name, stage):
+        found[group, word] = (*at, key) if key else at
         if group == "meshes":
-            report.aliases[group, word, "gears"] = at
-            report.aliases[group, word, "center_distance"] = (*at, "center_distance")
+            found[group, word, "gears"] = at
+            found[group, word, "center_distance"] = (*at, "center_distance")
+    return found
+
+
+def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
+    """Messages on components of planets at the keys of their stages, equal ones on several planets once.
+
+    Parameters
+    ----------
+    model
+        The model.
+    messages
+        Messages with paths of the components.
+    """
+    places = {
+        dotted(p): dotted(q)
+        for n, s in model.planetary_stages.items()
+        for p, q in places_in_file(n, s).items()
+    }
+    if not places:
+        return tuple(messages)
+    found = []
+    for message in messages:
+        whole = message.where
+        while whole and whole not in places:
+            whole = whole.rpartition(".")[0]
+        found.append(message.changed(where=places[whole] + message.where[len(whole) :]) if whole else message)
+    return told_once(model.planetary_stages, found)
+
+
+def told_once(stages: Mapping[str, PlanetaryStage], messages: Iterable[Message]) -> tuple[Message, ...]:
+    """Messages without those that differ from an earlier one only in the number of the planet."""
+    planets = [re.escape(planet) for stage in stages.values() for planet in stage.names]
+    if not planets:
+        return tuple(messages)
+    numbered = re.compile(rf"\b({'|'.join(planets)})\b")
+    found: dict[str, Message] = {}
+    for message in messages:
+        found.setdefault(numbered.sub("planet", str(message)), message)
+    return tuple(found.values())
 
 
 def members(name: str, stage: PlanetaryStage) -> Iterator[tuple[str, str, Any, str]]:
@@ -197,7 +245,7 @@ def orient_pins(parts: Parts) -> None:
             parts.joints[name] = replace(joint, axes=parts.bodies[joint.bodies[1]].orientation)
 
 
-def nominal_distance(parts: Parts, stage: PlanetaryStage) -> float | None:
+def nominal_distance(parts: Any, stage: PlanetaryStage) -> float | None:
     """Distance of the pins from the axis without pin errors [m]; None if its meshes are not valid."""
     for name in (*stage.sun_meshes(), *stage.ring_meshes()):
         if name in parts.meshes and (a := parts.meshes[name].a_w) is not None:

@@ -184,6 +184,9 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
 def geometry_of_model(model: Model) -> dict[str, Any]:
     """Output of `gears --json`."""
 
+    from pitchpoint.report.planets import stages_of_model
+
+    stages = {"planetary_stages": stages_of_model(model)} if model.planetary_stages else {}
     return {
         "gears": {
             name: gear_numbers(model, name) | measure_numbers(gear.geometry)
@@ -192,6 +195,7 @@ def geometry_of_model(model: Model) -> dict[str, Any]:
         "meshes": {name: mesh_numbers(model, name) for name in model.meshes},
         "bevel_gears": {name: bevel_gear_numbers(model, name) for name in model.bevel_gears},
         "bevel_meshes": {name: bevel_mesh_numbers(model, name) for name in model.bevel_meshes},
+        **stages,
     }
 
 

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.mesh import Backlash, Mesh
     from pitchpoint.model.parts import Parts
 
+
 def check_gear(parts: Parts, name: str, report: Reader) -> None:
     """Check the geometry, modifications, deviations, faults and blank of one gear."""
     gear = parts.gears[name]

@@ -27,28 +27,33 @@ def check_phasing(parts: Parts, report: Reader) -> None:
     """
     meshes = {n: m for n, m in parts.meshes.items() if n in parts.pairs}
     found = assemble(parts.gears, meshes)
+    wrong: dict[str, tuple[float, float]] = {}
     for name, offset in found.offset.items():
         if ("meshes", name) in report.tainted:
             continue
-        pair, mesh = parts.pairs[name], meshes[name]
-        p_bt = abs(pair.p_et)
-        room = 0.5 * max(0.0, gap(pair, mesh)) + OFFSET_TOLERANCE * p_bt
-        if abs(offset) <= room:
+        pair = parts.pairs[name]
+        room = 0.5 * max(0.0, gap(pair, meshes[name])) + OFFSET_TOLERANCE * abs(pair.p_et)
+        if abs(offset) > room:
+            wrong[name] = abs(offset) - room, room
+    fixed = {n for n in wrong if all(parts.gears[g].initial_angle is not None for g in meshes[n].gears)}
+    loops = [n for n in wrong if n not in fixed]
+    if found.loops_close:  # by errors of places: these can give way, and are told once for a train
+        loops = [n for n in loops if not gives_way(parts, meshes, n)]
+        loops = [max(loops, key=lambda n: wrong[n][0])] if loops else []
+    for name in wrong:
+        if name not in fixed and name not in loops:
             continue
-        second = mesh.gears[1]
-        given = all(parts.gears[g].initial_angle is not None for g in mesh.gears)
-        small = not given and found.loops_close
-        if small and gives_way(parts, meshes, name):
-            continue
+        first, second = meshes[name].gears
+        overlap, room = wrong[name]
         report.problem(
-            ("gears", second, "initial_angle") if given else ("meshes", name),
-            f"lets teeth of {mesh.gears[0]} and {second} overlap by {(abs(offset) - room) * 1e3:.4g} mm",
+            ("gears", second, "initial_angle") if name in fixed else ("meshes", name),
+            f"lets teeth of {first} and {second} overlap by {overlap * 1e3:.4g} mm",
             limit=f"{room * 1e3:.4g} mm off the middle of the gap",
             remedy="remove initial_angle of one of the gears"
-            if given
+            if name in fixed
             else "give more backlash, or let a gear of the loop of meshes move sideways, such as a sun with "
             "motion: planar"
-            if small
+            if found.loops_close
             else "change the directions or teeth of the loop of meshes",
         )
 

@@ -9,7 +9,7 @@ With sun and ring, all planets can be assembled if the angles between them are w
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.units import format_quantity
@@ -70,6 +70,7 @@ def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> 
     worst = max(missed)[0]
     if worst * radius <= SAME:
         return
+    report.tainted.update(("meshes", mesh) for mesh in (*stage.sun_meshes(), *stage.ring_meshes()))
     listed = ", ".join(f"{round(math.degrees(b), 9):.9g} deg" for b in nearest)
     count = len(stage.places)
     if stage.angles is None:
@@ -86,7 +87,7 @@ def _spacing(parts: Parts, at: Place, stage: PlanetaryStage, report: Reader) -> 
     else:
         report.problem(
             (*at, "angles"),
-            f"cannot be assembled: a planet is {math.degrees(worst):.4g} deg beside the nearest possible place",
+            f"cannot be assembled: a planet is {math.degrees(worst):.4g} deg off the nearest possible angle",
             limit=f"whole multiples of 360/{teeth} = {360.0 / teeth:.6g} deg between the planets",
             remedy=f"give angles: [{listed}], and errors of the pins as pin_errors",
         )
@@ -134,7 +135,7 @@ def check_planets(parts: Parts, report: Reader) -> None:
             break
 
 
-def planet_gaps(parts: Parts, stage: PlanetaryStage) -> list[tuple[float, tuple[str, str]]]:
+def planet_gaps(parts: Any, stage: PlanetaryStage) -> list[tuple[float, tuple[str, str]]]:
     """Distances between the tip circles of neighbouring planets, without pin errors [m], and their names."""
     distance = nominal_distance(parts, stage)
     order = sorted(range(len(stage.places)), key=lambda k: stage.places[k] % math.tau)

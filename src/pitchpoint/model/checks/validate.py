@@ -6,6 +6,7 @@ from __future__ import annotations
 from pitchpoint.model.assembly import resolve
 from pitchpoint.model.checks.beams import check_beams
 from pitchpoint.model.checks.bevel_gears import check_bevel_gears, check_bevel_names, check_bevel_pairs
+from pitchpoint.model.checks.carried_meshes import check_carried_meshes
 from pitchpoint.model.checks.choices import check_given
 from pitchpoint.model.checks.contacts import check_contacts
 from pitchpoint.model.checks.elastic_bodies import add_elastic_bodies, check_elastic_bodies
@@ -15,6 +16,8 @@ from pitchpoint.model.checks.gears import check_choices
 from pitchpoint.model.checks.joints import check_joints
 from pitchpoint.model.checks.masses import check_masses, check_motions
 from pitchpoint.model.checks.mechanism import check_mechanism
+from pitchpoint.model.checks.phasing import check_phasing
+from pitchpoint.model.checks.planetary_stages import check_planets, check_spacing
 from pitchpoint.model.checks.references import check_carriers, check_places, check_references
 from pitchpoint.model.checks.scenarios import check_scenarios
 from pitchpoint.model.checks.signal_places import check_signal_places
@@ -28,10 +31,8 @@ from pitchpoint.model.checks.supports import (
     check_turning,
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
-from pitchpoint.model.checks.phasing import check_phasing
-from pitchpoint.model.checks.planetary_stages import check_planets, check_spacing
 from pitchpoint.model.parts import Parts
-from pitchpoint.model.planetary_stages import add_planetary_stages
+from pitchpoint.model.planetary_stages import add_planetary_stages, told_once
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.shafts import add_shafts, check_shaft_places
 
@@ -62,6 +63,7 @@ CHECKS = (
     check_flank_contacts,
     check_shaft_places,
     check_mechanism,
+    check_carried_meshes,
     check_signal_places,
     check_beams,
     check_couplings,
@@ -82,3 +84,4 @@ def check(parts: Parts, report: Reader) -> None:
     """Check the parts of a model and compute the derived data; problems are added to `report`."""
     for each in CHECKS:
         each(parts, report)
+    report.problems[:] = told_once(parts.planetary_stages, report.problems)

@@ -10,6 +10,7 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.checks.carried_meshes import off_axis
 from pitchpoint.model.frames import GROUND, Array, body_frame, split
 
 if TYPE_CHECKING:
@@ -24,8 +25,10 @@ SAME = 1e-6
 
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
-    """A remark for every axis that is located by a joint, overlapping gears, and the far end of a shaft."""
-    return (*_axes_by_joints(model), *_gears_in_gears(model), *_far_ends(model))
+    """A remark for every axis that is located by a joint, overlapping gears, the far end of a
+    shaft, and carriers beside the axis of their central gears."""
+    beside = (remark(f"bodies.{o.carrier}.position", o.words, o.remedy) for o in off_axis(model))
+    return (*_axes_by_joints(model), *_gears_in_gears(model), *_far_ends(model), *beside)
 
 
 def _axes_by_joints(model: Model) -> Iterator[Message]:
