@@ -12,6 +12,7 @@ from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.carried_meshes import off_axis
 from pitchpoint.model.frames import GROUND, Array, body_frame, split
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -37,7 +38,7 @@ def _axes_by_joints(model: Model) -> Iterator[Message]:
     A planet carrier without position would rotate about the pin of its first planet.
     """
     joined: dict[str, list[str]] = {}
-    for joint, part in model.joints.items():
+    for joint, part in own_parts(model.joints).items():  # a stage locates its carrier
         for body_name in dict.fromkeys(split(end)[0] for end in part.bodies):
             joined.setdefault(body_name, []).append(joint)
     coupled = {name for coupling in model.couplings.values() for name in coupling.bodies}
