@@ -179,21 +179,27 @@ def _places(parts: Parts, report: Reader) -> None:
 
 def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
     """Locate all bodies that follow from bodies of known position, by joints, meshes and couplings in
-    turn."""
-    before = -1
-    while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
-        before = len(placed)
-        place_planets(parts)
-        place_joined(parts)
-        _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None])
+    turn; by meshes without direction, which stand at 0 deg, only where nothing else locates a body."""
+    for given in (True, False):
+        before = -1
+        while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
+            before = len(placed)
+            place_planets(parts)
+            place_joined(parts)
+            _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None], given)
 
 
-def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str]) -> None:
-    """Locate all bodies linked to bodies of known position by meshes and couplings."""
+def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str], given: bool) -> None:
+    """Locate all bodies linked to bodies of known position by couplings and meshes.
+
+    `given`: only by meshes with a direction.
+    """
     queue = deque(placed)
     while queue:
         here = queue.popleft()
         for kind, link in links.get(here, ()):
+            if given and kind == "mesh" and parts.meshes[link].direction is None:
+                continue
             there = _place_next(parts, here, kind, link)
             if there is not None:
                 queue.append(there)

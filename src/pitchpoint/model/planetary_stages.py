@@ -106,7 +106,7 @@ def _usable(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> b
 
 
 def _add(parts: Parts, name: str, stage: PlanetaryStage, report: Reader) -> bool:
-    """Add gears, bodies, joints, bearings and meshes of the planets of one stage; False if names are taken."""
+    """Add the components of the planets of one stage; False if their names are taken."""
     at: Place = (SECTION, name)
     taken = {
         (group, word) for group, word, _, _ in members(name, stage) if word in parts.known(group)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of the meshes of planets: their places must not follow from defaults, nor change with the carrier."""
+"""Checks of the meshes of planets: their places follow from the file and do not change with the carrier."""
 
 from __future__ import annotations
 
