@@ -179,7 +179,7 @@ def _places(parts: Parts, report: Reader) -> None:
 
 def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
     """Locate all bodies that follow from bodies of known position, by joints, meshes and couplings in
-    turn; by meshes without direction, which stand at 0 deg, only where nothing else locates a body."""
+    turn; meshes with a direction are first, those without one are at 0 deg."""
     for given in (True, False):
         before = -1
         while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
@@ -198,7 +198,7 @@ def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[
     while queue:
         here = queue.popleft()
         for kind, link in links.get(here, ()):
-            if given and kind == "mesh" and parts.meshes[link].direction is None:
+            if given and (kind != "mesh" or parts.meshes[link].direction is None):
                 continue
             there = _place_next(parts, here, kind, link)
             if there is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Components that stand for others of the model file, such as the body of a shaft or a planet of a stage."""
+"""Components that represent others of the model file, such as the body of a shaft or a planet of a stage."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ T = TypeVar("T")
 
 
 def stands_in(part: Any) -> bool:
-    """Whether a component stands for one of another section and is not written to a file."""
+    """Whether a component represents one of another section and is not written to a file."""
     return bool(getattr(part, "stands_in", False)) or getattr(part, "stage", None) is not None
 
 
 def own_parts(parts: Mapping[str, T]) -> dict[str, T]:
-    """Components of a section without those that stand for others."""
+    """Components of a section without those that represent others."""
     return {name: part for name, part in parts.items() if not stands_in(part)}

@@ -60,12 +60,12 @@ def test_a_carrier_beside_the_axis_of_the_sun() -> None:
     with pytest.raises(ModelError) as caught:
         loads_model(SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg, position: [5 mm, 0, 0]"))
     assert str(caught.value).splitlines()[1].strip() == (
-        "bodies.carrier.position (line 12): has its axis 5 mm beside that of sun, so that the centre "
+        "bodies.carrier.position (line 12): has its axis 5 mm off that of sun, so that the centre "
         "distance of s0 varies by 10 mm in a revolution of the carrier (limit 0.4 mm, a tenth of a module); "
         "give carrier the position of sun"
     )
     near = SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg, position: [0, 20 um, 0]")
-    assert told(near)[0].startswith("bodies.carrier.position: has its axis 20 µm beside that of sun")
+    assert told(near)[0].startswith("bodies.carrier.position: has its axis 20 µm off that of sun")
     assert told(SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg, position: [0, 1 um, 0]")) == ()
 
 

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 SAME = 1e-6
 """Distance up to which two axes coincide [m]."""
 LARGEST = 0.1
-"""Distance of the axes of a carrier and of a central gear, in normal modules, above which it is no error of
-the position: the centre distances of the planets vary by twice as much in a revolution."""
+"""Distance of the axes of a carrier and of a central gear, in normal modules, above which it exceeds any
+error: the centre distances of the planets vary by twice as much in a revolution."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class OffAxis:
         """Statement of the difference."""
         size = format_quantity(self.distance, "length", 3)
         return (
-            f"has its axis {size} beside that of {self.central}, so that the centre distance of {self.mesh} "
+            f"has its axis {size} off that of {self.central}, so that the centre distance of {self.mesh} "
             f"varies by {format_quantity(2.0 * self.distance, 'length', 3)} in a revolution of the carrier"
         )
 
@@ -90,7 +90,7 @@ def off_axis(machine: Any) -> Iterator[OffAxis]:
 
 
 def check_carried_meshes(parts: Parts, report: Reader) -> None:
-    """Report carriers far from the axis of their central gears, and rings that stand at 0 deg by default."""
+    """Report carriers far from the axis of their central gears, and rings located at 0 deg by default."""
     for found in off_axis(parts):
         if found.distance > LARGEST * found.module and ("bodies", found.carrier) not in report.tainted:
             limit = format_quantity(LARGEST * found.module, "length", 3)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Check of the assembly of the gears: teeth must not overlap by more than the machine can give way."""
+"""Check of the assembly of the gears: teeth must not overlap, except in bodies that can move sideways."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def check_phasing(parts: Parts, report: Reader) -> None:
             wrong[name] = abs(offset) - room, room
     fixed = {n for n in wrong if all(parts.gears[g].initial_angle is not None for g in meshes[n].gears)}
     loops = [n for n in wrong if n not in fixed]
-    if found.loops_close:  # by errors of places: these can give way, and are told once for a train
+    if found.loops_close:  # position errors, reported once for a train
         loops = [n for n in loops if not gives_way(parts, meshes, n)]
         loops = [max(loops, key=lambda n: wrong[n][0])] if loops else []
     for name in wrong:

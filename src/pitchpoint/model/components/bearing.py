@@ -33,4 +33,4 @@ class Bearing:
         "components", "faults by name", {}, isolated=True, of=SEAT_FAULTS
     )
     stage: str | None = derived()
-    """Planetary stage that stands for the bearing, if any."""
+    """Planetary stage that contains the bearing, if any."""

@@ -113,7 +113,7 @@ class Body:
     """The elastic body that the body represents, if any; its markers are the nodes."""
 
     stage: str | None = derived()
-    """Planetary stage that stands for the body, if any."""
+    """Planetary stage that contains the body, if any."""
 
     @property
     def moves(self) -> str:

@@ -131,7 +131,7 @@ class Joint:
     )
 
     stage: str | None = derived()
-    """Planetary stage that stands for the joint, if any."""
+    """Planetary stage that contains the joint, if any."""
 
     @property
     def names(self) -> tuple[str, ...]:

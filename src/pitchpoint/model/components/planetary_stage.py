@@ -113,7 +113,7 @@ class SinglePlanet:
 class PlanetaryStage:
     """Equal planets on the pins of a carrier, in mesh with a sun, a ring, or both.
 
-    The stage stands for the gears, bodies, pins, bearings and meshes of its planets.
+    The stage represents the gears, bodies, pins, bearings and meshes of its planets.
     """
 
     sun: str | None = text("name of the sun gear", None, display="no sun")

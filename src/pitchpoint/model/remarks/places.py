@@ -27,7 +27,7 @@ SAME = 1e-6
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
     """A remark for every axis that is located by a joint, overlapping gears, the far end of a
-    shaft, and carriers beside the axis of their central gears."""
+    shaft, and carriers off the axis of their central gears."""
     beside = (remark(f"bodies.{o.carrier}.position", o.words, o.remedy) for o in off_axis(model))
     return (*_axes_by_joints(model), *_gears_in_gears(model), *_far_ends(model), *beside)
 
