@@ -16,6 +16,7 @@ GROUPS = {
     "Compile and solve": (
         "compile_model",
         "solve_equilibrium",
+        "planet_loads",
         "solve_quasistatic",
         "solve_modal",
         "solve_campbell",

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import planet_loads
 
 __all__ = [
     "BasicRack",
@@ -63,6 +64,7 @@ __all__ = [
     "design_relief",
     "load_model",
     "open_result",
+    "planet_loads",
     "read_measured",
     "reduce_system",
     "run_cases",
@@ -111,6 +113,7 @@ _HOMES = {
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
     "system.compile": ("compile_model",),
+    "system.planet_loads": ("planet_loads",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

@@ -229,6 +229,8 @@ def compute(
 def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
     """Channels with statistics in the table, and the size of the sweeps."""
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import FACTOR
+    from pitchpoint.system.planet_loads import WORDS as WORDS_OF_FACTOR
 
     if scenario.sweep is not None:
         both = scenario.sweep.direction == "both"
@@ -240,6 +242,7 @@ def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], 
             words = "transmission error without load"
             channels.append((f"unloaded_transmission_error[{mesh}]", "m", words))
             channels.append((f"tangent_stiffness[{mesh}]", "N/m", "slope of the mesh force"))
+    channels += [(f"{FACTOR}[{stage}]", "1", WORDS_OF_FACTOR) for stage in model.planetary_stages]
     return channels, {}
 
 
@@ -283,6 +286,8 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
         columns += ["mesh"] * several + list(words)
     else:
         columns += [f"{word} {mesh}".rstrip() for mesh in (meshes if several else [""]) for word in words]
+    stages = list(dict.fromkeys(s for r in results for s in stages_of(r)))
+    columns += [f"K_γ {stage}" for stage in stages]
     rows = []
     for result in results[:MAX_ROWS]:
         values = [str(result.values[path]) for path in paths]
@@ -291,9 +296,14 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
             per_mesh[0][0] = f"{how_a_status_ends(result.status)} ({result.status})"
         if rolled:
             named = [[mesh] * several for mesh in meshes]
-            rows += [[*values, *name, *cells] for name, cells in zip(named, per_mesh, strict=True)]
+            factors = [factor_cells(result, stages), *([[""] * len(stages)] * (len(meshes) - 1))]
+            rows += [
+                [*values, *name, *cells, *ends]
+                for name, cells, ends in zip(named, per_mesh, factors, strict=True)
+            ]
         else:
-            rows.append([*values, *(cell for cells in per_mesh for cell in cells)])
+            cells = [cell for cells in per_mesh for cell in cells]
+            rows.append([*values, *cells, *factor_cells(result, stages)])
     notes = [f"{len(results) - MAX_ROWS} more cases are in the file"] if len(results) > MAX_ROWS else []
     table(title, columns, rows, notes, keys=len(paths) + (rolled and several))
     for result in results:
@@ -310,6 +320,18 @@ WORDS = ("rms of deflection", "maximum force", "contact loss")
 def is_roll(result: CaseResult) -> bool:
     """Whether a case is a slow roll with at least one point."""
     return any(name.startswith("unloaded_transmission_error[") for name in result.channels)
+
+
+def stages_of(result: CaseResult) -> list[str]:
+    """Names of the planetary stages with a mesh load factor in a case."""
+    start = "load_sharing_factor["
+    return [name[len(start) : -1] for name in result.channels if name.startswith(start)]
+
+
+def factor_cells(result: CaseResult, stages: Sequence[str]) -> list[str]:
+    """Mesh load factor of every stage."""
+    rows = [result.channels.get(f"load_sharing_factor[{stage}]") for stage in stages]
+    return [NOTHING if row is None or math.isnan(row["mean"]) else f"{row['mean']:.4f}" for row in rows]
 
 
 def meshes_of(result: CaseResult) -> list[str]:

@@ -182,6 +182,21 @@ def statistics_table(
     table(title, ["channel", "mean", "alternating rms", "min", "max"], rows, notes)
 
 
+def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
+    """Print mean mesh force and share of every planet, and the mesh load factor of every stage."""
+    for stage, found in loads.items():
+        if found["load_sharing_factor"] is None:
+            continue
+        rows = [
+            [planet, mesh, shown(force, "force", 5), f"{100.0 * share:.2f} %"]
+            for planet, mesh, force, share in zip(
+                found["planets"], found["meshes"], found["mean_force"], found["share"], strict=True
+            )
+        ]
+        title = f"{stage}: mesh load factor K_γ = {found['load_sharing_factor']:.4f}"
+        table(title, ["planet", "mesh", "mean mesh force", "share"], rows)
+
+
 def statistics_cells(row: Mapping[str, Any]) -> list[str]:
     """Statistics of a channel as texts; zeros have the unit of the other values."""
     from pitchpoint.core.units import display_unit

@@ -204,6 +204,7 @@ def _run(
 ) -> CaseResult:
     """Compile and run one case."""
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import with_factors
 
     begun = time.perf_counter()
     system = compile_model(model, scenario)
@@ -220,13 +221,13 @@ def _run(
 
         roll = roll_through(system, scenario, progress=listen)
         channels = {t.name: statistics(t) for t in tables(system, roll) if np.size(t.values) and t.rolled}
-        found = {"channels": channels, "steps": len(roll.position)}
+        found = {"channels": with_factors(model, channels), "steps": len(roll.position)}
         status, words, notes = roll.status, roll.sentence, (*roll.notes, *roll.cycle_notes)
     else:
         from pitchpoint.solvers.time import run_time
 
         done = run_time(system, scenario, progress=listen)
-        found = {"channels": done.channels, "steps": done.steps}
+        found = {"channels": with_factors(model, done.channels), "steps": done.steps}
         status, words, notes = done.status, done.sentence, done.notes
         if status != OK:
             words = f"{words} (at t = {done.t_end:.6g} s)"

@@ -20,6 +20,7 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.constraints.assembly import assemble_state, close_loops
+from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
 from pitchpoint.solvers.equilibrium.unknowns import ROUNDING, rest_matrix
@@ -231,6 +232,7 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
             _turn_to(system, state, name, value)
     held = list(held_spins(system))
     if scenario.start == "assembled":
+        state = centred(system, state, {*held, *driven}, loaded=False)
         state, notes = _closed(system, scenario, state, driven)
         if balancing_loads(system):
             system = _at_rest(system, state, held, driven)[0]
@@ -256,6 +258,7 @@ def _at_rest(
     instants = cycle_instants(system, state) if balancing else NOW
     mean, balanced, held = balance_torques(mean, state, held, driven, instants)
     known = {*driven, *balanced}
+    state = centred(mean, state, {*held, *known})
     found, signal_notes = rest_of_controls(mean, state, held, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)
     if pulsates:
