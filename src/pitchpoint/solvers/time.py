@@ -21,9 +21,9 @@ from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.initial_state.start import UNBALANCED, Start, prepare_start
-from pitchpoint.solvers.mean_balance import drift_notes
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
+from pitchpoint.solvers.speed_drift import drift_notes
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_statistics
 from pitchpoint.system import evaluate
@@ -310,12 +310,13 @@ class _Loop:
         found = read_statistics(self.sums)
         channels = channel_statistics(self.system.layout.channels, found)
         remarks = run_remarks(self.system, channels)
-        if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
-            remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
+        t = float(self.run_.t)
+        if status == OK:
+            state = self.run_.state()
+            remarks = (*remarks, *drift_notes(self.start, self.scenario, channels, state, t - self.t0))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
         remarks = (*remarks, *self._divisions())
-        t = float(self.run_.t)
         return TimeSummary(
             status=status,
             sentence=(self.sampler.failure if self.sampler is not None else "") or self._sentence(status),
