@@ -160,7 +160,8 @@ class Scenario:
 
     speed: dict[str, float] = key(
         "speeds",
-        "initial speeds of bodies; those of other bodies follow from the gear ratios",
+        "initial speeds of bodies, mean speeds if a torque balances pulsating loads; those of other bodies "
+        "follow from the gear ratios",
         {},
         dimension="angular_speed",
     )

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
@@ -202,7 +202,8 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
             found.rolls[take(found.rolls)] = given_roll(data, note)
             return
         settle = float(header["options"].get("settle_time", 0.0))
-        found.runs[take(found.runs)] = TimeRun(data=data, settle_time=settle, note=note)
+        notes = split_notes(str(data.attrs.get("notes", "")))
+        found.runs[take(found.runs)] = TimeRun(data=data, settle_time=settle, note=note, remarks=notes)
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
@@ -231,7 +232,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         time = data["time"].values
         settle = SETTLED * float(time[-1] - time[0]) if time.size else 0.0
         name = _free("time response", str(len(found.runs) + 1), found.runs)
-        found.runs[name] = TimeRun(data=data, settle_time=settle)
+        notes = split_notes(str(data.attrs.get("notes", "")))
+        found.runs[name] = TimeRun(data=data, settle_time=settle, remarks=notes)
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)

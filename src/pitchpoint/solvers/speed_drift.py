@@ -54,27 +54,36 @@ def drift_notes(
     end, t_end
         State at the end of the run, and its time [s].
     """
-    system, model = start.system, start.system.model
-    if model is None or scenario.start != "equilibrium" and not balancing_loads(system):
-        return ()
-    if model.actuators or system.kinds(CLUTCH) or any(str(n).startswith(UNBALANCED) for n in start.notes):
-        return ()
-    held, driven = held_spins(system), set(driven_coordinates(system))
-    motions = rotations(system, held)[:, [k for k, spin in enumerate(held) if spin not in driven]]
-    window = t_end - scenario.statistics_start
-    found = []
-    for body, given in scenario.speed.items():
+    window, found = t_end - scenario.statistics_start, []
+    for body, loads in watched(start, scenario).items():
+        spin, given = start.system.spin(body), scenario.speed[body]
         mean = float(channels.get(f"speed[{body}]", {}).get("mean", np.nan))
-        spin = system.spin(body)
-        if not motions[spin].any():
-            continue
-        loads = _loads_of(system, spin)
-        if not loads or any(_switched(model.loads[name].torque) for name in loads):
-            continue
-        if abs(mean - given) > DRIFT * abs(given) + _allowance(start, spin, window) and given != 0.0:
-            left = _net_torque(start, motions, spin, (end.v[spin] - given) / t_end)
+        if abs(mean - given) > DRIFT * abs(given) + _allowance(start, spin, window):
+            left = _net_torque(start, spin, (float(end.v[spin]) - given) / t_end)
             found.append(_remark(start, body, loads, (given, mean, float(end.v[spin])), left))
     return tuple(found)
+
+
+def watched(start: Start, scenario: Scenario) -> dict[str, list[str]]:
+    """Bodies whose mean speed should be that of the scenario, with the torques on their gear trains."""
+    system, model = start.system, start.system.model
+    if model is None or (scenario.start != "equilibrium" and not balancing_loads(system)):
+        return {}
+    if model.actuators or system.kinds(CLUTCH) or any(str(n).startswith(UNBALANCED) for n in start.notes):
+        return {}
+    motions, found = _free_motions(system), {}
+    for body, given in scenario.speed.items():
+        spin = system.spin(body)
+        loads = _loads_of(system, spin) if given != 0.0 and motions[spin].any() else []
+        if loads and not any(_switched(model.loads[name].torque) for name in loads):
+            found[body] = loads
+    return found
+
+
+def _free_motions(system: System) -> Array:
+    """Rigid rotations that no drive prescribes, one per column."""
+    held, driven = held_spins(system), set(driven_coordinates(system))
+    return rotations(system, held)[:, [k for k, spin in enumerate(held) if spin not in driven]]
 
 
 def _loads_of(system: System, spin: int) -> list[str]:
@@ -104,8 +113,9 @@ def _allowance(start: Start, spin: int, window: float) -> float:
     return float(start.cycle.ripple[spin]) * min(1.0, start.cycle.slowest / (np.pi * max(window, 1e-300)))
 
 
-def _net_torque(start: Start, motions: Array, spin: int, acceleration: float) -> float:
+def _net_torque(start: Start, spin: int, acceleration: float) -> float:
     """Torque on a body that accelerates its train [N m]."""
+    motions = _free_motions(start.system)
     row = motions[spin]
     mass = motions.T @ rest_matrix(start.system, start.state, NEWTON, (1.0, 0.0, 0.0)) @ motions
     return acceleration / float(row @ np.linalg.solve(mass, row))
@@ -120,7 +130,9 @@ def _remark(
     own = [name for name in loads if model is not None and _grows(model.loads[name].torque)]
     rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in system.banks(MESH))
     net = f"net torque on {body} {format_quantity(left, 'torque', 3)} on average"
-    if own:
+    if start.cycle is not None and start.cycle.stalls:
+        cause = f"{net}: the loads would stop or reverse the train within their period"
+    elif own:
         cause = f"{own[0]} does not repeat with the angle and was balanced at its value at the start"
     elif rough:
         cause = f"{net}: losses of flank friction and vibration were balanced without the vibration"

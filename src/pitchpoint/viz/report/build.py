@@ -225,6 +225,8 @@ class TimeRun:
         End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
     note
         Sentence above the signals (status of an unfinished run).
+    remarks
+        Notes of the run, listed above the signals.
     """
 
     data: Any
@@ -232,6 +234,7 @@ class TimeRun:
     angle: str | None = None
     highest_order: float | None = None
     note: str = ""
+    remarks: Sequence[str] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
