@@ -135,7 +135,7 @@ def _remark(
     elif own:
         cause = f"{own[0]} does not repeat with the angle and was balanced at its value at the start"
     elif rough:
-        cause = f"{net}: losses of flank friction and vibration were balanced without the vibration"
+        cause = f"{net}: losses of the flanks differ from those at the start"
     else:
         cause = f"{net}: a constant torque does not control the speed"
     return note(f"{text} ({cause})", remedy="drive or hold the body, add a controller, or correct a torque")

@@ -26,6 +26,7 @@ from pitchpoint.solvers.sampling import new_statistics, read_statistics
 from pitchpoint.solvers.speed_drift import drift_notes
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_statistics
+from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.flank_remarks import contact_counters
@@ -102,7 +103,7 @@ def run_time(
     if chosen.duration is None:
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", NOT_FINITE)
     begun = time.perf_counter()
-    begin = prepare_start(system, chosen) if start is None else start
+    begin = start or with_vibration_losses(prepare_start(system, chosen), chosen, run_time)
     forget_contacts(begin.system)  # trial states of the start do not count
     loop = _Loop(begin, chosen, sink, channels)
     status = loop.run(progress)
