@@ -311,9 +311,8 @@ class _Loop:
         found = read_statistics(self.sums)
         channels = channel_statistics(self.system.layout.channels, found)
         remarks = run_remarks(self.system, channels)
-        t = float(self.run_.t)
+        t, state = float(self.run_.t), self.run_.state()
         if status == OK:
-            state = self.run_.state()
             remarks = (*remarks, *drift_notes(self.start, self.scenario, channels, state, t - self.t0))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
@@ -330,7 +329,7 @@ class _Loop:
             events=np.concatenate(self.events) if self.events else np.zeros((0, 3)),
             event_names=tuple(e.name for e in self.system.layout.events),
             notes=(*self.start.notes, *row_notes(self.system), *remarks),
-            state=self.run_.state(),
+            state=state,
             contact_solver=contact_counters(self.system),
         )
 
@@ -384,7 +383,8 @@ def solve_time(
     chosen = scenario_of(system, scenario)
     memory, stored = Memory(), chosen_channels(system, chosen.channels)
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
-    attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
+    settled = chosen.statistics_start
+    attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step, settle_time=settled)
     solver = json.dumps(done.contact_solver)
     attrs |= {"steps": done.steps, "notes": join_notes(done.notes), "contact_solver": solver}
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
