@@ -4,7 +4,8 @@
 Friction follows the vibrating mesh forces, so that the mean loss differs from that of slow rotation. Elastic
 mesh forces do not change the momentum of a train that rotates in the ratio of its teeth, L = r . M v. In a
 short run under the mean loads, the slope of L over a few mesh cycles is therefore the net torque that is
-left, long before the vibration is steady. Mean with a Hann window w: that of L' is minus the integral of w' L.
+left, long before the vibration is steady.
+The mean has a Hann window w: it is minus the integral of w' L.
 """
 
 from __future__ import annotations
