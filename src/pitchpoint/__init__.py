@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.model.model import Model
     from pitchpoint.report.write import write_report
-    from pitchpoint.solvers.campbell import solve_campbell
+    from pitchpoint.solvers.campbell_dataset import solve_campbell
     from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
     from pitchpoint.solvers.contact_analysis.relief.design import design_relief
     from pitchpoint.solvers.contact_analysis.relief.plan import ReliefPlan
@@ -97,7 +97,7 @@ _HOMES = {
     "io.yaml_model": ("load_model",),
     "model.model": ("Model",),
     "report.write": ("write_report",),
-    "solvers.campbell": ("solve_campbell",),
+    "solvers.campbell_dataset": ("solve_campbell",),
     "solvers.contact_analysis.on_shafts": ("solve_contacts_on_shafts",),
     "solvers.contact_analysis.solve": ("solve_contact",),
     "solvers.contact_analysis.relief.design": ("design_relief",),

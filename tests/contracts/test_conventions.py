@@ -470,9 +470,33 @@ def test_backlash_is_the_total_gap_in_a_named_direction() -> None:
             "circumferential": math.cos(p.alpha_wt),
         }
         assert model.backlash("m") == pytest.approx(1e-4 * factor[name], rel=1e-12)
+    per_module = loads_model(pair(*gears, "backlash: {factor: 0.04}"))
+    by_circle = loads_model(pair(*gears, f"backlash: {{circumferential: {0.04 * p.gear1.m_n} m}}"))
+    assert per_module.backlash("m") == pytest.approx(by_circle.backlash("m"), rel=1e-12)
+    with pytest.raises(ModelError, match="gives circumferential and factor together"):
+        loads_model(pair(*gears, "backlash: {circumferential: 0.1 mm, factor: 0.04}"))
     geometric = GearPair(p.gear1, p.gear2, p.a_w + 1e-4)
     assert geometric.j_wt == pytest.approx(geometric.j_bt / math.cos(geometric.alpha_wt))
     assert geometric.j_bn == pytest.approx(geometric.j_bt * math.cos(p.gear1.beta_b))
+
+
+def test_the_backlash_channel_follows_the_actual_centre_distance() -> None:
+    """2 (r_b1 + r_b2)(inv alpha_wt - inv alpha_w0), so 2 sin(alpha_wt) da to first order; a < 0 internal."""
+    for internal in (False, True):
+        m = one(internal=internal, z2=70)
+        m.evaluate()
+        rest = m.get("backlash")
+        assert rest == pytest.approx(m.pair.j_bt, abs=1e-15)
+        line = np.array([math.cos(m.theta), math.sin(m.theta), 0.0])
+        for apart in (1e-7, 5e-5, -2e-5):
+            m.frames["r"][1] += apart * line
+            m.evaluate()
+            m.frames["r"][1] -= apart * line
+            a = m.pair.a_w + (-apart if internal else apart)
+            assert m.get("backlash") == pytest.approx(m.pair.backlash(a).j_bt, abs=1e-13)
+            if apart == 1e-7:
+                change = 2.0 * math.sin(m.pair.alpha_wt) * (a - m.pair.a_w)
+                assert m.get("backlash") - rest == pytest.approx(change, rel=1e-4)
 
 
 def test_travel_is_r_b1_phi1_plus_r_b2_phi2_from_mid_gap() -> None:

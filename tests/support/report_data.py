@@ -8,17 +8,18 @@ That is no oracle for physics and none is needed: what is tested is that picture
 from __future__ import annotations
 
 import base64
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import xarray as xr
 
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
 from pitchpoint.viz.power_flow import OUTSIDE, PowerBlock, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import Channel
 from pitchpoint.viz.report.build import (
-    CampbellData,
     CaseTable,
     MeshCycleData,
     ModeData,
@@ -173,6 +174,57 @@ def power() -> PowerFlow:
     return PowerFlow(span=(0.04, 0.2), blocks=blocks, links=links)
 
 
+def campbell(
+    modes: Mapping[str, Any] | None = None,
+    orders: Mapping[str, tuple[float, str]] | None = None,
+    operating: tuple[float, float] | None = None,
+) -> xr.Dataset:
+    """Campbell diagram as of `solve_campbell`: frequencies [Hz] by mode, orders and kinds by name."""
+    speed = np.linspace(0.0, 400.0, 21)
+    modes = {"mesh mode of stage": 2958.0} if modes is None else modes
+    orders = orders or {"mesh stage": (50.0, "mesh"), "2× mesh stage": (100.0, "mesh")}
+    curves = np.array([np.broadcast_to(f, speed.shape) for f in modes.values()], float).reshape(
+        -1, speed.size
+    )
+    cross = [
+        (2.0 * np.pi * f[0] / order, f[0], k + 1, name)
+        for name, (order, _) in orders.items()
+        for k, f in enumerate(curves)
+        if f[0] < order * speed[-1] / (2.0 * np.pi)
+    ]
+    at = "crossing"
+    words = {
+        "order": [c[3] for c in cross],
+        "whirl": [""] * len(cross),
+        "source": ["transmission error"] * len(cross),
+    }
+    data: dict[str, Any] = {f"crossing_{k}": (at, np.array(v, dtype=object)) for k, v in words.items()}
+    numbers = {"speed": 0, "frequency": 1}
+    data |= {f"crossing_{k}": (at, np.array([c[n] for c in cross], float)) for k, n in numbers.items()}
+    data |= {
+        "frequency": (("speed", "mode"), curves.T),
+        "damping_ratio": (("speed", "mode"), np.full(curves.T.shape, 0.05)),
+        "excitation_order": ("excitation", [order for order, _ in orders.values()]),
+        "excitation_kind": ("excitation", [kind for _, kind in orders.values()]),
+        "crossing_mode": (at, np.array([c[2] for c in cross], int)),
+        "crossing_damping_ratio": (at, np.full(len(cross), 0.05)),
+        "crossing_participation": (at, np.full(len(cross), 0.8)),
+        "crossing_amplification": (at, np.full(len(cross), 8.0)),
+    }
+    attrs: dict[str, Any] = {"body": "driver", "ranking": "ranked"}
+    if operating is not None:
+        attrs["operating_speed"] = list(operating)
+        data["crossing_separation"] = (at, np.array([c[0] / operating[1] - 1.0 for c in cross]))
+    coords = {
+        "speed": speed,
+        "mode": np.arange(1, len(modes) + 1),
+        "name": ("mode", list(modes)),
+        "excitation": list(orders),
+        "crossing": np.arange(1, len(cross) + 1),
+    }
+    return xr.Dataset(data, coords=coords, attrs=attrs)
+
+
 def report_model() -> ReportModel:
     stage = pair()
     return ReportModel(
@@ -219,10 +271,5 @@ def report_results() -> ReportResults:
             SourceData(name="run-up", kind="time response", finished=False, sentence="failed: a force <x>"),
             SourceData(name="sweep", kind="speed sweep", sentence="finished"),
         ],
-        campbell=CampbellData(
-            speed=np.linspace(0.0, 400.0, 21),
-            mode_frequencies=[2958.0],
-            orders={"stage × 1": 50.0, "stage × 2": 100.0},
-            mode_names=["mesh mode"],
-        ),
+        campbells={"": campbell()},
     )

@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,16 +29,25 @@ class Crossing:
         number.
     mode
         Index of the mode (column of the data), from 0.
+    name
+        Name of the order, if given.
+    damping_ratio
+        Damping ratio of the mode at the crossing; NaN if not given.
     """
 
     speed: float
     frequency: float
     order: float
     mode: int
+    name: str = ""
+    damping_ratio: float = math.nan
 
 
 def campbell_crossings(
-    speed: ArrayLike, mode_frequencies: ArrayLike, orders: Sequence[float]
+    speed: ArrayLike,
+    mode_frequencies: ArrayLike,
+    orders: Sequence[float] | Mapping[str, float],
+    damping_ratios: ArrayLike | None = None,
 ) -> tuple[Crossing, ...]:
     """Crossings of excitation orders with natural frequencies in a speed range.
 
@@ -48,7 +59,9 @@ def campbell_crossings(
         Natural frequencies [Hz], shape (n_speed, n_mode), or (n_mode,) if independent of speed. NaN marks a
         mode that does not exist at a speed.
     orders
-        Excitations per revolution of the reference shaft [-], each > 0.
+        Excitations per revolution of the reference shaft [-], each > 0; with names in a mapping.
+    damping_ratios
+        Damping ratios [-], shape as `mode_frequencies`; optional.
 
     Returns
     -------
@@ -62,8 +75,9 @@ def campbell_crossings(
 
     Notes
     -----
-    Zeros of f_mode(Ω) - order·Ω/(2π) with f_mode linear between the given speeds [1]_. Valid if each column
-    tracks one mode; pairs of crossings closer than the speed grid are missed.
+    Zeros of f_mode(Ω) - order·Ω/(2π) [1]_, with f_mode between the given speeds by monotone cubic
+    interpolation, linear in columns with gaps. Valid if each column tracks one mode; pairs of crossings
+    closer than the speed grid are missed. `solve_campbell` solves its crossings again instead.
 
     References
     ----------
@@ -87,24 +101,44 @@ def campbell_crossings(
     if modes.shape[1]:
         same_length(omega, modes[:, 0], "speed, mode_frequencies")
     found: list[Crossing] = []
-    for order in orders:
+    damping = None if damping_ratios is None else np.asarray(damping_ratios, dtype=np.float64)
+    if damping is not None:
+        damping = np.broadcast_to(damping, modes.shape)
+    named = orders.items() if isinstance(orders, Mapping) else (("", order) for order in orders)
+    for name, order in named:
         if not np.isfinite(order) or order <= 0.0:
             raise SignalError(f"orders: {order} (limit > 0)")
         for mode in range(modes.shape[1]):
             distance = modes[:, mode] - float(order) * omega / (2.0 * np.pi)
             found.extend(
-                Crossing(at, float(order) * at / (2.0 * np.pi), float(order), mode)
+                Crossing(
+                    at,
+                    float(order) * at / (2.0 * np.pi),
+                    float(order),
+                    mode,
+                    str(name),
+                    math.nan if damping is None else float(np.interp(at, omega, damping[:, mode])),
+                )
                 for at in _zeros(omega, distance)
             )
     return tuple(sorted(found, key=lambda c: (c.speed, c.order, c.mode)))
 
 
 def _zeros(x: np.ndarray, y: np.ndarray) -> list[float]:
-    """Zeros of a piecewise linear function; an interval of zeros counts once, at its start."""
+    """Zeros of sampled values; an interval of zeros counts once, at its start."""
     zeros: list[float] = []
+    curve: Any = None
+    if x.size > 2 and np.all(np.isfinite(y)):
+        from scipy.interpolate import PchipInterpolator
+
+        curve = PchipInterpolator(x, y)
     for i in range(x.size):
         if y[i] == 0.0 and (i == 0 or y[i - 1] != 0.0):
             zeros.append(float(x[i]))
+        elif i and y[i - 1] * y[i] < 0.0 and curve is not None:
+            from scipy.optimize import brentq
+
+            zeros.append(float(brentq(curve, x[i - 1], x[i], xtol=1e-12 * abs(x[i]))))
         elif i and y[i - 1] * y[i] < 0.0:
             zeros.append(float(x[i - 1] + (x[i] - x[i - 1]) * y[i - 1] / (y[i - 1] - y[i])))
     return zeros

@@ -32,6 +32,7 @@ COMMANDS = {
     "contact-levels": "Cost and error of the levels of contact; fitted law.",
     "frequencies": "Frequencies of shafts, meshes, planets, bearings.",
     "modes": "Natural frequencies and mode shapes.",
+    "campbell": "Campbell diagram and ranked critical speeds.",
     "frf": "Frequency response about an operating point.",
     "reduce": "Condense linear parts and report the error.",
     "run": "Time response or slow roll of a scenario.",

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from pitchpoint.cli.campbell import largest
 from pitchpoint.cli.options import common, model_file, output, state, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
 
@@ -126,7 +127,7 @@ def compute(
 
 def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> None:
     """Print frequencies and damping of the lowest modes, and the number of omitted modes."""
-    least = ROUNDING * max((abs(row["frequency"]) for row in summary["modes"]), default=0.0)
+    least = ROUNDING * max((abs(row["undamped_frequency"]) for row in summary["modes"]), default=0.0)
 
     def above_rounding(frequency: float) -> float:
         """Printed frequency [Hz]; round-off of a rigid-body mode becomes zero."""
@@ -136,12 +137,15 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         [
             row["name"],
             shown(above_rounding(row["frequency"]), "frequency", 6),
-            shown(above_rounding(row["damped_frequency"]), "frequency", 6),
-            damping_text(row["damping_ratio"], above_rounding(row["frequency"])),
+            damping_text(row["damping_ratio"], above_rounding(row["undamped_frequency"])),
+            shown(above_rounding(row["undamped_frequency"]), "frequency", 6),
+            largest(row["strain_share"]),
+            largest({part: sum(ways.values()) for part, ways in row["kinetic_share"].items()}),
         ]
         for row in summary["modes"][:count]
     ]
-    table(title, ["mode", "natural frequency", "damped", "damping ratio"], cells)
+    heads = ["mode", "natural frequency", "damping ratio", "undamped", "strain energy", "kinetic energy"]
+    table(title, heads, cells)
     if summary["states"]:
         words = [f"{x:.5g} ± {y:.5g}i" if y > 0.0 else f"{x + 0.0:.5g}" for x, y in summary["states"]]
         show(f"eigenvalues of states [1/s]: {', '.join(words)}")
@@ -149,10 +153,12 @@ def _print(title: str, summary: dict[str, Any], count: int, *, quiet: bool) -> N
         return
     total = summary["total"]
     if count < total:
-        last = shown(summary["modes"][count - 1]["frequency"], "frequency", 4)
+        last = shown(summary["modes"][count - 1]["undamped_frequency"], "frequency", 4)
         show(f"{count} of {total} modes, up to {last}; --count {total} shows all of them")
     if count:
-        show("natural: undamped, at rest; damped: with dampers, gyroscopic terms and speeds of the scenario")
+        show(
+            "natural frequency: with dampers, gyroscopic terms and speeds of the scenario; undamped: at rest"
+        )
     show_notes(summary["notes"])
     if summary["output"] is not None:
         show(f"written to {summary['output']}")
@@ -177,16 +183,27 @@ def damping_text(ratio: float, frequency: float) -> str:
 
 def rows_of(found: Modes) -> list[dict[str, Any]]:
     """Output of `modes --json` for each mode; shapes have modal mass 1."""
+    from pitchpoint.solvers.mode_energies import WAYS
+
     return [
         {
             "mode": k + 1,
             "name": found.names[k],
-            "frequency": float(found.frequency[k]),
-            "damped_frequency": float(found.damped_frequency[k]),
+            "frequency": float(found.damped_frequency[k]),
+            "undamped_frequency": float(found.frequency[k]),
             "damping_ratio": float(found.damping_ratio[k]),
+            "whirl": found.whirl[k],
+            "strain_share": dict(
+                zip(found.groups.components, found.energies.strain[k].tolist(), strict=True)
+            ),
+            "kinetic_share": {
+                part: dict(zip(WAYS, found.energies.kinetic[k, p].tolist(), strict=True))
+                for p, part in enumerate(found.groups.parts)
+            },
+            "gyroscopic_share": float(found.energies.gyroscopic[k]),
             "eigenvalue": [float(found.eigenvalue[k].real), float(found.eigenvalue[k].imag)],
             "shape": dict(zip(found.coordinates, found.shape[k].tolist(), strict=True)),
-            "kinetic_share": dict(zip(found.coordinates, found.kinetic[k].tolist(), strict=True)),
+            "coordinate_share": dict(zip(found.coordinates, found.kinetic[k].tolist(), strict=True)),
             "potential_share": dict(zip(found.elements, found.potential[k].tolist(), strict=True)),
             "participation": found.participation[k].tolist(),
             "effective_mass": found.effective_mass[k].tolist(),
@@ -215,19 +232,30 @@ def animate(path: str, found: Modes, model: Model) -> None:
 def store(path: Path, header: Header, found: Modes) -> None:
     """Write modes to a result file."""
     from pitchpoint.io.tables import Axis, Quantity, write_tables
+    from pitchpoint.solvers.mode_energies import WAYS
 
+    groups, energies = found.groups, found.energies
     axes = [
         Axis("mode", list(range(1, len(found.names) + 1)), long_name="number of the mode"),
         Axis("coordinate", list(found.coordinates)),
         Axis("direction", ["x", "y", "z", "rx", "ry", "rz"]),
         Axis("body", list(found.bodies)),
+        Axis("part", list(groups.parts)),
+        Axis("motion", list(WAYS)),
     ]
     by_coordinate = ("mode", "coordinate")
+    ways = ("mode", "part", "motion")
     filled = [
-        (Quantity("frequency", ("mode",), "Hz", "undamped natural frequency", "f_0"), found.frequency),
+        (Quantity("frequency", ("mode",), "Hz", "damped natural frequency", "f"), found.damped_frequency),
         (
-            Quantity("damped_frequency", ("mode",), "Hz", "frequency with damping at speed"),
-            found.damped_frequency,
+            Quantity("undamped_frequency", ("mode",), "Hz", "undamped natural frequency at rest", "f_0"),
+            found.frequency,
+        ),
+        (Quantity("whirl", ("mode",), dtype="text", long_name="whirl of the shafts"), list(found.whirl)),
+        (Quantity("kinetic_share", ways, "1", "share in the kinetic energy"), energies.kinetic),
+        (
+            Quantity("gyroscopic_share", ("mode",), "1", "gyroscopic over kinetic energy"),
+            energies.gyroscopic,
         ),
         (Quantity("damping_ratio", ("mode",), "1", "damping ratio", "zeta"), found.damping_ratio),
         (Quantity("eigenvalue_real", ("mode",), "1/s", "real part of the eigenvalue"), found.eigenvalue.real),
@@ -244,7 +272,7 @@ def store(path: Path, header: Header, found: Modes) -> None:
             Quantity("damped_shape_imag", by_coordinate, "1", "damped shape, imaginary part"),
             found.damped_shape.imag,
         ),
-        (Quantity("kinetic_share", by_coordinate, "1", "share of the kinetic energy"), found.kinetic),
+        (Quantity("coordinate_share", by_coordinate, "1", "share of a coordinate"), found.kinetic),
         (
             Quantity("participation", ("mode", "direction"), "1", "participation factor, SI units"),
             found.participation,
@@ -257,8 +285,12 @@ def store(path: Path, header: Header, found: Modes) -> None:
             Quantity("body_shape", ("mode", "body", "direction"), "1", "motion of the bodies [m, rad]"),
             found.body_shape,
         ),
-        (Quantity("name", ("mode",), dtype="text", long_name="dominant motion"), list(found.names)),
+        (Quantity("name", ("mode",), dtype="text", long_name="name of the mode"), list(found.names)),
     ]
+    if groups.components:
+        axes.append(Axis("component", list(groups.components)))
+        share = Quantity("strain_share", ("mode", "component"), "1", "share in the strain energy")
+        filled.append((share, energies.strain))
     if found.elements:
         axes.append(Axis("element", list(found.elements)))
         share = Quantity("potential_share", ("mode", "element"), "1", "share of the strain energy")

@@ -24,7 +24,11 @@ _PARTS = {
 
 
 class Entry(NamedTuple):
-    """Row of the table; texts may be empty."""
+    """Row of the table; texts may be empty.
+
+    `values` is "states" for a quantity with a few whole numbers as values, "modulo" for one that starts again
+    after a period, and empty otherwise. A filter would create values that the first two do not have.
+    """
 
     identifier: str
     symbol: str
@@ -34,13 +38,14 @@ class Entry(NamedTuple):
     display: str
     meaning: str
     source: str
+    values: str = ""
 
 
 @lru_cache(maxsize=1)
 def table() -> dict[str, Entry]:
     """All rows by identifier, in the order of the file."""
     with Path(__file__).with_name("nomenclature.csv").open(encoding="utf-8", newline="") as file:
-        rows = [Entry(**row) for row in csv.DictReader(file)]
+        rows = [Entry(**row) for row in csv.DictReader(file, restval="")]
     return {row.identifier: row for row in rows}
 
 
@@ -122,6 +127,25 @@ def symbol(name: str) -> str:
         return lookup(name).symbol
     except PitchpointError:
         return ""
+
+
+def can_be_filtered(name: str) -> bool:
+    """Whether a low-pass filter may be applied to a result channel; also True for names without a row.
+
+    Parameters
+    ----------
+    name
+        Result channel.
+
+    Examples
+    --------
+    >>> [can_be_filtered(f"{c}[stage]") for c in ("mesh_force", "contact_state", "mesh_phase")]
+    [True, False, False]
+    """
+    try:
+        return not lookup(name).values
+    except PitchpointError:
+        return True
 
 
 def attributes(name: str) -> dict[str, str]:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def write_dataset(path: str | os.PathLike[str], header: Header, data: xr.Dataset, **ending: Any) -> None:
-    """Write a dataset of numbers to a result file.
+    """Write a dataset of numbers, and of texts over one dimension, to a result file.
 
     Parameters
     ----------
@@ -121,8 +121,9 @@ def _tables_of(data: xr.Dataset) -> tuple[list[Axis], list[tuple[Quantity, Any]]
                 tuple(map(str, variable.dims)),
                 str(variable.attrs.get("units", "")),
                 str(variable.attrs.get("long_name", "")),
+                dtype="text" if variable.dtype.kind in "OU" else "f8",
             ),
-            variable.values,
+            list(map(str, variable.values)) if variable.dtype.kind in "OU" else variable.values,
         )
         for name, variable in data.data_vars.items()
     ]

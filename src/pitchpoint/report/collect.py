@@ -14,6 +14,7 @@ import numpy as np
 from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES
+from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
 from pitchpoint.viz.quantities import settle_time_of
@@ -87,6 +88,7 @@ class _Found:
     rolls: dict[str, RollData] = field(default_factory=dict)
     contacts: dict[str, ContactData] = field(default_factory=dict)
     reliefs: dict[str, xr.Dataset] = field(default_factory=dict)
+    campbells: dict[str, xr.Dataset] = field(default_factory=dict)
     sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
 
@@ -122,7 +124,7 @@ def collect(
         mesh_cycles=without_given(filled, found.rolls),
         rolls=found.rolls,
         modes=modes,
-        campbell=campbell,
+        campbells=found.campbells or ({} if campbell is None else {"": campbell}),
         runs=found.runs,
         sweeps=found.sweeps,
         cases=found.cases,
@@ -170,6 +172,11 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
                 ]
                 key = _free(f"{name}: {words}", own, found.sweeps)
                 found.sweeps[key] = {"points": case["points"], "jumps": jumps}
+    elif header["kind"] == "campbell":
+        with open_result(file) as data:
+            data.load()
+        data.attrs |= {k: header["options"][k] for k in CAMPBELL if k in header["options"]}
+        found.campbells[take(found.campbells)] = data
     elif header["kind"] == "relief":
         name = str(header["options"].get("mesh", name))
         with open_result(file) as data:
@@ -228,7 +235,7 @@ def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:
 
 
 def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
-    """Add a time response, sweep, slow roll, contact analysis or relief design to the data of the report."""
+    """Add a result, identified by its dimensions, to the data of the report."""
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.report.provenance import source_of
 
@@ -240,6 +247,9 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)
+    elif {"crossing", "excitation"} <= dimensions:
+        kind, name = "campbell", _free("Campbell diagram", str(len(found.campbells) + 1), found.campbells)
+        found.campbells[name] = data
     elif {"design", "map_torque"} <= dimensions:
         mesh = str(data.attrs.get("mesh", "relief"))
         kind, name = "relief", _free(mesh, str(len(found.reliefs) + 1), found.reliefs)
@@ -255,8 +265,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         what = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
-            "give a dataset of solve_time, solve_quasistatic, solve_contact, design_relief or sweep_speed, "
-            "or the name of a result file"
+            "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief "
+            "or sweep_speed, or the name of a result file"
         )
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
 

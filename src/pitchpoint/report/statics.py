@@ -21,6 +21,7 @@ from pitchpoint.core.status import INCONSISTENT
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    import xarray as xr
     from numpy.typing import NDArray
 
     from pitchpoint.core.progress import Progress
@@ -28,18 +29,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Drive, Scenario
     from pitchpoint.system.system import System
-    from pitchpoint.viz.report.build import CampbellData, MeshCycleData, ModeData
+    from pitchpoint.viz.report.build import MeshCycleData, ModeData
 
 LINEAR = 2
 """Work units of a report in addition to slow rolls: matrices of the linear system, Campbell diagram."""
 SPEEDS = 41
-FOLLOWED = 20
-"""Maximum number of modes in a Campbell diagram: each takes some milliseconds per speed."""
-HARMONICS = 3
 MOMENTS = 1001
 """Number of times at which the speed of a drive is evaluated."""
-NAMED = 6
-"""Maximum number of modes with names in the legend of a Campbell diagram."""
 
 
 def with_rolls(
@@ -155,16 +151,18 @@ def at_start(model: Model, scenario: Scenario | None) -> Model:
 
 def linear_parts(
     model: Model, progress: Progress = silent, before: int = 0
-) -> tuple[ModeData | None, CampbellData | None, list[str]]:
+) -> tuple[ModeData | None, xr.Dataset | None, list[str]]:
     """Modes about the loaded state and Campbell data over the speed of the first body in mesh.
 
     `before` is the number of completed work units reported to `progress`.
     """
+    from pitchpoint.analysis.campbell_ranking import select_modes
     from pitchpoint.solvers.campbell import follow_modes
+    from pitchpoint.solvers.campbell_dataset import campbell_dataset
     from pitchpoint.solvers.linear_system import linearise
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
-    from pitchpoint.viz.report.build import CampbellData, ModeData
+    from pitchpoint.viz.report.build import ModeData
 
     if not model.bodies:
         return None, None, []
@@ -183,38 +181,21 @@ def linear_parts(
         )
         body = reference_body(model)
         top = highest_speed(system, body, found.frequency) if body else 0.0
-        if not top > 0.0:
+        if body is None or not top > 0.0:
             return modes, None, []
-        followed = FOLLOWED if found.total > len(found.frequency) else None
         speeds = np.linspace(0.0, top, SPEEDS)
-        data = follow_modes(system, speeds, body, scenario, count=followed, progress=parts[1], linear=linear)
-        frequency = found.frequency[: data.frequency.shape[1]]
+        followed = follow_modes(system, speeds, body, scenario, progress=parts[1], linear=linear)
+        reached = speeds_of_scenarios(system, None, body)
+        operating = (min(reached), max(reached)) if reached else None
+        data = campbell_dataset(system, followed, operating=operating)
     except PitchpointError as error:
         return None, None, [f"No modes: {error}."]
-    vibrating = frequency > 1e-6 * max(float(np.max(frequency, initial=0.0)), 1e-300)
-    orders = {
-        f"{mesh} × {k}": k * order
-        for mesh, order in data.orders.items()
-        if order > 0.0
-        for k in range(1, HARMONICS + 1)
-    }
-    if orders:  # modes far above the mesh frequencies would compress the scale of the others
-        reach = 1.2 * max(orders.values()) * top / (2.0 * math.pi)
-        vibrating &= (np.min(data.frequency, axis=0) <= reach) | (frequency <= reach)
-    campbell = CampbellData(
-        speed=data.speed,
-        mode_frequencies=data.frequency[:, vibrating],
-        orders=orders,
-        # numbers instead of names that would cover the plot; the table of modes contains both
-        mode_names=[
-            name if vibrating.sum() <= NAMED else f"{k}"
-            for k, (name, moves) in enumerate(zip(data.names, vibrating, strict=True), start=1)
-            if moves
-        ],
-        shaft=str(body),
-        note="" if followed is None else f"The lowest {followed} of {found.total} modes are tracked.",
-    )
-    return modes, campbell if vibrating.any() and orders else None, []
+    # modes far above the excitation would compress the scale of the others
+    reach = 1.2 * float(np.max(data["excitation_order"].values, initial=0.0)) * top / (2.0 * math.pi)
+    low = float(np.min(np.where(followed.frequency > 0.0, followed.frequency, np.inf), initial=np.inf))
+    if not (followed.frequency.size and low <= reach):
+        return modes, None, []
+    return modes, select_modes(data, None, (0.0, reach)), []
 
 
 def held_bodies(scenario: Scenario | None) -> list[str]:
@@ -246,6 +227,14 @@ def highest_speed(system: System, body: str, frequency: Any) -> float:
     orders = mesh_orders(system, body_rates(system, body)).values()
     lowest = min((o for o in orders if o > 0.0), default=math.inf)
     return 1.2 * 2.0 * math.pi * float(np.max(frequency, initial=0.0)) / lowest
+
+
+def speeds_of_scenarios(system: System, scenario: str | None, body: str) -> list[float]:
+    """Highest speeds of the body in the scenario, or in all scenarios [rad/s]."""
+    known = model_of(system).scenarios
+    chosen = known.values() if scenario is None else [known[scenario]]
+    found = [highest_of_scenario(system, one, body) for one in chosen]
+    return [speed for speed in found if speed > 0.0]
 
 
 def model_of(system: System) -> Model:

@@ -47,6 +47,38 @@ def _twists(system: System, state: State, rates: Array) -> Array:
     return 0.5 * (found[0] - found[1])
 
 
+def inertia_wrenches(system: System, state: State, shapes: Array) -> Array:
+    """Inertia wrenches of all bodies for given accelerations of the coordinates.
+
+    Force and moment about the origin of each body, world axes, of the mass that it accelerates; massive
+    elements act on their bodies.
+
+    Parameters
+    ----------
+    system, state
+        The system and its operating point.
+    shapes
+        Accelerations of the coordinates, shape (n, nd).
+
+    Returns
+    -------
+    ndarray, shape (n, nb, 6), ground first
+    """
+    stopped = state.copy()
+    stopped.v[:] = 0.0
+    stopped.a[:] = 0.0
+    stopped.lam[:] = 0.0
+    frames = system.workspace.fr
+    evaluate.residual(system, stopped)
+    base = frames["F"].copy()
+    found = np.zeros((len(shapes), system.sizes["nb"], 6))
+    for k, shape in enumerate(shapes):
+        stopped.a = np.ascontiguousarray(shape)
+        evaluate.residual(system, stopped)
+        found[k] = base - frames["F"]
+    return found
+
+
 def base_momenta(system: System, state: State, shapes: Array) -> Array:
     """Momenta of the whole system for given motions, shape (n, 6).
 
@@ -60,24 +92,10 @@ def base_momenta(system: System, state: State, shapes: Array) -> Array:
     shapes
         Rates of the coordinates, shape (n, nd).
     """
-    stopped = state.copy()
-    stopped.v[:] = 0.0
-    stopped.a[:] = 0.0
-    stopped.lam[:] = 0.0
-    base = _total(system, stopped)
-    found = np.zeros((len(shapes), 6))
-    for k, shape in enumerate(shapes):
-        stopped.a = np.ascontiguousarray(shape)
-        found[k] = base - _total(system, stopped)
-    return found
-
-
-def _total(system: System, state: State) -> Array:
-    """Sum of all wrenches about the world origin, shape (6,)."""
-    evaluate.residual(system, state)
-    frames = system.workspace.fr
-    force, moment = frames["F"][:, :3], frames["F"][:, 3:]
-    return np.concatenate([force.sum(axis=0), (moment + np.cross(frames["r"], force)).sum(axis=0)])
+    wrenches = inertia_wrenches(system, state, shapes)
+    force, moment = wrenches[..., :3], wrenches[..., 3:]
+    about = moment + np.cross(system.workspace.fr["r"], force)
+    return np.concatenate([force.sum(axis=1), about.sum(axis=1)], axis=1)
 
 
 def participation(momenta: Array) -> tuple[Array, Array]:

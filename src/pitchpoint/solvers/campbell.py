@@ -1,9 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Campbell diagram: natural frequencies over speed with mode tracking, and mesh frequencies."""
+"""The linear system at other speeds, and modes followed over the speed.
+
+A branch is a continuous curve: from speed to speed, each mode becomes the one with the most similar shape
+(modal assurance criterion [1]_). Where two branches veer, they exchange their shapes. A branch keeps its
+number and name, which come from its shape at rest with the direction in which it whirls at most speeds;
+`character` states at every speed which name its shape fits best.
+
+References
+----------
+.. [1] R. J. Allemang, D. L. Brown: A correlation coefficient for modal vector analysis, Proc. 1st
+   International Modal Analysis Conference, 1982, 110-116.
+"""
 
 from __future__ import annotations
 
-import time
+from collections import Counter
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -13,7 +24,6 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT
-from pitchpoint.model.scenario import Scenario
 from pitchpoint.multibody.bodies import GENERAL
 from pitchpoint.solvers.constraints.free_directions import free_directions
 from pitchpoint.solvers.eigen import best_match, ratio_of, symmetric
@@ -21,26 +31,36 @@ from pitchpoint.solvers.element_tangents import inertial_stiffness
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.initial_state.start import body_rates
-from pitchpoint.solvers.linear_system import (
-    Linearised,
-    damped_modes,
-    linearise,
-    lowest,
+from pitchpoint.solvers.linear_system import Linearised, linearise
+from pitchpoint.solvers.mode_energies import (
+    Energies,
+    Motions,
+    energies_of,
+    gyroscopic_terms,
+    motions_of,
+    senses_of,
+    whirl_index,
+    whirl_words,
 )
-from pitchpoint.solvers.modal import energy_shares
-from pitchpoint.solvers.mode_names import mode_names
+from pitchpoint.solvers.mode_names import base_names, full_names
 from pitchpoint.solvers.operating_point import scenario_named
 from pitchpoint.solvers.stiffness_parts import Array
+from pitchpoint.solvers.whirl_basis import WhirlModes, normalised
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from pitchpoint.model.scenario import Scenario
+
+ALL, FEW = 24, 16
+"""Largest number of modes of which all are followed by default, and the number followed of more."""
+SIMILAR, DIVISIONS = 0.6, 4
+"""Similarity of shapes below which a step of the speed is divided, and how often at most."""
 
 
 @dataclass(frozen=True)
 class Campbell:
-    """Natural frequencies over the speed of one body.
+    """Modes over the speed of one body.
 
     Parameters
     ----------
@@ -48,22 +68,49 @@ class Campbell:
         Reference body of the speed.
     speed
         Its speeds [rad/s], shape (n_speed,).
+    eigenvalue, shape
+        Eigenvalues [1/s], shape (n_speed, n_mode), and shapes with modal mass 1, (n_speed, n_mode, nd).
     frequency
         Damped natural frequencies [Hz], shape (n_speed, n_mode); 0 where a mode does not oscillate.
     damping_ratio
         Damping ratios, shape (n_speed, n_mode); 1 where a mode is overdamped.
     names
-        Names of the modes at rest.
+        Names of the branches, see the module.
+    character
+        Index of the branch whose shape at rest the mode is most similar to, shape (n_speed, n_mode).
+    whirl, whirl_index
+        Whirl at each speed in words and as number, see `mode_energies`, by speed and mode.
+    energies
+        Energies by speed.
     orders
         Mesh frequency over the rotational frequency of the body, by mesh.
+    rates
+        Rates of all coordinates with the body at 1 rad/s.
+    motions, modes
+        For evaluations at further speeds.
+    total
+        Number of modes of the system.
+    notes
+        Notes for the user.
     """
 
     body: str
     speed: Array
+    eigenvalue: NDArray[np.complex128]
+    shape: NDArray[np.complex128]
     frequency: Array
     damping_ratio: Array
     names: tuple[str, ...]
+    character: NDArray[np.int64]
+    whirl: tuple[tuple[str, ...], ...]
+    whirl_index: Array
+    energies: tuple[Energies, ...]
     orders: dict[str, float]
+    rates: Array
+    motions: Motions
+    modes: WhirlModes
+    total: int
+    notes: tuple[str, ...] = ()
 
 
 def follow_modes(
@@ -76,7 +123,7 @@ def follow_modes(
     progress: Progress = silent,
     linear: Linearised | None = None,
 ) -> Campbell:
-    """Natural frequencies over speed; parameters as in `solve_campbell`, `linear` if already computed."""
+    """Modes over speed; parameters as in `campbell_dataset.solve_campbell`, `linear` if already computed."""
     body = body or system.layout.bodies[1]
     if body not in system.layout.bodies[1:]:
         known = ", ".join(system.layout.bodies[1:] if system.model is None else system.model.bodies)
@@ -85,20 +132,110 @@ def follow_modes(
     linear = linear or linearise(system, scenario)
     own, parts = linear.system, linear.at_rest
     rates = body_rates(own, body, scenario_named(own, scenario))
-    modes = lowest(linear, count)
-    values, shapes, n = modes.omega, modes.shapes, len(modes.omega)
-    found, last = np.zeros((omega.size, n), complex), shapes.astype(complex)
+    total = linear.basis.shape[1]
+    wanted = min(count if count is not None else total if total <= ALL else FEW, total)
+    modes = WhirlModes(
+        linear, lambda speed: at_speeds(linear, speed * rates), omega, wanted if wanted < total else None
+    )
+    n = min(wanted, len(modes.modes.omega))
+    at_rest = modes.modes.shapes[:n]
+    values, shapes = _branches(modes, omega, at_rest, symmetric(parts.M), progress)
+    motions = motions_of(own, linear.state, parts)
+    senses = senses_of(motions, rates)
+    energies = tuple(
+        energies_of(
+            motions,
+            z,
+            np.where(modes.modes.omega[:n] == 0.0, 0.0, v),
+            gyroscopic_terms(z, modes.at(s).D),
+            np.sign(s) * senses,
+        )
+        for s, v, z in zip(omega, values, shapes, strict=True)
+    )
+    words = tuple(tuple(whirl_words(e)) for e in energies)
+    rest = energies_of(
+        motions, at_rest, (1j * modes.modes.omega[:n]).astype(np.complex128), np.zeros(n), 0.0 * senses
+    )
+    named = base_names(own, motions, modes.modes.omega[:n], at_rest, rest)
+    turning = [row for s, row in zip(omega, words, strict=True) if s != 0.0]
+    usual = (
+        [Counter(row[k] for row in reversed(turning)).most_common(1)[0][0] for k in range(n)]
+        if turning
+        else None
+    )
+    return Campbell(
+        body=body,
+        speed=omega,
+        eigenvalue=values,
+        shape=shapes,
+        frequency=values.imag / (2.0 * np.pi),
+        damping_ratio=ratio_of(values),
+        names=full_names(named, usual),
+        character=_character(shapes, at_rest, symmetric(parts.M), [(x.words, x.number) for x in named]),
+        whirl=words,
+        whirl_index=np.array([whirl_index(e) for e in energies]).reshape(omega.size, n),
+        energies=energies,
+        orders=mesh_orders(own, rates),
+        rates=rates,
+        motions=motions,
+        modes=modes,
+        total=total,
+        notes=linear.notes,
+    )
+
+
+def _branches(
+    modes: WhirlModes, omega: Array, at_rest: Array, M: Array, progress: Progress
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues (n_speed, n) and shapes (n_speed, n, nd) of continuous curves that start as at rest."""
+    n = len(at_rest)
+    found, shapes = np.zeros((omega.size, n), complex), np.zeros((omega.size, *at_rest.shape), complex)
+    last = normalised(at_rest.astype(complex), M)
     for s, speed in enumerate(omega):
-        at = at_speeds(linear, speed * rates)
-        roots, z = damped_modes(at, modes if at.at_rest is parts else lowest(at, count))
-        roots, z = roots[:n], z[:n]
-        # track each mode by the most similar shape
-        order = best_match(np.abs(last.conj() @ parts.M @ z.T))
-        found[s], last = roots[order], z[order]
+        before = None if s == 0 else float(omega[s - 1])
+        found[s], last = _step(modes, M, before, float(speed), last, DIVISIONS)
+        shapes[s] = last
         progress(s + 1, omega.size, "speeds")
-    _, potential = energy_shares(parts, shapes, values)
-    names = mode_names(own.layout, parts, values, shapes, potential)
-    return Campbell(body, omega, found.imag / (2.0 * np.pi), ratio_of(found), names, mesh_orders(own, rates))
+    return found, shapes
+
+
+def _step(
+    modes: WhirlModes,
+    M: Array,
+    before: float | None,
+    speed: float,
+    last: NDArray[np.complex128],
+    divisions: int,
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Follow the modes to a speed; a step over which a shape changes too much is divided."""
+    values, z = modes.solve(speed)
+    likeness = np.abs(last.conj() @ M @ z.T) ** 2
+    order = best_match(likeness)
+    least = likeness[np.arange(len(order)), order].min(initial=1.0)
+    if before is not None and before != 0.0 and least < SIMILAR and divisions and modes.basis is not None:
+        middle = 0.5 * (before + speed)
+        _, last = _step(modes, M, before, middle, last, divisions - 1)
+        return _step(modes, M, middle, speed, last, divisions - 1)
+    return values[order], z[order]
+
+
+def _character(
+    shapes: NDArray[np.complex128], at_rest: Array, M: Array, kinds: list[tuple[str, int]]
+) -> NDArray[np.int64]:
+    """Branch whose shape at rest is most similar, shape (n_speed, n); modes of one pair count together."""
+    found = np.tile(np.arange(len(at_rest)), (len(shapes), 1))
+    if not kinds:
+        return found
+    listed = list(dict.fromkeys(kinds))
+    first = np.array([kinds.index(kind) for kind in listed], np.int64)
+    member = np.array([[kind == own for own in kinds] for kind in listed], float)
+    for s, z in enumerate(shapes):
+        share = member @ (np.abs(at_rest @ M @ z.T) ** 2)
+        best = share.argmax(axis=0)
+        own = np.array([listed.index(kind) for kind in kinds])
+        other = share[best, np.arange(len(own))] > share[own, np.arange(len(own))] + 1e-9
+        found[s] = np.where(other, first[best], found[s])
+    return found
 
 
 def at_speeds(linear: Linearised, rates: Array) -> Linearised:
@@ -153,73 +290,3 @@ def _steady(linear: Linearised, stopped: State, rates: Array) -> Linearised:
     return replace(
         linear, state=state, at_rest=parts, D=D, K=K, basis=free_directions(system, state, linear.states)
     )
-
-
-def solve_campbell(
-    system: System,
-    speeds: ArrayLike,
-    body: str | None = None,
-    scenario: Scenario | str | None = None,
-    *,
-    count: int | None = None,
-    progress: Progress = silent,
-) -> xr.Dataset:
-    """Campbell data: damped natural frequencies and mesh frequencies over speed.
-
-    Parameters
-    ----------
-    system
-        The compiled model.
-    speeds
-        Speeds of one body [rad/s], shape (n_speed,).
-    body
-        Reference body of the speed; default the first. The speeds of the other bodies follow from the gear
-        ratios; speeds that these do not determine, as in a planet set of three free members, have the ratio
-        of the speeds and drives of the scenario. With bodies in trees, the relative equilibrium is computed
-        for every speed.
-    scenario
-        Gives loads and the operating point; mesh stiffness is the mean over the mesh cycle.
-    count
-        Number of modes, the lowest at rest. Default: as `modal.find_modes`.
-    progress
-        Called after every speed.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over `speed` [rad/s] and `mode`: frequency [Hz], 0 where a mode does not oscillate, and damping_ratio,
-        1 where it is overdamped; over `mode`: name, from its shape at rest; over `mesh`: order (mesh
-        frequency over rotational frequency of the body); over `speed` and `mesh`: mesh_frequency [Hz]. Modes
-        are tracked over the speed by their shapes, so `frequency[:, k]` is one curve of the diagram.
-
-    Raises
-    ------
-    SolverError
-        If the body or scenario does not exist, or there is no equilibrium.
-    """
-    import xarray as xr
-
-    from pitchpoint.solvers.dataset import attributes
-
-    began = time.perf_counter()
-    c = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
-    orders: NDArray[np.float64] = np.array(list(c.orders.values()), dtype=np.float64)
-    both = ("speed", "mode")
-    data = {
-        "frequency": (both, c.frequency, {"units": "Hz", "long_name": "damped natural frequency"}),
-        "damping_ratio": (both, c.damping_ratio, {"units": "1", "long_name": "damping ratio"}),
-        "order": ("mesh", orders, {"units": "1", "long_name": f"mesh periods per revolution of {c.body}"}),
-        "mesh_frequency": (
-            ("speed", "mesh"),
-            np.abs(c.speed)[:, None] * orders / (2.0 * np.pi),
-            {"units": "Hz", "long_name": "mesh frequency"},
-        ),
-    }
-    coords = {
-        "speed": ("speed", c.speed, {"units": "rad/s", "long_name": f"speed of {c.body}"}),
-        "mode": np.arange(1, len(c.names) + 1),
-        "name": ("mode", list(c.names)),
-        "mesh": list(c.orders),
-    }
-    attrs = attributes(system, "campbell", wall_s=time.perf_counter() - began, body=c.body)
-    return xr.Dataset(data, coords=coords, attrs={**attrs, "body": c.body})

@@ -35,6 +35,12 @@ def free_spins(system: System) -> tuple[int, ...]:
     return _independent(system, ())
 
 
+def turning_spins(system: System) -> set[int]:
+    """Spins that teeth, springs and bearings leave free to rotate."""
+    free = _free(system)
+    return {spin for spin in free.group_of if free.moves(spin)}
+
+
 def held_spins(system: System) -> tuple[int, ...]:
     """Spins of driven bodies, and those to hold in addition so that no body can rotate freely."""
     return _independent(system, driven_coordinates(system))

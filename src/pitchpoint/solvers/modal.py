@@ -29,13 +29,28 @@ from pitchpoint.model.scenario import Scenario
 from pitchpoint.solvers.body_shapes import DIRECTIONS, base_momenta, body_motions, participation
 from pitchpoint.solvers.eigen import ratio_of
 from pitchpoint.solvers.linear_system import Linearised, damped_modes, linearise, lowest
-from pitchpoint.solvers.mode_names import mode_names
+from pitchpoint.solvers.machine_groups import Groups
+from pitchpoint.solvers.mode_energies import (
+    WAYS,
+    Energies,
+    energies_of,
+    gyroscopic_terms,
+    motions_of,
+    senses_of,
+    whirl_words,
+)
+from pitchpoint.solvers.mode_names import base_names, full_names
 from pitchpoint.solvers.stiffness_parts import Array, Parts
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
 if TYPE_CHECKING:
     import xarray as xr
+
+
+FREQUENCY = ("Hz", "damped natural frequency")
+RATIO = ("1", "damping ratio")
+"""Unit and name of the frequencies and damping ratios of modes, also over the speed."""
 
 
 @dataclass(frozen=True)
@@ -45,7 +60,7 @@ class Modes:
     Parameters
     ----------
     frequency
-        Undamped natural frequencies [Hz], shape (n,); 0 for rigid modes.
+        Undamped natural frequencies at rest [Hz], shape (n,); 0 for rigid modes.
     shape
         Undamped shapes, modal mass 1, shape (n, nd); the largest component by mass is positive.
     eigenvalue
@@ -63,7 +78,13 @@ class Modes:
         Share of each element in the strain energy, shape (n, ne); zero for rigid modes, negative for negative
         geometric stiffness of loads or weight.
     names
-        Names of the modes, from their main motions.
+        Names of the modes, from their energies and shapes.
+    energies
+        Energies of the damped modes by component and part.
+    groups
+        Parts and components of the machine.
+    whirl
+        Whirl of the damped modes: forward, backward, planar, mixed, or empty without lateral motion.
     coordinates, elements
         Names of coordinates and elements.
     state
@@ -95,6 +116,9 @@ class Modes:
     kinetic: Array
     potential: Array
     names: tuple[str, ...]
+    energies: Energies
+    groups: Groups
+    whirl: tuple[str, ...]
     coordinates: tuple[str, ...]
     elements: tuple[str, ...]
     state: State
@@ -173,6 +197,18 @@ def find_modes(
     n = len(omega)
     complex_shapes = _normalised(complex_shapes[:n], parts.M)
     kinetic, potential = energy_shares(parts, shapes, omega)
+    motions = motions_of(own, linear.state, parts)
+    senses = senses_of(motions, linear.state.v)
+    energies = energies_of(
+        motions,
+        complex_shapes,
+        np.where(omega == 0.0, 0.0, values[:n]),
+        gyroscopic_terms(complex_shapes, linear.D),
+        senses,
+    )
+    whirls = whirl_words(energies)
+    at_rest = energies_of(motions, shapes, (1j * omega).astype(np.complex128), 0.0 * omega, 0.0 * senses)
+    names = full_names(base_names(own, motions, omega, shapes, at_rest), whirls)
     factors, masses = participation(base_momenta(own, linear.state, shapes))
     moved = body_motions(own, linear.state, shapes)
     moved_damped = body_motions(own, linear.state, complex_shapes)
@@ -187,7 +223,10 @@ def find_modes(
         damped_shape=complex_shapes,
         kinetic=kinetic,
         potential=potential,
-        names=mode_names(own.layout, parts, omega, shapes, potential),
+        names=names,
+        energies=energies,
+        groups=motions.groups,
+        whirl=tuple(whirls),
         coordinates=own.layout.coordinates,
         elements=parts.elements,
         state=linear.state,
@@ -230,11 +269,14 @@ def solve_modal(
     Returns
     -------
     xarray.Dataset
-        Over `mode`: frequency, damped_frequency [Hz], damping_ratio, eigenvalue_real and eigenvalue_imag
-        [1/s], name; over `mode` and `coordinate`: shape (modal mass 1), damped_shape_real, damped_shape_imag,
-        kinetic_share; over `mode` and `element`: potential_share; over `mode` and `direction`: participation
-        and effective_mass; over `mode`, `body` and `direction`: body_shape, the displacement of the origin
-        of every body and its rotation, world axes.
+        Over `mode`, with the coordinate `name`: frequency [Hz], the damped natural frequency at the speeds of
+        the scenario as in `solve_campbell`, 0 where a mode does not oscillate; undamped_frequency [Hz], at
+        rest; damping_ratio, whirl, eigenvalue_real and eigenvalue_imag [1/s], strain_to_kinetic and
+        gyroscopic_share, which sum to 1. With `component` strain_share, with `part` and `motion`
+        kinetic_share: energies of the damped modes, which sum to 1. Of the undamped modes: over `coordinate`
+        shape (modal mass 1), coordinate_share, over `element` potential_share, over `direction` participation
+        and effective_mass, over `body` and `direction` body_shape, the displacement of the origin of every
+        body and its rotation, world axes. Over `coordinate` also damped_shape_real, damped_shape_imag.
     """
     import xarray as xr
 
@@ -244,16 +286,26 @@ def solve_modal(
     m = find_modes(system, scenario, phase=phase, mean=mean, count=count, start=start, progress=progress)
     one, by_coordinate = ("mode",), ("mode", "coordinate")
     data = {
-        "frequency": (one, m.frequency, "Hz", "undamped natural frequency"),
-        "damped_frequency": (one, m.damped_frequency, "Hz", "natural frequency with damping at speed"),
-        "damping_ratio": (one, m.damping_ratio, "1", "damping ratio"),
+        "frequency": (one, m.damped_frequency, *FREQUENCY),
+        "undamped_frequency": (one, m.frequency, "Hz", "undamped natural frequency at rest"),
+        "damping_ratio": (one, m.damping_ratio, *RATIO),
+        "whirl": (one, np.array(m.whirl, dtype=object), "", "whirl of the shafts"),
+        "strain_to_kinetic": (one, m.energies.strain_ratio, "1", "strain over kinetic energy"),
+        "gyroscopic_share": (one, m.energies.gyroscopic, "1", "gyroscopic over kinetic energy"),
+        "strain_share": (("mode", "component"), m.energies.strain, "1", "share in the strain energy"),
+        "kinetic_share": (("mode", "part", "motion"), m.energies.kinetic, "1", "share in the kinetic energy"),
         "eigenvalue_real": (one, m.eigenvalue.real, "1/s", "real part of the eigenvalue"),
         "eigenvalue_imag": (one, m.eigenvalue.imag, "1/s", "imaginary part of the eigenvalue"),
         "shape": (by_coordinate, m.shape, "1", "undamped shape, modal mass 1"),
         "damped_shape_real": (by_coordinate, m.damped_shape.real, "1", "damped shape, real part"),
         "damped_shape_imag": (by_coordinate, m.damped_shape.imag, "1", "damped shape, imaginary part"),
-        "kinetic_share": (by_coordinate, m.kinetic, "1", "share in the kinetic energy"),
-        "potential_share": (("mode", "element"), m.potential, "1", "share in the strain energy"),
+        "coordinate_share": (by_coordinate, m.kinetic, "1", "share of a coordinate in the kinetic energy"),
+        "potential_share": (
+            ("mode", "element"),
+            m.potential,
+            "1",
+            "share of an element in the strain energy",
+        ),
         "participation": (("mode", "direction"), m.participation, "1", "participation factor, SI units"),
         "effective_mass": (("mode", "direction"), m.effective_mass, "1", "effective mass [kg, kg m^2]"),
         "body_shape": (("mode", "body", "direction"), m.body_shape, "1", "motion of the bodies [m, rad]"),
@@ -263,7 +315,10 @@ def solve_modal(
         {k: (dims, v, {"units": unit, "long_name": text}) for k, (dims, v, unit, text) in data.items()},
         coords={
             "mode": np.arange(1, len(m.names) + 1),
-            "name": ("mode", list(m.names)),
+            "name": ("mode", list(m.names), {"long_name": "name of the mode"}),
+            "component": list(m.groups.components),
+            "part": list(m.groups.parts),
+            "motion": list(WAYS),
             "coordinate": list(m.coordinates),
             "element": list(m.elements),
             "direction": list(DIRECTIONS),

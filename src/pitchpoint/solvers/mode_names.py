@@ -1,113 +1,340 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Names of modes, from the energy shares of bodies and elements.
+"""Names of modes, by what they do: from their energies and shapes.
 
-The share of a coordinate is M_kk phi_k^2 over its sum over all coordinates: the kinetic energy of that
-coordinate alone. It is between 0 and 1, and it is the share of the kinetic energy if the mass matrix is
-diagonal. The exact share, phi_k (M phi)_k, is not used: a joint coordinate also moves the bodies that follow
-in the tree, so the share of one coordinate may be negative and that of another above 1. Elements with
-negative stiffness, such as gravity on an upright pendulum, have negative strain energy; the share of an
-element refers to the sum of the magnitudes.
+The name is that of the first rule that applies; shares are those of the kinetic or strain energy:
+
+1. rigid modes, without strain: rigid rotation, rigid motion;
+2. half of the kinetic energy in the modal coordinates of an elastic body: elastic mode of the body;
+3. half of it in a planetary set, in one of its three types: rotational, translational, planet mode;
+4. half of the strain energy in meshes: mesh mode;
+5. otherwise the largest motion. Rotation about the axes is torsion, of parts that rotate against each other
+   relative to the gear ratios. Lateral motion of a shaft is bending if its beams have 30 % of the strain
+   energy of beams and supports, otherwise translation or tilting of the shaft on its bearings.
+
+Modes of one kind are numbered by frequency. The two modes of a lateral pair have one number; they differ by
+the whirl at speed, or by the direction at rest.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
-from pitchpoint.elements import registry
-from pitchpoint.solvers.stiffness_parts import ROTATION, Array, Parts
-from pitchpoint.system.layout import Layout
+from pitchpoint.elements.kind import MESH
+from pitchpoint.solvers.gear_trains import rotations
+from pitchpoint.solvers.machine_groups import SHAFT
+from pitchpoint.solvers.mode_energies import PLANAR, Energies, Motions
+from pitchpoint.solvers.planet_modes import planet_sets, type_of_mode
 
-MOTION = {
-    "x": "translation x",
-    "y": "translation y",
-    "z": "translation z",
-    "alpha": "tilt rx",
-    "beta": "tilt ry",
-    "spin": "rotation",
-}
-"""Names of the motions of a body, by coordinate."""
+if TYPE_CHECKING:
+    from pitchpoint.system.system import System
 
-TORSIONAL = 0.7
-"""Kinetic energy share of the spins from which a mode counts as torsional."""
-ENERGY_SHARE = 0.8
-"""Energy share that the listed motions must cover."""
-MAX_MOTIONS = 3
-"""Maximum number of motions listed."""
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+MAIN = 0.5
+"""Share of the energy from which a planetary set, a mesh or an elastic body names a mode."""
+BENDS = 0.3
+"""Share of its beams in the strain energy of a shaft and its supports from which it bends."""
+TURNS = 1e-9
+"""Speed over the highest speed of a train from which a body belongs to it."""
+AGAINST = 0.05
+"""Least share of a part in the rotational energy that is named."""
+SAME_PLANE = 0.7
+"""Cosine from which two lateral motions are in the same plane."""
+MULTIPLE = 1e-4
+"""Relative distance of frequencies up to which modes of a planetary set are copies of one."""
+OBLIQUE = 0.4
+"""Component of a direction from which its axis is named."""
+NO_WHIRL = ("", PLANAR)
+"""Words for the whirl of a mode that does not."""
+FEW = 2
+"""Maximum number of parts or meshes listed in a name."""
 
 
-def mode_names(
-    layout: Layout, parts: Parts, omega: Array, shapes: Array, potential: Array
-) -> tuple[str, ...]:
-    """Names of all modes.
+@dataclass(eq=False)
+class _Named:
+    """Name without number and direction.
+
+    `ordinal`: the number is written also if it is 1; `plane`: direction of the lateral motion in body axes,
+    for modes that occur in pairs; `mark`: this direction in words; `multiple`: copies of one frequency
+    share a number; `omega` [rad/s].
+    """
+
+    words: str
+    ordinal: bool = False
+    plane: Array | None = None
+    mark: str = ""
+    multiple: bool = False
+    number: int = 1
+    omega: float = 0.0
+
+    @property
+    def whirls(self) -> bool:
+        """Whether the mode can whirl."""
+        return self.plane is not None or self.multiple
+
+
+def base_names(
+    system: System, motions: Motions, omega: Array, shapes: Array, energies: Energies
+) -> list[_Named]:
+    """Names of undamped modes at rest in ascending order, without the direction of whirl.
 
     Parameters
     ----------
-    layout
-        Names of bodies and coordinates.
-    parts
-        Elements and their bodies, and the mass matrix.
+    system, motions
+        The system, and its motions at the operating point.
     omega, shapes
-        Undamped circular frequencies (n,), zero for rigid modes, and shapes (n, nd).
-    potential
-        Shares of elements (n, ne) in the strain energy.
+        Circular frequencies (n,), zero for rigid modes, and shapes (n, nd).
+    energies
+        Energies of these modes.
     """
-    kinetic = shapes**2 * parts.M.diagonal()
-    kinetic = kinetic / np.maximum(kinetic.sum(axis=1, keepdims=True), 1e-300)
-    potential = potential / np.maximum(np.abs(potential).sum(axis=1, keepdims=True), 1e-300)
-    several = int(np.sum(omega == 0.0)) > 1
-    return tuple(
-        _rigid(layout, kinetic[j], several)
-        if omega[j] == 0.0
-        else _elastic(layout, parts, kinetic[j], potential[j])
-        for j in range(len(omega))
-    )
+    namer = _Namer(system, motions, energies, int(np.sum(omega == 0.0)) > 1)
+    twist, wrench = motions.of(np.asarray(shapes, dtype=np.complex128))
+    found = [namer.name(k, bool(omega[k] == 0.0), twist[k], wrench[k]) for k in range(len(omega))]
+    for one, frequency in zip(found, omega, strict=True):
+        one.omega = float(frequency)
+    _number(found)
+    return found
 
 
-def _rigid(layout: Layout, kinetic: Array, several: bool) -> str:
-    spins = _spin_share(layout, kinetic)
-    if spins < TORSIONAL:
-        return f"rigid motion: {_motions(layout, kinetic)}"
-    if not several:
-        return "rigid rotation"
-    bodies = [b for b, share in _bodies(layout, kinetic) if share > 0.01]
-    return f"rigid rotation of {', '.join(bodies)}"
+def full_names(named: Sequence[_Named], whirls: Sequence[str] | None = None) -> tuple[str, ...]:
+    """Names with number and direction: the whirl, or the direction at rest.
+
+    Parameters
+    ----------
+    named
+        Result of `base_names`.
+    whirls
+        Whirl of each mode at speed; "" or "planar" for none.
+
+    Examples
+    --------
+    >>> x, y = np.eye(3)[:2]
+    >>> pair = [_Named("bending of rotor", True, x, "x"), _Named("bending of rotor", True, y, "y")]
+    >>> full_names(pair)
+    ('1st bending of rotor (x)', '1st bending of rotor (y)')
+    >>> full_names(pair, ["backward", "forward"])
+    ('1st bending of rotor (backward)', '1st bending of rotor (forward)')
+    """
+    marks = [
+        whirls[k] if whirls and whirls[k] not in NO_WHIRL and one.whirls else one.mark
+        for k, one in enumerate(named)
+    ]
+    plain = [_numbered(one) for one in named]
+    pairs = list(zip(plain, marks, strict=True))
+    for k, pair in enumerate(pairs):
+        if pairs.count(pair) > 1:
+            letter = "abcdefgh"[min(pairs[:k].count(pair), 7)]
+            marks[k] = f"{pair[1]} {letter}" if pair[1] else letter
+    return tuple(f"{name} ({mark})" if mark else name for name, mark in zip(plain, marks, strict=True))
 
 
-def _elastic(layout: Layout, parts: Parts, kinetic: Array, potential: Array) -> str:
-    if _spin_share(layout, kinetic) < TORSIONAL or not potential.size:
-        return _motions(layout, kinetic)
-    e = int(np.argmax(potential))
-    if parts.kinds[e] == ROTATION or not registry.find(parts.kinds[e]).names_modes:
-        return _motions(layout, kinetic)
-    one, two = (layout.bodies[b] for b in parts.bodies[e])
-    share = "" if potential[e] > 0.995 else f" {100.0 * potential[e]:.0f} %"
-    if parts.bodies[e][1] == 0:
-        return f"{parts.elements[e]}: {one} against ground (torsion){share}"
-    return f"{parts.elements[e]}: {one} against {two} (torsion){share}"
+def _numbered(one: _Named) -> str:
+    """Name with its number: bending always, others from the second."""
+    if one.number == 1 and not one.ordinal:
+        return one.words
+    return f"{ordinal(one.number)} {one.words}"
 
 
-def _motions(layout: Layout, kinetic: Array) -> str:
-    """Motions with the largest shares, in descending order."""
-    named, total = [], 0.0
-    for k in np.argsort(-kinetic, kind="stable")[:MAX_MOTIONS]:
-        body, _, motion = layout.coordinates[k].rpartition(".")
-        named.append(f"{body} {MOTION.get(motion, motion)} {100.0 * kinetic[k]:.0f} %")
-        total += float(kinetic[k])
-        if total >= ENERGY_SHARE:
-            break
-    return ", ".join(named)
+def ordinal(number: int) -> str:
+    """Ordinal number.
+
+    Examples
+    --------
+    >>> [ordinal(k) for k in (1, 2, 3, 4, 11, 22)]
+    ['1st', '2nd', '3rd', '4th', '11th', '22nd']
+    """
+    ending = "th" if number % 100 in (11, 12, 13) else {1: "st", 2: "nd", 3: "rd"}.get(number % 10, "th")
+    return f"{number}{ending}"
 
 
-def _spin_share(layout: Layout, kinetic: Array) -> float:
-    return float(sum(s for c, s in zip(layout.coordinates, kinetic, strict=True) if c.endswith(".spin")))
+def _number(found: Sequence[_Named]) -> None:
+    """Number the modes of each kind.
+
+    Two modes with different planes of motion share a number, and all copies of a multiple frequency of a
+    planetary set.
+    """
+    kinds: dict[str, list[list[_Named]]] = {}
+    for one in found:
+        taken = kinds.setdefault(one.words, [])
+        for number, members in enumerate(taken, start=1):
+            if _same(one, members):
+                members.append(one)
+                one.number = number
+                break
+        else:
+            taken.append([one])
+            one.number = len(taken)
 
 
-def _bodies(layout: Layout, kinetic: Sequence[float] | Array) -> list[tuple[str, float]]:
-    """Share of every body, in descending order."""
-    shares: dict[str, float] = {}
-    for coordinate, share in zip(layout.coordinates, kinetic, strict=True):
-        body = coordinate.rpartition(".")[0]
-        shares[body] = shares.get(body, 0.0) + float(share)
-    return sorted(shares.items(), key=lambda item: -item[1])
+def _same(one: _Named, members: Sequence[_Named]) -> bool:
+    """Whether a mode has the number of some others of its kind."""
+    first = members[0]
+    if one.plane is not None and first.plane is not None:
+        return len(members) == 1 and abs(float(one.plane @ first.plane)) < SAME_PLANE
+    return one.multiple and one.omega - first.omega <= MULTIPLE * one.omega
+
+
+class _Namer:
+    """Names of the modes of one system."""
+
+    def __init__(self, system: System, motions: Motions, energies: Energies, several: bool) -> None:
+        self.system, self.motions, self.energies, self.several = system, motions, energies, several
+        self.groups = motions.groups
+        self.sets = planet_sets(system, self.groups, motions.place, motions.axes)
+        self.trains: dict[int, Array] = {}
+        count = len(self.groups.parts)
+        self.moved_by = np.zeros((count, count))  # energies of fixed bodies go to the part that carries them
+        for part, carried in zip(self.groups.part, self.groups.carried, strict=True):
+            if part >= 0:
+                self.moved_by[carried, part] = 1.0
+
+    def name(self, k: int, rigid: bool, twist: Complex, wrench: Complex) -> _Named:
+        """Name of mode k."""
+        kinetic = np.einsum("ab,bw->aw", self.moved_by, self.energies.kinetic[k])
+        strain = np.abs(self.energies.strain[k])
+        strain = strain / max(float(strain.sum()), 1e-300)
+        if rigid:
+            return _Named(self._rigid(kinetic))
+        elastic = int(np.argmax(kinetic[:, 3]))
+        if kinetic[elastic, 3] >= MAIN:
+            return _Named(f"elastic mode of {self.groups.parts[elastic]}", True)
+        for planets in self.sets:
+            kind, share = type_of_mode(planets, twist, wrench, kinetic)
+            if kind and share >= MAIN:
+                words = f"{kind} mode of planetary set {planets.name}"
+                return _Named(words, True, multiple=kind != "rotational")
+        meshes = [e for e, word in enumerate(self.groups.kinds) if word == MESH]
+        if meshes and strain[meshes].sum() >= MAIN:
+            return _Named(f"mesh mode of {self._meshes(strain, meshes)}")
+        return self._motion(kinetic, strain, twist, wrench)
+
+    def _rigid(self, kinetic: Array) -> str:
+        """Name of a mode without strain."""
+        turning = kinetic[:, 2]
+        if turning.sum() < 0.7 * kinetic.sum():
+            return f"rigid motion of {self._listed(kinetic.sum(axis=1), 0.01)}"
+        return f"rigid rotation of {self._listed(turning, 0.01)}" if self.several else "rigid rotation"
+
+    def _listed(self, shares: Array, least: float) -> str:
+        """Names of the parts with the largest shares."""
+        order = [k for k in np.argsort(-shares, kind="stable") if shares[k] > least * shares.sum()]
+        names = [self.groups.parts[k] for k in order]
+        return ", ".join(names) if len(names) <= 3 else f"{', '.join(names[:2])} and {len(names) - 2} more"
+
+    def _meshes(self, strain: Array, meshes: Sequence[int]) -> str:
+        """Names of the meshes with the largest strain energy."""
+        order = sorted(meshes, key=lambda e: -strain[e])
+        chosen = [e for e in order if strain[e] > 0.5 * strain[order[0]]]
+        names = [self.groups.components[e].partition(" ")[2] for e in sorted(chosen)]
+        return " and ".join(names) if len(names) <= FEW else f"{names[0]} and {len(names) - 1} more"
+
+    def _motion(self, kinetic: Array, strain: Array, twist: Complex, wrench: Complex) -> _Named:
+        """Name from the largest motion."""
+        rotating = np.array(self.groups.rotates)
+        torsion = float(kinetic[rotating, 2].sum())
+        others = kinetic[:, :2].copy()
+        others[~rotating] = 0.0
+        still = np.where(rotating, 0.0, kinetic[:, :3].sum(axis=1))
+        part, way = (
+            (int(k) for k in np.unravel_index(np.argmax(others), others.shape)) if others.size else (0, 0)
+        )
+        lateral = float(others[part, way]) if others.size else 0.0
+        fixed = int(np.argmax(still)) if still.size else 0
+        if torsion >= max(lateral, float(still.max(initial=0.0))):
+            return _Named(self._torsion(kinetic[:, 2] * rotating, strain, twist, wrench))
+        if still.size and still[fixed] >= lateral:
+            return _Named(self._of_housing(fixed, twist, wrench))
+        name = self.groups.parts[part]
+        if way == 1:
+            return _Named(f"axial mode of {name}")
+        return self._lateral(part, strain, twist, wrench)
+
+    def _bodies(self, part: int) -> list[int]:
+        """Bodies that move with a part."""
+        return [b for b, own in enumerate(self.groups.carried) if own == part]
+
+    def _lateral(self, part: int, strain: Array, twist: Complex, wrench: Complex) -> _Named:
+        """Bending of a shaft, or its translation or tilting."""
+        name, bodies = self.groups.parts[part], self._bodies(part)
+        each = (twist[bodies].conj() * wrench[bodies]).real
+        force = wrench[bodies][:, :2]
+        size = np.linalg.norm(twist[bodies][:, :2], axis=1)
+        masses = np.divide(np.linalg.norm(force, axis=1), size, out=np.zeros(len(size)), where=size > 0.0)
+        pull = force.sum(axis=0)
+        mean = float(np.vdot(pull, pull).real) / max(float(masses.sum()), 1e-300)
+        own = each[:, [0, 1, 3, 4]].sum()
+        beams = held = 0.0
+        for e, word in enumerate(self.groups.kinds):
+            if word == SHAFT and self.groups.ends[e] == (part,):
+                beams += strain[e]
+            elif word != MESH and part in self.groups.ends[e]:
+                held += strain[e]
+        plane = _main_direction(twist[bodies], each)
+        mark = "".join(letter for letter, size in zip("xyz", np.abs(plane), strict=True) if size > OBLIQUE)
+        if beams > 0.0 and beams >= BENDS * (beams + held):
+            return _Named(f"bending of {name}", True, plane, mark=mark)
+        word = "translation" if mean >= MAIN * own else "tilting"
+        return _Named(f"{word} of {name}", False, plane, mark=mark)
+
+    def _torsion(self, kinetic: Array, strain: Array, twist: Complex, wrench: Complex) -> str:
+        """Parts that rotate against each other, relative to the ratios of their train."""
+        groups = self.groups
+        each = (twist[:, 5].conj() * wrench[:, 5]).real
+        body = self.system.program["body"]
+        lead = int(np.argmax(np.where(body["spin"] >= 0, each, -np.inf)))
+        spin = int(body[lead]["spin"])
+        rates = np.ones(len(body))
+        if spin >= 0:
+            rates = self._rates(spin)
+        swing = (twist[:, 5] * np.conj(twist[lead, 5])).real * rates * rates[lead]
+        sides: dict[int, list[float]] = {}
+        for b, part in enumerate(groups.carried):
+            if part >= 0 and kinetic[part] > 0.0 and abs(rates[b]) > TURNS * np.abs(rates).max():
+                sides.setdefault(part, [0.0, 0.0])[int(swing[b] < 0.0)] += float(each[b])
+        whole = max(sum(map(sum, sides.values())), 1e-300)
+        with_lead = {p: s[0] for p, s in sides.items() if s[0] >= max(s[1], AGAINST * whole)}
+        against = {p: s[1] for p, s in sides.items() if s[1] > s[0] and s[1] >= AGAINST * whole}
+        if with_lead and against:
+            pair = sorted((max(with_lead, key=with_lead.__getitem__), max(against, key=against.__getitem__)))
+            return f"torsion of {groups.parts[pair[0]]} against {groups.parts[pair[1]]}"
+        part = groups.carried[lead]
+        e = int(np.argmax(strain)) if strain.size else -1
+        if e < 0 or not groups.springs[e]:
+            return f"rotation of {groups.parts[part]}"
+        held = groups.kinds[e] != SHAFT and len(groups.ends[e]) < 2
+        return f"torsion of {groups.parts[part]}" + (" against ground" if held else "")
+
+    def _rates(self, spin: int) -> Array:
+        """Rotation of all bodies about their axes for one spin at 1 rad/s, through its train."""
+        if spin not in self.trains:
+            train = rotations(self.system, (spin,))[:, 0].astype(np.complex128)
+            self.trains[spin] = self.motions.of(train[None])[0][0, :, 5].real
+        return self.trains[spin]
+
+    def _of_housing(self, part: int, twist: Complex, wrench: Complex) -> str:
+        """Motion of a body that does not rotate: the axis of its largest motion."""
+        bodies = self._bodies(part)
+        energy = (twist[bodies].conj() * wrench[bodies]).real.sum(axis=0)
+        way = int(np.argmax(energy))
+        word = "translation" if way < 3 else "rotation"
+        return f"{word} {'xyz'[way % 3]} of {self.groups.parts[part]}"
+
+
+def _main_direction(twist: Complex, each: Array) -> Array:
+    """Direction of the largest lateral motion of bodies, unit vector in their axes, shape (3,).
+
+    Tilt counts as the lateral motion that it causes: a rotation about x moves the shaft along y.
+    """
+    tensor = np.zeros((2, 2))
+    for t, energy in zip(twist, each, strict=True):
+        for vector, weight in ((t[:2], energy[:2].sum()), (np.array([t[4], -t[3]]), energy[3:5].sum())):
+            size = float(np.vdot(vector, vector).real)
+            if size > 0.0:
+                tensor += max(float(weight), 0.0) / size * np.outer(vector, vector.conj()).real
+    return np.append(np.linalg.eigh(tensor)[1][:, -1], 0.0)

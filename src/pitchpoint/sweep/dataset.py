@@ -26,6 +26,7 @@ from pitchpoint.analysis.noise import white_noise, with_white_noise
 from pitchpoint.analysis.pulses import pulse_times, tacho_levels
 from pitchpoint.analysis.sampled import SignalError
 from pitchpoint.core.errors import PitchpointError, SolverError
+from pitchpoint.core.nomenclature import can_be_filtered
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import OK, REFUSED
 from pitchpoint.model.dataset_plan import DatasetPlan, ObservedChannel, PlannedCase
@@ -144,10 +145,16 @@ def treatment(plan: DatasetPlan) -> str:
             f"sampled at {plan.sample_rate:g} Hz without anti-aliasing filter: "
             "content above half the sampling rate is aliased"
         )
+    bare = [
+        name
+        for name, c in plan.channels.items()
+        if isinstance(c, ObservedChannel) and not can_be_filtered(c.channel)
+    ]
     return (
         f"sampled at {plan.oversampling * plan.sample_rate:g} Hz, zero-delay linear-phase low-pass filter "
         f"(pass band to {PASS * plan.sample_rate:g} Hz, {DAMPING:g} dB attenuation from "
         f"{STOP * plan.sample_rate:g} Hz), decimated by {plan.oversampling}"
+        + (f"; states and phases are not filtered: {', '.join(bare)}" if bare else "")
     )
 
 
@@ -268,7 +275,8 @@ def _compute(
     for name, channel in plan.channels.items():
         if isinstance(channel, ObservedChannel):
             found = system.layout.channels[known.index(channel.channel)]
-            clean = decimated(recorded[name], times) if times > 1 else recorded[name][kept]
+            filtered = times > 1 and can_be_filtered(channel.channel)
+            clean = decimated(recorded[name], times) if filtered else recorded[name][kept]
             values, noise = _noisy(name, channel, clean, case.seed, key)
             channels[name] = RecordedChannel(values, found.unit, found.long_name or name, noise)
         else:

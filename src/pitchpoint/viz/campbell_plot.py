@@ -1,201 +1,288 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Campbell diagram: natural frequencies and mesh orders over speed, crossings marked."""
+"""Campbell diagram: natural frequencies over speed, excitation orders, ranked critical speeds."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from pitchpoint.analysis.campbell import campbell_crossings
+from pitchpoint.analysis.campbell_ranking import SIDEBAND, ranked_speeds
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import Array, scale
+from pitchpoint.viz.labels import spread
+from pitchpoint.viz.quantities import Array, Scale, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
+    import xarray as xr
 
-
-MAX_NAMES = 6
-"""Maximum number of modes with names in the legend; more modes are labelled at their lines."""
-HEIGHT, TOP, MARGINS, TEXT_HEIGHT = 460, 76, 124, 13
-"""Height of the figure, its margin above, both margins and a line of text [pixels]."""
+HEIGHT, BOTTOM, LEGEND = 560, 48, 34
+"""Height of the figure without labels above the plot, margin below, height of the legend [pixels]."""
+WIDTH = 560
+"""Width of the plot on narrow pages, for the distance of labels above it [pixels]."""
+LINE, LETTER = 14, 6.3
+"""Distance of two labels and mean width of a letter at 11 points [pixels]."""
+LEADER = 22
+"""Length of the leader lines from curves to their names [pixels]."""
+NUMBERED = 10
+"""Number of critical speeds marked with their rank."""
+APART = 20
+"""Least distance of two ranks in the plot [pixels]."""
+WAYS = {
+    "forward": (theme.RED, "forward whirl"),
+    "backward": (theme.BLUE, "backward whirl"),
+    "": (theme.TEAL, "other modes"),
+}
+"""Colour and legend of modes by whirl."""
+RIGID = 1e-6
+"""Frequency over the highest up to which a mode is not drawn."""
 
 
 def plot_campbell(
-    speed: ArrayLike,
-    mode_frequencies: ArrayLike,
-    orders: Mapping[str, float],
+    diagram: xr.Dataset,
     *,
-    mode_names: Sequence[str] = (),
-    shaft: str = "",
+    frequency: tuple[float, float] | None = None,
+    speed: tuple[float, float] | None = None,
 ) -> go.Figure:
-    """Natural frequencies against excitation orders.
+    """Campbell diagram with named curves and ranked critical speeds.
 
     Parameters
     ----------
+    diagram
+        Dataset of `solve_campbell`, or a part of it from `select_modes`.
+    frequency
+        Range of the frequencies [Hz]; default from zero to above the highest curve or order line.
     speed
-        Speeds of the reference shaft [rad/s], shape (n_speed,).
-    mode_frequencies
-        Natural frequencies [Hz], shape (n_speed, n_mode) or (n_mode,).
-    orders
-        Excitations per revolution of the reference shaft, by name (`stage × 1`).
-    mode_names
-        Names of the modes.
-    shaft
-        Name of the reference shaft.
+        Range of the speeds [rad/s]; default that of the dataset. Order lines outside the ranges are omitted.
     """
-    omega = np.asarray(speed, dtype=np.float64)
-    modes = np.atleast_1d(np.asarray(mode_frequencies, dtype=np.float64))
-    if modes.ndim == 1:
-        modes = np.broadcast_to(modes, (omega.size, modes.size))
-    revolutions = scale("rad/s")
-    top = 1.15 * float(np.nanmax(modes)) if modes.size else 1.0
-    pitch = scale("Hz", [top])
+    omega = np.abs(np.asarray(diagram["speed"].values, dtype=np.float64))
+    order = np.argsort(omega, kind="stable")
+    omega, curves = omega[order], np.asarray(diagram["frequency"].values, dtype=np.float64)[order]
+    names = [str(name) for name in diagram["name"].values]
+    moving = curves.max(axis=0, initial=0.0) > RIGID * max(float(curves.max(initial=0.0)), 1e-300)
+    curves, names = curves[:, moving], [n for n, m in zip(names, moving, strict=True) if m]
+    wide = speed or (float(omega.min(initial=0.0)), float(omega.max(initial=1.0)))
+    high = frequency or (0.0, 1.06 * float(curves.max(initial=1.0)))
+    revolutions, pitch = scale("rad/s"), scale("Hz", [high[1]])
     figure = theme.figure(
-        revolutions.title(f"speed of {shaft}" if shaft else "speed"),
-        pitch.title("frequency"),
-        height=HEIGHT,
-        # room for two rows of order names between plot and legend
-        margin={"t": TOP},
-        legend={"y": 1.1},
+        revolutions.title(f"speed of {diagram.attrs.get('body', '')}".rstrip()), pitch.title("frequency")
     )
-    crowded = modes.shape[1] > MAX_NAMES
-    names = [mode_names[k] if k < len(mode_names) else f"mode {k + 1}" for k in range(modes.shape[1])]
-    for k, name in enumerate(names):
-        figure.add_scatter(
-            x=omega * revolutions.factor,
-            y=modes[:, k] * pitch.factor,
-            mode="lines",
-            name=name,
-            showlegend=not crowded,
-            line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 2},
-        )
-    # names are placed next to and above the plot, outside circles and lines
-    room = _beside(figure, names, modes[-1] * pitch.factor, top * pitch.factor) if crowded else 0
-    leaving = _draw_orders(figure, omega, orders, top)
-    room = _beside(figure, list(leaving), np.array([*leaving.values()]), top * pitch.factor, room)
-    figure.update_layout(margin={"r": 16 + room})
-    if modes.size and orders:
-        _mark_crossings(figure, omega, modes, orders, top)
-    figure.update_yaxes(range=[0.0, top * pitch.factor])
-    figure.update_xaxes(range=[float(omega[0]) * revolutions.factor, float(omega[-1]) * revolutions.factor])
-    figure.update_layout(showlegend=True)
+    place = _Places(wide, high, revolutions, pitch)
+    at_right, above = _orders(figure, diagram, place)
+    at_right = _modes(figure, omega, curves, names, place) + at_right
+    _operating(figure, diagram, place)
+    _critical(figure, diagram, place)
+    right = _at_the_right(figure, at_right, place)
+    top = _above(figure, above)
+    figure.update_layout(
+        height=HEIGHT + top,
+        margin={"l": 64, "r": right, "t": LEGEND + top, "b": BOTTOM},
+        legend={
+            "orientation": "h",
+            "x": 0,
+            "y": 1.0,
+            "yanchor": "top",
+            "yref": "container",
+            "font": {"size": 11},
+        },
+    )
+    figure.update_xaxes(range=[x * revolutions.factor for x in wide], showgrid=False)
+    figure.update_yaxes(range=[y * pitch.factor for y in high], showgrid=False, zeroline=False)
     return figure
 
 
-def _draw_orders(
-    figure: go.Figure, omega: Array, orders: Mapping[str, float], top: float
-) -> dict[str, float]:
-    """Draw the lines of the orders; return names and ends of those that reach the right edge."""
-    revolutions, pitch = scale("rad/s"), scale("Hz", [top])
-    leaving: dict[str, float] = {}
-    for row, (name, order) in enumerate(_distinct(orders)):
+class _Places:
+    """Ranges of a diagram in SI units, and its display units."""
+
+    def __init__(
+        self, speed: tuple[float, float], frequency: tuple[float, float], revolutions: Scale, pitch: Scale
+    ) -> None:
+        self.speed, self.frequency = speed, frequency
+        self.revolutions, self.pitch = revolutions, pitch
+
+    def across(self, frequency: float) -> float:
+        """Height of a frequency over that of the plot."""
+        low, high = self.frequency
+        return (frequency - low) / max(high - low, 1e-300)
+
+    def along(self, speed: float) -> float:
+        """Position of a speed over the width of the plot."""
+        low, high = self.speed
+        return (speed - low) / max(high - low, 1e-300)
+
+    def inside(self, speed: float, frequency: float) -> bool:
+        """Whether a point is in the plot."""
+        return 0.0 <= self.along(speed) <= 1.0 and 0.0 <= self.across(frequency) <= 1.0
+
+
+def _way(name: str) -> str:
+    """Whirl in the name of a mode."""
+    return next((way for way in WAYS if way and f"({way}" in name), "")
+
+
+def _modes(
+    figure: go.Figure, omega: Array, curves: Array, names: Sequence[str], place: _Places
+) -> list[tuple[float, str, str]]:
+    """Curves of the modes; returns position, text and colour of their names at the right edge."""
+    listed: list[tuple[float, str, str]] = []
+    shown: set[str] = set()
+    for k, name in enumerate(names):
+        way = _way(name)
+        colour, legend = WAYS[way]
         figure.add_scatter(
-            x=omega * revolutions.factor,
-            y=order * omega / (2.0 * np.pi) * pitch.factor,
+            x=omega * place.revolutions.factor,
+            y=curves[:, k] * place.pitch.factor,
             mode="lines",
-            name=name,
-            showlegend=False,
-            line={"color": theme.GREY, "width": 1, "dash": "dash"},
+            name=legend,
+            legendgroup=legend,
+            showlegend=way not in shown,
+            line={"color": colour, "width": 2},
+            hovertemplate=f"{name}<br>%{{x:.5g}} {place.revolutions.unit}, "
+            f"%{{y:.5g}} {place.pitch.unit}<extra></extra>",
         )
-        end = 2.0 * np.pi * top / order
-        if end < float(omega[-1]):
-            _above(figure, name, end * revolutions.factor, row)
+        shown.add(way)
+        end = float(np.interp(place.speed[1], omega, curves[:, k]))
+        if 0.0 <= place.across(end) <= 1.0:
+            listed.append((end, name, colour))
+    return listed
+
+
+def _orders(
+    figure: go.Figure, diagram: xr.Dataset, place: _Places
+) -> tuple[list[tuple[float, str, str]], list[tuple[float, str]]]:
+    """Lines of the orders that enter the plot; returns the names at its right edge and above it."""
+    at_right, above = [], []
+    shown: set[bool] = set()
+    values = np.asarray(diagram["excitation_order"].values, dtype=np.float64)
+    kinds = [str(kind) for kind in diagram["excitation_kind"].values]
+    for name, order, kind in zip(map(str, diagram["excitation"].values), values, kinds, strict=True):
+        per = order / (2.0 * np.pi)
+        start = max(place.speed[0], place.frequency[0] / per)
+        end = min(place.speed[1], place.frequency[1] / per)
+        if start >= end:
+            continue
+        band = kind == SIDEBAND
+        legend = "sidebands" if band else "orders"
+        figure.add_scatter(
+            x=[x * place.revolutions.factor for x in (start, end)],
+            y=[per * x * place.pitch.factor for x in (start, end)],
+            mode="lines",
+            name=legend,
+            legendgroup=legend,
+            showlegend=band not in shown,
+            line={"color": theme.GREY, "width": 0.7 if band else 1.2, "dash": "dot" if band else "dash"},
+            hovertemplate=f"{name}<extra></extra>",
+        )
+        shown.add(band)
+        if band:
+            continue
+        if end == place.speed[1]:
+            at_right.append((per * end, name, theme.LIGHT["soft"]))
         else:
-            leaving[name] = order * float(omega[-1]) / (2.0 * np.pi) * pitch.factor
-    return leaving
+            above.append((place.along(end), name))
+    return at_right, above
 
 
-def _mark_crossings(
-    figure: go.Figure, omega: Array, modes: Array, orders: Mapping[str, float], top: float
-) -> None:
-    """Circles at the crossings of orders and modes."""
-    crossings = campbell_crossings(omega, modes, [order for _, order in _distinct(orders)])
-    if not crossings:
+def _operating(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
+    """Operating speed as line, or operating range as band."""
+    given = diagram.attrs.get("operating_speed")
+    if given is None:
         return
-    revolutions, pitch = scale("rad/s"), scale("Hz", [top])
+    low, high = (abs(float(x)) * place.revolutions.factor for x in given)
+    if low == high:
+        figure.add_vline(x=low, line={"color": theme.GREEN, "width": 1.5})
+    else:
+        figure.add_vrect(x0=low, x1=high, fillcolor=theme.GREEN, opacity=0.12, line_width=0)
     figure.add_scatter(
-        x=[c.speed * revolutions.factor for c in crossings],
-        y=[c.frequency * pitch.factor for c in crossings],
-        mode="markers",
-        name="crossings",
-        marker={"color": theme.RED, "size": 9, "symbol": "circle-open", "line": {"width": 2}},
+        x=[None], y=[None], mode="lines", name="operating speed", line={"color": theme.GREEN, "width": 2}
     )
 
 
-def _above(figure: go.Figure, name: str, at: float, row: int) -> None:
-    """Label of a line that leaves through the top of the plot; neighbours on two levels."""
-    figure.add_annotation(
-        x=at,
-        y=1,
-        yref="paper",
-        text=name,
-        showarrow=False,
-        xanchor="center",
-        yanchor="bottom",
-        yshift=1 + 13 * (row % 2),
-        font={"size": 11},
+def _critical(figure: go.Figure, diagram: xr.Dataset, place: _Places) -> None:
+    """Circles at critical speeds; the first ranks as numbers where there is room."""
+    ranked = [c for c in ranked_speeds(diagram) if place.inside(c.speed, c.frequency)]
+    if not ranked:
+        return
+    texts, taken = [], np.zeros((0, 2))
+    for rank, c in enumerate(ranked_speeds(diagram), start=1):
+        if not place.inside(c.speed, c.frequency):
+            continue
+        here = np.array(
+            [place.along(c.speed) * WIDTH, place.across(c.frequency) * (HEIGHT - BOTTOM - LEGEND)]
+        )
+        clear = rank <= NUMBERED and not (np.abs(taken - here) < APART).all(axis=1).any()
+        texts.append(str(rank) if clear else "")
+        taken = np.vstack([taken, here]) if clear else taken
+    figure.add_scatter(
+        x=[c.speed * place.revolutions.factor for c in ranked],
+        y=[c.frequency * place.pitch.factor for c in ranked],
+        mode="markers+text",
+        name="critical speeds",
+        text=texts,
+        textposition="top left",
+        textfont={"size": 11},
+        marker={
+            "color": theme.LIGHT["ink"],
+            "size": [9 if k < NUMBERED else 6 for k in range(len(ranked))],
+            "symbol": "circle-open",
+            "line": {"width": 1.5},
+        },
+        customdata=[
+            f"{c.order} × {c.mode}<br>{c.source}, participation {number(100.0 * c.participation, 3)} %, "
+            f"damping ratio {number(100.0 * c.damping_ratio, 3)} %"
+            for c in ranked
+        ],
+        hovertemplate="%{customdata}<br>%{x:.5g}, %{y:.5g}<extra></extra>",
     )
 
 
-def _beside(figure: go.Figure, names: Sequence[str], ends: Array, top: float, room: int = 0) -> int:
-    """Labels at the right ends of lines, `room` from the plot; those closer than a text line are merged.
-
-    Returns
-    -------
-    int
-        Width used by the labels [pixels].
-    """
-    closest = TEXT_HEIGHT / (HEIGHT - MARGINS) * top
-    groups: list[list[int]] = []
-    for k in sorted((k for k in range(len(names)) if np.isfinite(ends[k])), key=lambda k: float(ends[k])):
-        if groups and ends[k] - np.mean(ends[groups[-1]]) < closest:
-            groups[-1].append(k)
-        else:
-            groups.append([k])
-    texts = [_together([names[k] for k in group]) for group in groups]
-    for group, text in zip(groups, texts, strict=True):
+def _at_the_right(figure: go.Figure, listed: Sequence[tuple[float, str, str]], place: _Places) -> int:
+    """Names right of the plot, a line of text apart, with leader lines; returns the width of the margin."""
+    if not listed:
+        return 16
+    room = HEIGHT - BOTTOM - LEGEND
+    wanted = [room * place.across(at) for at, _, _ in listed]
+    found = spread(wanted, LINE, 0.0, room)
+    for (at, text, colour), own, shown in zip(listed, wanted, found, strict=True):
         figure.add_annotation(
             x=1,
             xref="paper",
-            y=float(np.mean(ends[group])),
+            y=at * place.pitch.factor,
+            ax=LEADER,
+            ay=float(own - shown),
             text=text,
-            showarrow=False,
+            showarrow=True,
+            arrowhead=0,
+            arrowwidth=0.8,
+            arrowcolor=colour,
             xanchor="left",
             yanchor="middle",
-            xshift=4 + room,
-            font={"size": 11},
+            standoff=0,
+            font={"size": 11, "color": colour},
         )
-    return room + max((8 + 7 * len(text) for text in texts), default=0)
+    return int(LEADER + 12 + LETTER * max(len(text) for _, text, _ in listed))
 
 
-def _together(names: Sequence[str]) -> str:
-    """Merged label of adjacent lines: a range of numbers, or all names.
-
-    Examples
-    --------
-    >>> _together(["3"]), _together(["3", "4", "5"]), _together(["3", "5"]), _together(["a", "b"])
-    ('3', '3–5', '3, 5', 'a, b')
-    """
-    if len(names) > 1 and all(name.isdigit() for name in names):
-        numbers = sorted(map(int, names))
-        if numbers[-1] - numbers[0] == len(numbers) - 1:
-            return f"{numbers[0]}–{numbers[-1]}"
-        return ", ".join(map(str, numbers))
-    return ", ".join(names)
-
-
-def _distinct(orders: Mapping[str, float]) -> list[tuple[str, float]]:
-    """Orders in ascending order; equal ones share a line and a short label."""
-    found: list[tuple[list[str], float]] = []
-    for name, order in sorted(orders.items(), key=lambda item: item[1]):
-        if found and order - found[-1][1] <= 1e-9 * order:
-            found[-1][0].append(name)
-        else:
-            found.append(([name], order))
-    return [
-        (", ".join(names) if len(names) < 3 else f"{names[0]} and {len(names) - 1} more", order)
-        for names, order in found
-    ]
+def _above(figure: go.Figure, listed: Sequence[tuple[float, str]]) -> int:
+    """Upright names above the plot, where lines leave it; returns the height that they need."""
+    if not listed:
+        return 0
+    found = spread([at * WIDTH for at, _ in listed], LINE, 0.0, WIDTH)
+    for (at, text), shown in zip(listed, found, strict=True):
+        where = {"x": at, "xref": "paper", "y": 1, "yref": "paper"}
+        aside = float(shown - at * WIDTH)
+        line = {"arrowhead": 0, "arrowwidth": 0.8, "arrowcolor": theme.GREY, "standoff": 0}
+        figure.add_annotation(**where, ax=aside, ay=-10, text="", showarrow=True, **line)
+        figure.add_annotation(
+            **where,
+            xshift=aside,
+            yshift=11,
+            text=text,
+            textangle=-90,
+            showarrow=False,
+            xanchor="center",
+            yanchor="bottom",
+            font={"size": 11, "color": theme.LIGHT["soft"]},
+        )
+    return int(22 + LETTER * max(len(text) for _, text in listed))

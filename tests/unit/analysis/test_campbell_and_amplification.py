@@ -33,6 +33,17 @@ def test_crossing_on_a_sample_counts_once_and_gaps_do_not_cross() -> None:
     assert campbell_crossings(speed, np.empty((3, 0)), [1.0]) == ()
 
 
+def test_crossings_have_the_names_of_their_orders_and_damping() -> None:
+    """f = 40 + w^2/2000 against w/pi: w^2 - 2000 w/pi + 8e4 = 0; 0.1 Hz off with chords."""
+    speed = np.arange(0.0, 301.0, 25.0)
+    curve = (40.0 + speed**2 / 2000.0)[:, None]
+    (one,) = campbell_crossings(speed, curve, {"2x": 2.0}, 0.01 + curve / 1e4)
+    exact = 1000.0 / np.pi - np.sqrt((1000.0 / np.pi) ** 2 - 8e4)
+    assert one.speed == pytest.approx(exact, rel=1e-4)
+    assert one.name == "2x"
+    assert one.damping_ratio == pytest.approx(0.01 + one.frequency / 1e4, rel=1e-2)
+
+
 def test_campbell_input_is_checked() -> None:
     with pytest.raises(SignalError, match="orders"):
         campbell_crossings([0.0, 1.0], [1.0], [0.0])

@@ -24,12 +24,13 @@ def test_torsional_pair(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
     r_b = 0.075 * math.cos(math.radians(20.0))
     expected = math.sqrt(4.0e8 * 2.0 * r_b**2 / 0.0115) / (2.0 * math.pi)
     assert rigid["frequency"] == 0.0
-    assert mesh["frequency"] == pytest.approx(expected, rel=1e-6)
+    assert mesh["undamped_frequency"] == pytest.approx(expected, rel=1e-6)
     assert mesh["damping_ratio"] == pytest.approx(0.05, rel=1e-5)
-    assert mesh["damped_frequency"] == pytest.approx(expected * math.sqrt(1.0 - 0.05**2), rel=1e-5)
+    assert mesh["frequency"] == pytest.approx(expected * math.sqrt(1.0 - 0.05**2), rel=1e-5)
     assert "stage" in mesh["name"]
     with open_result(target) as ds:
         assert ds["frequency"].values.tolist() == [rigid["frequency"], mesh["frequency"]]
+        assert ds["strain_share"].sel(mode=2, component="mesh stage").item() == pytest.approx(1.0)
         assert ds["name"].values.tolist() == [rigid["name"], mesh["name"]]
         assert ds["shape"].sel(mode=2, coordinate="driver.spin") == mesh["shape"]["driver.spin"]
         assert ds.attrs["kind"] == "modes"
@@ -38,7 +39,7 @@ def test_torsional_pair(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
 def test_a_phase_gives_the_stiffness_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = written(tmp_path, TORSION)
     mean, at_zero = (
-        json_of(["modes", file, "--scenario", "steady", *more], capsys)["modes"][1]["frequency"]
+        json_of(["modes", file, "--scenario", "steady", *more], capsys)["modes"][1]["undamped_frequency"]
         for more in ([], ["--phase", "0"])
     )
     assert at_zero / mean == pytest.approx(math.sqrt(0.65), rel=1e-4)
@@ -62,10 +63,10 @@ def test_the_table_shows_the_lowest_twenty_and_says_so(
     file = written(tmp_path, f"bodies:\n{inertias}couplings:\n{springs}")
     assert run_command(["modes", file]) == 0
     out = capsys.readouterr().out
-    assert out.count("(torsion)") + out.count("rotation") >= 20
+    assert out.count("torsion of") + out.count("rotation") >= 20
     assert "20 of 25 modes, up to" in out
     assert "--count 25 shows all of them" in out
-    assert "natural: undamped, at rest" in out
+    assert "undamped: at rest" in out
     assert run_command(["modes", file, "--count", "25"]) == 0
     assert "25 modes, up to" not in capsys.readouterr().out
     found = json_of(["modes", file], capsys)

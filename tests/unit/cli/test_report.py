@@ -87,7 +87,7 @@ def test_the_model_alone_has_what_follows_from_it(tmp_path: Path) -> None:
         "without load (mean 50",
         "mesh force 2128 N (mean 5",
         "load share",
-        "mesh stage: driver against driven",
+        "mesh mode of stage",
         "stage \\u00d7 3",
         "Campbell diagram",
     ):

@@ -33,7 +33,7 @@ def inertia_of(*args: str, **kw: str):
 
 
 def frequencies(model) -> np.ndarray:
-    return solve_modal(compile_model(model))["frequency"].values
+    return solve_modal(compile_model(model))["undamped_frequency"].values
 
 
 OWN = inertia_of()

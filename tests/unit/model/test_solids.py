@@ -68,7 +68,7 @@ def model_of(folder: Path, text: str = MODEL, **parts: str):
 
 
 def frequencies(model) -> np.ndarray:
-    return np.asarray(solve_modal(compile_model(model))["frequency"].values)
+    return np.asarray(solve_modal(compile_model(model))["undamped_frequency"].values)
 
 
 # --- gears --------------------------------------------------------------------------------------------------

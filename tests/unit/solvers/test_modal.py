@@ -10,7 +10,7 @@ import pytest
 
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import OK
-from pitchpoint.solvers.campbell import solve_campbell
+from pitchpoint.solvers.campbell_dataset import solve_campbell
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import prepare_start
 from pitchpoint.solvers.modal import find_modes, linearise, solve_modal
@@ -35,7 +35,7 @@ def test_mean_over_the_mesh_cycle_is_exact(torsional):
     modes = find_modes(torsional)
     assert modes.frequency[0] == 0.0
     assert modes.frequency[1] == pytest.approx(hertz(4e8), rel=1e-9)
-    assert modes.names == ("rigid rotation", "mesh stage: driver against driven (torsion)")
+    assert modes.names == ("rigid rotation", "mesh mode of stage")
 
 
 @pytest.mark.parametrize("phase", [0.0, 0.25, 0.5, 0.9])
@@ -86,7 +86,7 @@ def test_damping_ratio_of_a_damped_disc_on_a_spring():
     assert modes.frequency[0] == pytest.approx(20.0 / (2 * math.pi), rel=1e-14)
     assert modes.damping_ratio[0] == pytest.approx(0.05, rel=1e-12)
     assert modes.eigenvalue[0] == pytest.approx(complex(-1.0, math.sqrt(399.0)), rel=1e-12)
-    assert modes.names == ("bearing spring: disc against ground (torsion)",)
+    assert modes.names == ("torsion of disc against ground",)
     assert modes.shape[0, 0] == pytest.approx(1.0 / math.sqrt(2.0), rel=1e-14)
 
 
@@ -112,8 +112,8 @@ def test_multiple_roots_are_settled_and_reproducible():
     double = [k for k, f in enumerate(one.frequency) if abs(f - 1000.0 / (2 * math.pi)) < 1e-9]
     assert len(double) == 2
     assert np.abs(one.shape[double]).max(axis=1) == pytest.approx([0.5, 0.5], rel=1e-12)
-    assert one.names[double[0]] == "disc translation x 100 %"
-    assert one.names[double[1]] == "disc translation y 100 %"
+    assert one.names[double[0]] == "translation of disc (x)"
+    assert one.names[double[1]] == "translation of disc (y)"
 
 
 def test_several_free_groups_have_a_zero_each():
@@ -147,7 +147,7 @@ def test_dataset(torsional):
     assert data["frequency"].dims == ("mode",)
     assert data["frequency"].attrs["units"] == "Hz"
     assert data["shape"].dims == ("mode", "coordinate")
-    assert data["name"].values[1].startswith("mesh stage")
+    assert data["name"].values[1] == "mesh mode of stage"
     assert data.attrs["status"] == 1
 
 

@@ -1,20 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Shares in the names of modes: what they mean, and that they are shares also of joints on moving bodies."""
+"""Names of modes of several machines, and shares of the energies of a joint on a moving body."""
 
 from __future__ import annotations
 
-import re
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from pitchpoint.cli.main import run_command
-from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.mode_names import ordinal
 from pitchpoint.system.compile import compile_model
+from tests.support.planetary import lin_parker
+from tests.validation.test_planet_sets import planet_set
 
+EXAMPLES = Path(__file__).parents[3] / "examples"
 CART, BLOCK, NEAR, BETWEEN, FAR = 1.0, 4.0, 1e2, 1e4, 3e4
 SLED = f"""\
 bodies:
@@ -32,10 +35,10 @@ springs:
 
 
 def test_shares_of_a_block_that_slides_on_a_cart() -> None:
-    """The joint of the block moves it against its cart: shares of the energy itself are beyond 0 and 1.
+    """Shares of the coordinates are beyond 0 and 1 in a tree; those of the parts are energies of bodies.
 
     Mass and stiffness in the coordinates of the joints, z of the cart and way of the block on it, are
-    [[m1 + m2, m2], [m2, m2]] and diag(k1, k2) + k3 everywhere; shares are those of M_kk phi_k^2.
+    [[m1 + m2, m2], [m2, m2]] and diag(k1, k2) + k3 everywhere.
     """
     M = np.array([[CART + BLOCK, BLOCK], [BLOCK, BLOCK]])
     squares, columns = eigh(np.diag([NEAR, BETWEEN]) + FAR, M)
@@ -43,20 +46,20 @@ def test_shares_of_a_block_that_slides_on_a_cart() -> None:
     assert modes.frequency == pytest.approx(np.sqrt(squares) / (2.0 * np.pi), rel=1e-9)
     energy = columns.T * (columns.T @ M)
     assert modes.kinetic == pytest.approx(energy, rel=1e-6)
-    assert energy.sum(axis=1) == pytest.approx(1.0)
     assert energy.max() > 1.4
     assert energy.min() < 0.0
-    for k, name in enumerate(modes.names):
-        alone = columns[:, k] ** 2 * np.diag(M)
-        shares = dict(zip(("cart", "block"), 100.0 * alone / alone.sum(), strict=True))
-        found = re.findall(r"(\w+) translation z (\d+) %", name)
-        assert found
-        for body, share in found:
-            assert float(share) == pytest.approx(shares[body], abs=0.5)  # whole per cent
+    cart, way = columns
+    parts = np.column_stack([CART * cart**2, BLOCK * (cart + way) ** 2])
+    found = modes.energies.kinetic.sum(axis=2)
+    assert found[:, [modes.groups.parts.index(p) for p in ("cart", "block")]] == pytest.approx(
+        parts, rel=1e-6
+    )
+    assert modes.energies.kinetic.sum(axis=(1, 2)) == pytest.approx([1.0, 1.0], rel=1e-12)
+    assert modes.names == ("translation z of block", "translation z of cart")
 
 
-def test_strain_energy_that_is_negative() -> None:
-    """An upright pendulum on a spring: gravity takes energy away, and the name of the spring has a share."""
+def test_a_pendulum_rotates_and_its_disc_has_torsion() -> None:
+    """Upright pendulum on a spring: gravity takes energy away, shares of the strain energy still sum to 1."""
     text = """\
 gravity: [0, -10 m/s^2, 0]
 bodies:
@@ -69,15 +72,66 @@ torsion_springs:
   foot: {bodies: [disc], stiffness: 100 N m/rad}
 """
     modes = find_modes(compile_model(loads_model(text)))
-    assert modes.potential.min() < 0.0
-    for share in re.findall(r"(\d+) %", " ".join(modes.names)):
-        assert int(share) <= 100
+    assert modes.energies.strain.min() < 0.0
+    assert modes.energies.strain.sum(axis=1) == pytest.approx(1.0, rel=1e-9)
+    assert all(name.startswith("torsion of ") for name in modes.names)
 
 
-def test_people_see_no_share_above_the_whole(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file = tmp_path / "sled.yaml"
-    file.write_text(SLED, encoding="utf-8")
-    assert run_command(["modes", str(file)]) == 0
-    shares = [int(share) for share in re.findall(r"translation z\s+(\d+)\s+%", capsys.readouterr().out)]
-    assert shares
-    assert max(shares) <= 100
+def test_modes_of_a_geared_rotor() -> None:
+    """Names at 4500 rpm: the whirl of the disc, the torsion, axial modes, the drive shaft."""
+    model = load_model(EXAMPLES / "geared-rotor" / "model.yaml")
+    modes = find_modes(compile_model(model, "fast"), "fast")
+    assert modes.names[:7] == (
+        "rigid rotation",
+        "1st bending of rotor (backward)",
+        "1st bending of rotor (forward)",
+        "torsion of rotor against drive",
+        "2nd bending of rotor (x)",
+        "axial mode of rotor",
+        "2nd bending of rotor (y)",
+    )
+    assert len(set(modes.names)) == len(modes.names)
+    at_rest = find_modes(compile_model(model))
+    assert at_rest.names[1:3] == ("1st bending of rotor (y)", "1st bending of rotor (x)")
+
+
+@pytest.mark.parametrize(("n", "planet"), [(3, 0), (4, 3), (5, 3)])
+def test_types_of_a_planetary_set(n: int, planet: int) -> None:
+    """Lin and Parker (1999): five rotational modes besides the rigid one, six translational pairs, and three
+    planet modes of multiplicity n - 3."""
+    names = find_modes(lin_parker(n)).names
+    assert len(set(names)) == len(names)
+    words = Counter(
+        word for name in names for word in ("rotational", "translational", "planet ") if f" {word}" in name
+    )
+    assert (words["rotational"], words["translational"], words["planet "]) == (5, 12, planet * (n - 3))
+    pairs = [name for name in names if "translational" in name]
+    assert [name.replace("(b)", "(a)") for name in pairs[1::2]] == pairs[::2]
+
+
+def test_modes_of_a_set_whose_central_gears_only_rotate() -> None:
+    """Kahraman (1994): two rotational modes, and the planet mode n - 1 times."""
+    for n in (3, 4):
+        names = find_modes(compile_model(planet_set(24, 24, 72, n), "steady"), "steady").names
+        assert sum("rotational" in name for name in names) == 2
+        assert sum("planet mode" in name for name in names) == n - 1
+
+
+@pytest.mark.filterwarnings("ignore::pitchpoint.core.errors.ValidityWarning")
+def test_modes_of_an_engine_train_and_of_a_gearbox() -> None:
+    """Camshaft train on flexible shafts, and a gearbox in an elastic housing on mounts."""
+    train = find_modes(compile_model(load_model(EXAMPLES / "camshaft-train" / "train.yaml")), count=8).names
+    assert train[:4] == (
+        "rigid rotation",
+        "axial mode of camshaft",
+        "axial mode of idler",
+        "torsion of crankshaft against camshaft",
+    )
+    rig = find_modes(compile_model(load_model(EXAMPLES / "phm-2009-rig" / "model.yaml"))).names
+    assert sum("of housing" in name for name in rig) == 6
+    assert {"mesh mode of stage_1", "mesh mode of stage_2"} <= set(rig)
+    assert len(set(rig)) == len(rig)
+
+
+def test_numbers() -> None:
+    assert [ordinal(k) for k in (1, 12, 21, 33)] == ["1st", "12th", "21st", "33rd"]

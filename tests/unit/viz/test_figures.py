@@ -17,7 +17,7 @@ from pitchpoint.viz.signals_plot import plot_force_parts, plot_signals
 from pitchpoint.viz.spectrum_plots import plot_order_map, plot_spectrum, plot_time_frequency
 from pitchpoint.viz.sweep_plot import plot_contact_shares, plot_sweep
 from pitchpoint.viz.tables import quantity_table
-from tests.support.report_data import cycle, sweep
+from tests.support.report_data import campbell, cycle, sweep
 
 TIME = np.arange(20_000) / 1e5
 
@@ -61,22 +61,31 @@ def test_load_sharing_in_per_cent() -> None:
     assert list(figure.data[0].y) == [50.0, 100.0, 50.0]
 
 
-def test_many_modes_are_labelled_at_their_lines() -> None:
-    names = [str(k) for k in range(1, 10)]
-    figure = plot_campbell([0.0, 100.0], 100.0 * np.arange(1, 10), {"stage × 1": 30.0}, mode_names=names)
-    assert not any(t.showlegend for t in figure.data if t.name in names)
-    # 100 Hz apart on a picture of 1035 Hz: every number has its own line of text, right of all circles
-    places = {a.text: a for a in figure.layout.annotations if a.text in names}
-    assert list(places) == names
-    assert all((a.xref, a.x, a.xanchor) == ("paper", 1, "left") for a in places.values())
-
-
-def test_modes_that_lie_together_share_a_label() -> None:
-    modes = [100.0, 101.0, 102.0, 500.0, 2000.0, 2001.0, 3000.0]
-    names = ["1", "2", "3", "4", "5", "7", "9"]
-    figure = plot_campbell([0.0, 100.0], modes, {"stage × 1": 30.0}, mode_names=names)
-    assert [a.text for a in figure.layout.annotations] == ["1–3", "4", "5, 7", "9", "stage × 1"]
+def test_names_of_a_campbell_diagram_never_overlap() -> None:
+    modes = {f"mode {k}": 100.0 + 0.1 * k for k in range(12)} | {"high": 1000.0}
+    orders = {f"{k}× shaft": (float(k), "shaft") for k in (1, 2, 50, 51, 52)}
+    figure = plot_campbell(campbell(modes, orders))
+    right = [a for a in figure.layout.annotations if a.x == 1 and a.text]
+    assert {a.text for a in right} >= set(modes)
+    low, high = figure.layout.yaxis.range
+    room = 560 - 48 - 34
+    shown = sorted(room * (a.y - low) / (high - low) - a.ay for a in right)
+    assert np.diff(shown).min() >= 14 - 1e-6
+    assert shown[0] >= -1e-6 and shown[-1] <= room + 1e-6
+    above = [a for a in figure.layout.annotations if a.textangle == -90]
+    assert len(above) == 3
+    at = sorted(560 * a.x + a.xshift for a in above)
+    assert np.diff(at).min() >= 14 - 1e-6
     assert figure.layout.margin.r > 60
+
+
+def test_orders_outside_a_campbell_diagram_are_omitted() -> None:
+    orders = {"low": (1.0, "shaft"), "mesh stage": (50.0, "mesh"), "mesh stage + 1× low": (51.0, "sideband")}
+    figure = plot_campbell(campbell({"high": 2000.0}, orders), frequency=(1500.0, 2100.0))
+    assert not any("low" == a.text for a in figure.layout.annotations)
+    lines = [t for t in figure.data if t.line.dash in ("dash", "dot")]
+    assert [t.legendgroup for t in lines] == ["orders", "sidebands"]
+    assert min(min(t.y) for t in lines) >= 1500.0
 
 
 def test_signals_keep_peaks_and_show_units() -> None:
@@ -214,22 +223,18 @@ def test_contact_shares_without_back_contact_have_no_line_for_it() -> None:
     assert max(figure.data[0].y) == pytest.approx(40.0)
 
 
-def test_campbell_marks_crossings() -> None:
-    figure = plot_campbell([0.0, 400.0], [1000.0], {"× 1": 20.0, "× 2": 40.0}, mode_names=["first"])
-    assert titles(figure) == ("speed [rpm]", "frequency [Hz]")
-    assert [t.name for t in figure.data] == ["first", "× 1", "× 2", "crossings"]
-    assert list(figure.data[-1].x) == pytest.approx([1500.0, 3000.0])
-
-
-def test_campbell_labels_equal_orders_once_and_names_the_shaft() -> None:
-    orders = {"a × 1": 20.0, "b × 2": 20.0, "c × 2": 40.0, "d × 1": 10.0, "e × 1": 10.0, "f × 1": 10.0}
-    figure = plot_campbell([0.0, 400.0], [1000.0], orders, mode_names=["first"], shaft="crank")
-    # two leave through the top of the picture, one at its right
-    texts = [(a.text, a.xref) for a in figure.layout.annotations]
-    assert texts == [("a × 1, b × 2", None), ("c × 2", None), ("d × 1 and 2 more", "paper")]
-    assert figure.layout.xaxis.title.text == "speed of crank [rpm]"
-    crossings = next(t for t in figure.data if t.name == "crossings")
-    assert len(set(crossings.x)) == len(crossings.x)
+def test_campbell_marks_critical_speeds_by_rank_and_the_operating_speed() -> None:
+    orders = {"mesh a": (20.0, "mesh"), "2× mesh a": (40.0, "mesh"), "mesh a + 1× b": (21.0, "sideband")}
+    figure = plot_campbell(campbell({"1st bending of b (forward)": 1000.0}, orders, operating=(200.0, 250.0)))
+    assert titles(figure) == ("speed of driver [rpm]", "frequency [Hz]")
+    critical = next(t for t in figure.data if t.name == "critical speeds")
+    assert list(critical.x) == pytest.approx(
+        [3000.0, 1500.0]
+    )  # that of the sideband belongs to its mesh order
+    assert list(critical.text) == ["1", "2"]
+    assert figure.data[0].legendgroup != "forward whirl"
+    assert any(t.legendgroup == "forward whirl" for t in figure.data)
+    assert figure.layout.shapes[0].x1 == pytest.approx(250.0 * 30.0 / np.pi)
 
 
 def test_rows_of_one_letter_share_a_unit() -> None:

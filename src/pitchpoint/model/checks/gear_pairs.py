@@ -247,18 +247,21 @@ def gap(pair: GearPair, mesh: Mesh) -> float:
     """Backlash along the base tangent at the centre distance of the mesh [m]: as given, or from geometry."""
     if mesh.backlash is None:
         return pair.j_bt
-    return along_base_tangent(mesh.backlash, pair.alpha_wt, pair.gear1.beta_b)
+    return along_base_tangent(mesh.backlash, pair.alpha_wt, pair.gear1.beta_b, pair.gear1.m_n)
 
 
-def along_base_tangent(given: Backlash, alpha: float, beta_b: float) -> float:
-    """Convert a backlash, given in one of its directions, to the base tangent [m].
+def along_base_tangent(given: Backlash, alpha: float, beta_b: float, module: float) -> float:
+    """Convert a backlash, given in one of its directions or by its factor, to the base tangent [m].
 
-    `alpha` and `beta_b` are the transverse working pressure angle and the base helix or spiral angle [rad].
+    `alpha` and `beta_b` are the transverse working pressure angle and the base helix or spiral angle [rad],
+    `module` is the normal module, of bevel gears in the middle of the face width [m].
     """
     if given.base_tangent is not None:
         return given.base_tangent
     if given.circumferential is not None:
         return given.circumferential * math.cos(alpha)
+    if given.factor is not None:
+        return given.factor * module * math.cos(alpha)
     if given.normal is None:
         raise PitchpointError("a backlash without any of its directions")
     return given.normal / math.cos(beta_b)

@@ -11,6 +11,7 @@ from pitchpoint.model.checks.contacts import check_contacts
 from pitchpoint.model.checks.elastic_bodies import add_elastic_bodies, check_elastic_bodies
 from pitchpoint.model.checks.flank_contact import check_flank_contacts
 from pitchpoint.model.checks.forces import check_forces, check_loads, check_unbalances
+from pitchpoint.model.checks.functions import check_functions
 from pitchpoint.model.checks.gear_pairs import check_phasing
 from pitchpoint.model.checks.gears import check_choices
 from pitchpoint.model.checks.joints import check_joints
@@ -51,6 +52,7 @@ CHECKS = (
     check_contacts,
     check_elastic_bodies,
     check_signals,
+    check_functions,
     check_positions,
     resolve,
     check_fault_laws,

@@ -19,7 +19,7 @@ CRITICAL = (
 
 @dataclass(frozen=True, kw_only=True)
 class Backlash:
-    """Backlash at the centre distance of the mesh, in exactly one of three directions."""
+    """Backlash at the centre distance of the mesh: in one of three directions, or relative to the module."""
 
     normal: float | None = quantity("length", "normal backlash j_bn", None, one_of="gap")
     base_tangent: float | None = quantity(
@@ -27,6 +27,9 @@ class Backlash:
     )
     circumferential: float | None = quantity(
         "length", "circumferential backlash j_wt at the working pitch circle", None, one_of="gap"
+    )
+    factor: float | None = quantity(
+        "dimensionless", "backlash factor: circumferential backlash over normal module", None, one_of="gap"
     )
 
 

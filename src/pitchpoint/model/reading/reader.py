@@ -229,15 +229,15 @@ class Reader:
     def sequence(self, description: Key, data: Any, path: Place, read: Callable[..., Any]) -> Any:
         """Read a list entry by entry and check its length."""
         low, high = description.length
-        wanted = f"{low} entries" if low == high else f"at least {low} entries" if low else "a list"
         if not isinstance(data, list | tuple):
             return self.problem(
                 path, "is not a list", value=shown(data), remedy=f"write {example(description)}"
             )
         if not low <= len(data) <= high:
-            return self.problem(
-                path, f"has {len(data)} entries", limit=wanted, remedy=f"write {example(description)}"
-            )
+            end, most = (low, "at least ") if len(data) < low else (high, "at most ")
+            wanted = f"{'' if low == high else most}{end} {'entry' if end == 1 else 'entries'}"
+            has = f"has {len(data)} {'entry' if len(data) == 1 else 'entries'}"
+            return self.problem(path, has, limit=wanted, remedy=f"write {example(description)}")
         out = [read(description, entry, (*path, i)) for i, entry in enumerate(data)]
         return BAD if any(entry is BAD for entry in out) else tuple(out)
 

@@ -36,6 +36,8 @@ class Places:
 
     def __init__(self, model: Model, numbers: Mapping[int, int], names: Mapping[str, int]) -> None:
         self.model, self.numbers, self.names = model, numbers, names
+        self.cages: dict[str, tuple[int, tuple[int, Array, Array]]] = {}
+        """Scene bodies of the cages of bearings, each with its parent, and origin [m] and axes there."""
         self._joints: dict[str, list[Joint]] = {}
         for joint in model.joints.values():
             for body in {split(end)[0] for end in joint.bodies}:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from pitchpoint.viz.power_flow import PowerFlow
 from pitchpoint.viz.report import sections as parts
+from pitchpoint.viz.report.campbell import campbell_section
 from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report.extremes import extreme_section
@@ -241,19 +242,6 @@ class TimeRun:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CampbellData:
-    """Speeds [rad/s] (n_speed,), natural frequencies [Hz] (n_speed, n_mode), orders by name, names of the
-    modes; `shaft` is the reference body of the speed, `note` a sentence for the caption."""
-
-    speed: ArrayLike
-    mode_frequencies: ArrayLike
-    orders: Mapping[str, float]
-    mode_names: Sequence[str] = ()
-    shaft: str = ""
-    note: str = ""
-
-
-@dataclass(frozen=True, kw_only=True)
 class ReportResults:
     """Results by name; omitted results have no section.
 
@@ -268,8 +256,8 @@ class ReportResults:
     sweeps
         By the name of the scenario: a mapping with `points` and `jumps`, as `pitchpoint sweep --json` prints
         it.
-    campbell
-        Natural frequencies over speed.
+    campbells
+        Campbell diagrams by name, datasets of `solve_campbell`; "" for the one of the report itself.
     modes
         Modes about the loaded state.
     cases
@@ -290,7 +278,7 @@ class ReportResults:
     rolls: Mapping[str, RollData] = field(default_factory=dict)
     runs: Mapping[str, TimeRun] = field(default_factory=dict)
     sweeps: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
-    campbell: CampbellData | None = None
+    campbells: Mapping[str, xr.Dataset] = field(default_factory=dict)
     modes: ModeData | None = None
     cases: Mapping[str, CaseTable] = field(default_factory=dict)
     contacts: Mapping[str, ContactData] = field(default_factory=dict)
@@ -319,7 +307,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         contact_section(results.contacts),
         relief_section(results.reliefs),
         mode_section(results.modes),
-        parts.campbell_section(results.campbell),
+        campbell_section(results.campbells),
         parts.sweep_section(results.sweeps),
         case_section(results.cases),
         parts.time_section(results.runs, seen),

@@ -12,7 +12,6 @@ import numpy as np
 
 from pitchpoint.analysis.spectra import amplitude_spectrum
 from pitchpoint.analysis.statistics import contact_statistics
-from pitchpoint.viz.campbell_plot import plot_campbell
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
 from pitchpoint.viz.quantities import Array, Channel, amount, channels, number, scale
 from pitchpoint.viz.report.page import Section
@@ -177,23 +176,6 @@ def _add_signals(
     points = WIDE if end is None else HALF
     whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows)
     section.add_figure(whole, _caption(group), beside=end)
-
-
-def campbell_section(data: Any) -> Section:
-    """Section with natural frequencies and mesh orders."""
-    section = Section("campbell", "Campbell diagram")
-    if data is not None and np.size(data.mode_frequencies) and np.size(data.speed) > 1:
-        section.add_figure(
-            plot_campbell(
-                data.speed,
-                data.mode_frequencies,
-                data.orders,
-                mode_names=data.mode_names,
-                shaft=data.shaft,
-            ),
-            f"Circles mark crossings of mesh orders and natural frequencies. {data.note}".rstrip(),
-        )
-    return section
 
 
 def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: Sequence[str]) -> Section:

@@ -41,9 +41,7 @@ def mode_section(modes: Any) -> Section:
         )
     held = f"; motion prescribed by the scenario: {escape(', '.join(modes.held))}" if modes.held else ""
     section.add(f"<p>Linearised about the loaded state with mean mesh stiffness{held}.</p>")
-    section.add(
-        plain_table(("mode", "dominant motion", "natural frequency", "damping ratio"), body[:MAX_MODES])
-    )
+    section.add(plain_table(("mode", "name", "natural frequency at rest", "damping ratio"), body[:MAX_MODES]))
     total = max(modes.total, len(body))
     if total > MAX_MODES:
         section.add(f"<p>The lowest {MAX_MODES} of {total} modes; use pitchpoint modes for all.</p>")

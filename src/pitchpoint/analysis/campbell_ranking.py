@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Ranked critical speeds of a Campbell diagram: sidebands with their mesh order, selection of modes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.analysis.sampled import SignalError
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+SIDEBAND = "sideband"
+"""Kind of the orders that are listed with their mesh order."""
+LEAST = 1e-3
+"""Least participation of a listed critical speed."""
+
+
+@dataclass(frozen=True)
+class RankedSpeed:
+    """One line of the table of critical speeds.
+
+    Attributes
+    ----------
+    index
+        Index of the crossing in the dataset.
+    speed, frequency
+        Critical speed [rad/s] and natural frequency [Hz].
+    damping_ratio
+        Damping ratio of the mode at this speed.
+    mode, order, whirl, source
+        Name of the mode and of the order, whirl, what drives the mode.
+    participation, amplification
+        Share of the energy where the order acts, and amplification at resonance.
+    separation
+        Distance from the operating speed over its nearest end; NaN without operating speed.
+    sidebands
+        Lowest and highest speed at which sidebands of the mesh order cross the mode [rad/s]; NaN if none do.
+    """
+
+    index: int
+    speed: float
+    frequency: float
+    damping_ratio: float
+    mode: str
+    order: str
+    whirl: str
+    source: str
+    participation: float
+    amplification: float
+    separation: float
+    sidebands: tuple[float, float]
+
+
+def ranked_speeds(diagram: xr.Dataset, least: float = LEAST) -> tuple[RankedSpeed, ...]:
+    """Critical speeds in order of rank; the crossings of sidebands with a mode are part of their mesh order.
+
+    Parameters
+    ----------
+    diagram
+        Dataset of `solve_campbell`.
+    least
+        Least participation of a listed crossing [-].
+
+    Raises
+    ------
+    SignalError
+        If the dataset is not a Campbell diagram.
+    """
+    if "crossing_speed" not in diagram:
+        raise SignalError("diagram: has no crossing_speed; give a dataset of solve_campbell")
+    kinds = dict(zip(_texts(diagram, "excitation"), _texts(diagram, "excitation_kind"), strict=True))
+    orders, modes = _texts(diagram, "crossing_order"), diagram["crossing_mode"].values.astype(int)
+    speeds = diagram["crossing_speed"].values
+    names = dict(zip(diagram["mode"].values.tolist(), _texts(diagram, "name"), strict=True))
+    apart = (
+        diagram["crossing_separation"].values
+        if "crossing_separation" in diagram
+        else np.full(len(speeds), np.nan)
+    )
+    bands_of: dict[tuple[str, int], list[float]] = {}
+    whole = {(order, int(mode)) for order, mode in zip(orders, modes, strict=True)}
+    listed = []
+    for k, (order, mode) in enumerate(zip(orders, modes, strict=True)):
+        base = _mesh_of(order) if kinds.get(order) == SIDEBAND else ""
+        if base and (base, int(mode)) in whole:
+            bands_of.setdefault((base, int(mode)), []).append(float(speeds[k]))
+        elif float(diagram["crossing_participation"].values[k]) >= least:
+            listed.append(k)
+    words = {name: _texts(diagram, f"crossing_{name}") for name in ("whirl", "source")}
+    found = []
+    for k in listed:
+        bands = bands_of.get((orders[k], int(modes[k])), [])
+        found.append(
+            RankedSpeed(
+                index=k,
+                speed=float(speeds[k]),
+                frequency=float(diagram["crossing_frequency"].values[k]),
+                damping_ratio=float(diagram["crossing_damping_ratio"].values[k]),
+                mode=names.get(int(modes[k]), ""),
+                order=orders[k],
+                whirl=words["whirl"][k],
+                source=words["source"][k],
+                participation=float(diagram["crossing_participation"].values[k]),
+                amplification=float(diagram["crossing_amplification"].values[k]),
+                separation=float(apart[k]),
+                sidebands=(min(bands), max(bands)) if bands else (np.nan, np.nan),
+            )
+        )
+    return tuple(found)
+
+
+def select_modes(
+    diagram: xr.Dataset,
+    modes: Sequence[int] | str | None = None,
+    frequency: tuple[float, float] | None = None,
+) -> xr.Dataset:
+    """Diagram with some of its modes and their crossings.
+
+    Parameters
+    ----------
+    diagram
+        Dataset of `solve_campbell`.
+    modes
+        Numbers of the modes, or a part of their names, in upper or lower case.
+    frequency
+        Range [Hz]; modes that never enter it are omitted, as are crossings outside.
+
+    Raises
+    ------
+    SignalError
+        If no mode is left.
+    """
+    names, f = _texts(diagram, "name"), diagram["frequency"].values
+    numbers = diagram["mode"].values
+    keep = np.ones(len(names), bool)
+    if isinstance(modes, str):
+        keep &= np.array([modes.lower() in name.lower() for name in names], bool)
+    elif modes is not None:
+        keep &= np.isin(numbers, list(modes))
+    if frequency is not None:
+        keep &= ((f >= frequency[0]) & (f <= frequency[1])).any(axis=0)
+    if len(names) and not keep.any():
+        raise SignalError(
+            f"modes: {modes!r} selects none of {len(names)} modes, such as {', '.join(names[:8])}"
+        )
+    chosen = diagram.isel(mode=np.flatnonzero(keep))
+    inside = np.isin(diagram["crossing_mode"].values, numbers[keep])
+    if frequency is not None:
+        at = diagram["crossing_frequency"].values
+        inside &= (at >= frequency[0]) & (at <= frequency[1])
+    return chosen.isel(crossing=np.flatnonzero(inside))
+
+
+def _mesh_of(order: str) -> str:
+    """Mesh order of a sideband.
+
+    Examples
+    --------
+    >>> _mesh_of("2× mesh stage − 1× rotor"), _mesh_of("mesh a + 2× b")
+    ('2× mesh stage', 'mesh a')
+    """
+    for sign in (" − ", " + "):
+        head, found, _ = order.partition(sign)
+        if found:
+            return head
+    return order
+
+
+def _texts(diagram: xr.Dataset, name: str) -> list[str]:
+    """Values of a text variable; text read from files may be bytes."""
+    return [x.decode() if isinstance(x, bytes) else str(x) for x in diagram[name].values.tolist()]

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Campbell diagram of a model: default body, speeds and operating range, orders of bearing faults."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INCONSISTENT
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.io.container import Header
+    from pitchpoint.model.model import Model
+
+BEARINGS = "bearings"
+"""Word for the orders of the faults of all rolling bearings."""
+FAULTS = {"ftf": "FTF", "bpfo": "BPFO", "bpfi": "BPFI", "bsf": "BSF"}
+KEPT = ("body", "ranking", "operating_speed")
+"""Attributes of a dataset that a result file contains among its options."""
+
+
+def campbell_of(
+    model: Model,
+    scenario: str | None = None,
+    *,
+    body: str | None = None,
+    speeds: tuple[float, float] | None = None,
+    points: int = 41,
+    orders: Sequence[str] | None = None,
+    count: int | None = None,
+    frequency: tuple[float, float] | None = None,
+    operating: tuple[float, float] | None = None,
+    progress: Progress = silent,
+) -> xr.Dataset:
+    """Campbell diagram of a model.
+
+    Parameters
+    ----------
+    model, scenario
+        The model, and the name of the scenario with loads and operating speed.
+    body
+        Body of the speed; default: the first rotating one with a gear in mesh, else the first rotating one.
+    speeds, points
+        Range of its speeds [rad/s], default from zero to 1.2 times the highest speed of the scenario or of
+        all scenarios; number of speeds.
+    orders
+        As for `solve_campbell`, and `bearings`.
+    count, frequency
+        Number of modes; highest frequency [Hz] up to which modes are followed otherwise.
+    operating
+        Operating range of the body [rad/s]; default: the speeds of the scenario or of all scenarios.
+    progress
+        Called after every speed.
+
+    Raises
+    ------
+    SolverError
+        If nothing rotates, or as for `solve_campbell`.
+    """
+    from pitchpoint.report.statics import highest_speed, reference_body, speeds_of_scenarios
+    from pitchpoint.solvers.campbell import follow_modes
+    from pitchpoint.solvers.campbell_dataset import campbell_dataset
+    from pitchpoint.solvers.excitation_orders import USUAL
+    from pitchpoint.solvers.linear_system import linearise, lowest
+    from pitchpoint.system.compile import compile_model
+
+    body = body or reference_body(model) or _first_rotating(model)
+    system = compile_model(model, scenario)
+    linear = linearise(system, scenario)
+    if frequency is not None and count is None:
+        omega = lowest(linear).omega
+        count = int(np.sum(omega <= REACH * 2.0 * math.pi * frequency[1])) + 1
+    reached = speeds_of_scenarios(system, scenario, body)
+    if speeds is None:
+        top = (
+            1.2 * max(reached)
+            if reached
+            else highest_speed(system, body, lowest(linear, FEW).omega / (2.0 * math.pi))
+        )
+        if not 0.0 < top < math.inf:
+            raise SolverError(
+                f"no scenario gives a speed of {body}; give --speeds, such as 0..3000rpm", INCONSISTENT
+            )
+        speeds = (0.0, top)
+    operating = operating or ((min(reached), max(reached)) if reached else None)
+    words = [word.strip() for word in (USUAL if orders is None else orders)]
+    more = _bearing_orders(model, body) if BEARINGS in words else None
+    found = follow_modes(
+        system, np.linspace(*speeds, points), body, scenario, count=count, progress=progress, linear=linear
+    )
+    return campbell_dataset(
+        system, found, orders=[w for w in words if w != BEARINGS], more_orders=more, operating=operating
+    )
+
+
+REACH = 1.25
+"""Frequency at rest over the highest one up to which modes are followed: backward whirl falls."""
+FEW = 12
+"""Number of modes that define the speeds without a scenario."""
+
+
+def _first_rotating(model: Model) -> str:
+    """First body that can rotate."""
+    for name, body in model.bodies.items():
+        seat = model.mechanism.seats.get(name)
+        if body.moves != "fixed" and seat is not None and "spin" in seat.coordinates:
+            return name
+    raise SolverError("no body rotates, so there is no Campbell diagram", INCONSISTENT)
+
+
+def _bearing_orders(model: Model, body: str) -> dict[str, float]:
+    """Fault frequencies of all rolling bearings per revolution of a body, such as `BPFO front`."""
+    from pitchpoint.report.frequencies import frequencies_of, turning_speeds
+
+    rows = frequencies_of(model, turning_speeds(model, {body: 1.0}))["rolling_bearings"]
+    return {
+        f"{word} {name}": math.tau * abs(row[key])
+        for name, row in rows.items()
+        for key, word in FAULTS.items()
+        if row[key]
+    }
+
+
+def campbell_header(header: Header, data: xr.Dataset) -> Header:
+    """Header of the result file of a diagram."""
+    kept = {name: data.attrs[name] for name in KEPT if name in data.attrs}
+    return replace(header, options={**header.options, **kept})

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plots as picture files: pages directly, SVG and PNG with the browser of the system."""
+
+from __future__ import annotations
+
+import base64
+import importlib.util
+import json
+import os
+import shutil
+import struct
+import zlib
+from pathlib import Path
+from typing import TYPE_CHECKING
+from urllib.parse import unquote_to_bytes
+
+from pitchpoint.core.errors import PitchpointError
+from pitchpoint.report.film import BROWSERS, FLAGS
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+FORMATS = (".html", ".svg", ".png")
+"""Extensions of picture files of plots."""
+HEADER = 33
+"""Length of the signature and the first chunk of a PNG file [bytes]."""
+WIDTH = 1000
+"""Width of SVG and PNG pictures [pixels]; a PNG has twice as many."""
+
+
+def check_picture(path: str | os.PathLike[str]) -> Path:
+    """Path of a picture; checks before a computation that it can be written.
+
+    Raises
+    ------
+    PitchpointError
+        If the extension is not one of `FORMATS`, or the browser for SVG and PNG is missing.
+    """
+    target = Path(path)
+    if target.suffix.lower() not in FORMATS:
+        raise PitchpointError(f"{target.name} has no extension of a picture; use {', '.join(FORMATS)}")
+    if target.suffix.lower() != ".html":
+        _browser(target.suffix)
+    return target
+
+
+def write_picture(target: Path, figure: go.Figure) -> Path:
+    """Write a plot as HTML page, SVG or PNG.
+
+    Raises
+    ------
+    PitchpointError
+        If the browser fails or the file cannot be written.
+    """
+    from pitchpoint.io.target import PAGE_MARK, SVG_MARK, write_file
+
+    kind = target.suffix.lower()
+    if kind == ".html":
+        body = figure.to_html(full_html=False, include_plotlyjs=True)
+        head = f'<!DOCTYPE html><html><head>{PAGE_MARK}<meta charset="utf-8"></head>'
+        return write_file(target, f"{head}<body>{body}</body></html>")
+    made = picture_of(figure, kind)
+    if kind == ".svg":
+        return write_file(target, made.decode().replace(">", f">{SVG_MARK}", 1))
+    return write_file(target, marked_png(made))
+
+
+def marked_png(picture: bytes) -> bytes:
+    """PNG with the name of the program behind its first chunk."""
+    from pitchpoint.io.target import PNG_MARK
+
+    body = b"tEXt" + PNG_MARK
+    chunk = struct.pack(">I", len(PNG_MARK)) + body + struct.pack(">I", zlib.crc32(body))
+    return picture[:HEADER] + chunk + picture[HEADER:]
+
+
+def picture_of(figure: go.Figure, kind: str) -> bytes:
+    """Contents of a picture file.
+
+    Parameters
+    ----------
+    figure
+        Plot with a height.
+    kind
+        Extension, `.svg` or `.png`.
+
+    Raises
+    ------
+    PitchpointError
+        If the browser is missing or fails.
+    """
+    from playwright.sync_api import Error, sync_playwright
+
+    program = _browser(kind)
+    height = int(figure.layout.height or 480)
+    options = {
+        "format": kind.removeprefix("."),
+        "width": WIDTH,
+        "height": height,
+        "scale": 2 if kind == ".png" else 1,
+    }
+    page_text = f"<!DOCTYPE html><body>{figure.to_html(full_html=False, include_plotlyjs=True)}</body>"
+    script = f"Plotly.toImage(document.querySelector('.js-plotly-plot'), {json.dumps(options)})"
+    root = hasattr(os, "geteuid") and os.geteuid() == 0
+    try:
+        with sync_playwright() as playwright:
+            browser = playwright.chromium.launch(
+                executable_path=program, args=FLAGS.split(), chromium_sandbox=not root
+            )
+            page = browser.new_page(viewport={"width": WIDTH, "height": height})
+            page.set_content(page_text)
+            address = str(page.evaluate(script))
+            browser.close()
+    except Error as error:
+        raise PitchpointError(f"the browser ({program}) failed: {error.message.splitlines()[0]}") from None
+    head, _, body = address.partition(",")
+    return base64.b64decode(body) if head.endswith("base64") else unquote_to_bytes(body)
+
+
+def _browser(kind: str) -> str:
+    """Program of the browser."""
+    program = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if program is None or importlib.util.find_spec("playwright") is None:
+        raise PitchpointError(
+            f"a {kind.removeprefix('.')} file requires Chromium and Playwright (pip install "
+            "'pitchpoint[film]'); write an html page instead, whose menu saves pictures"
+        )
+    return program

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`solve_campbell`: Campbell diagram as a dataset, with energies and ranked critical speeds."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.core.errors import SolverError, join_notes
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.solvers.campbell import Campbell, follow_modes
+from pitchpoint.solvers.critical_speeds import RANKING, CriticalSpeed, critical_speeds, separation
+from pitchpoint.solvers.excitation_orders import USUAL, Order, excitation_orders
+from pitchpoint.solvers.modal import FREQUENCY, RATIO
+from pitchpoint.solvers.mode_energies import WAYS
+from pitchpoint.system.system import System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.scenario import Scenario
+
+
+def solve_campbell(
+    system: System,
+    speeds: ArrayLike,
+    body: str | None = None,
+    scenario: Scenario | str | None = None,
+    *,
+    count: int | None = None,
+    orders: Sequence[str] = USUAL,
+    more_orders: Mapping[str, float] | None = None,
+    operating: tuple[float, float] | None = None,
+    progress: Progress = silent,
+) -> xr.Dataset:
+    """Campbell diagram: natural frequencies over speed, excitation orders, ranked critical speeds.
+
+    Parameters
+    ----------
+    system
+        The compiled model.
+    speeds
+        Speeds of one body [rad/s], shape (n_speed,).
+    body
+        Reference body of the speed; default the first. The speeds of the other bodies follow from the gear
+        ratios; speeds that these do not determine, as in a planetary set of three free members, have the
+        ratio of the speeds and drives of the scenario. With bodies in trees, the relative equilibrium is
+        computed for every speed.
+    scenario
+        Gives loads and the operating point; mesh stiffness is the mean over the mesh cycle.
+    count
+        Number of modes, the lowest at rest. Default: all of up to 24, otherwise the lowest 16.
+    orders
+        `1x`, `2x` (shafts), `mesh`, `2mesh`, `sidebands` (one pair per gear at every mesh order),
+        `2sidebands`, numbers; default 1x, 2x, mesh, 2mesh, sidebands.
+    more_orders
+        Further orders per revolution of the body by name; `BPFO front` drives the rolling bearing `front`.
+    operating
+        Lowest and highest operating speed of the body [rad/s], for the separation of critical speeds.
+    progress
+        Called after every speed.
+
+    Returns
+    -------
+    xarray.Dataset
+        Modes are branches, see `solvers.campbell`; `name` is a coordinate of `mode`.
+
+        * over `speed` and `mode`: frequency [Hz], the damped natural frequency, 0 where a mode does not
+          oscillate; damping_ratio, 1 where it is overdamped; whirl and whirl_index; character (number of the
+          mode whose shape at rest is most similar); strain_to_kinetic and gyroscopic_share, which sum to 1
+        * with `component` strain_share, with `part` kinetic_share, over `part` and `motion`: they sum to 1
+        * over `excitation`: excitation_order, excitation_kind
+        * over `mesh`: order, and with `speed` mesh_frequency [Hz]
+        * over `crossing`, ranked: crossing_speed, crossing_frequency, crossing_damping_ratio, crossing_mode
+          (number), crossing_order (name), crossing_whirl, crossing_source, crossing_participation,
+          crossing_amplification, and crossing_separation with `operating`
+
+    Raises
+    ------
+    SolverError
+        If the body or scenario does not exist, an order is unknown, or there is no equilibrium.
+    """
+    began = time.perf_counter()
+    found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
+    return campbell_dataset(
+        system, found, orders=orders, more_orders=more_orders, operating=operating, began=began
+    )
+
+
+def campbell_dataset(
+    system: System,
+    found: Campbell,
+    *,
+    orders: Sequence[str] = USUAL,
+    more_orders: Mapping[str, float] | None = None,
+    operating: tuple[float, float] | None = None,
+    began: float | None = None,
+) -> xr.Dataset:
+    """Dataset of modes over speed; parameters as in `solve_campbell`."""
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes
+
+    began = time.perf_counter() if began is None else began
+    listed = excitation_orders(system, found.motions, found.rates, orders, more_orders)
+    critical = critical_speeds(found, listed)
+    data = _of_modes(found) | _of_orders(found, listed) | _of_crossings(critical, operating)
+    coords = {
+        "speed": ("speed", found.speed, {"units": "rad/s", "long_name": f"speed of {found.body}"}),
+        "mode": np.arange(1, len(found.names) + 1),
+        "name": ("mode", list(found.names), {"long_name": "name of the mode"}),
+        "component": list(found.motions.groups.components),
+        "part": list(found.motions.groups.parts),
+        "motion": list(WAYS),
+        "mesh": list(found.orders),
+        "excitation": [order.name for order in listed],
+        "crossing": np.arange(1, len(critical) + 1),
+    }
+    wall = time.perf_counter() - began
+    attrs = attributes(system, "campbell", wall_s=wall, body=found.body)
+    more: dict[str, Any] = {"body": found.body, "ranking": RANKING, "notes": join_notes(found.notes)}
+    if operating is not None:
+        more["operating_speed"] = [float(x) for x in operating]
+    return xr.Dataset(
+        {k: (dims, v, {"units": unit, "long_name": text}) for k, (dims, v, unit, text) in data.items()},
+        coords=coords,
+        attrs={**attrs, **more},
+    )
+
+
+Rows = dict[str, tuple[Any, Any, str, str]]
+
+
+def _of_modes(found: Campbell) -> Rows:
+    """Variables over speed and mode."""
+    both = ("speed", "mode")
+    groups, each = found.motions.groups, found.energies
+    sizes = (len(found.speed), len(found.names))
+
+    def over(values: list[Any], *more: int) -> Any:
+        """Values of all speeds, also of none."""
+        return np.array(values, dtype=np.float64).reshape(*sizes, *more)
+
+    return {
+        "frequency": (both, found.frequency, *FREQUENCY),
+        "damping_ratio": (both, found.damping_ratio, *RATIO),
+        "whirl": (both, np.array(found.whirl, dtype=object).reshape(sizes), "", "whirl of the shafts"),
+        "whirl_index": (both, found.whirl_index, "1", "whirl: 1 forward, 0 planar, -1 backward"),
+        "character": (
+            both,
+            found.character + 1,
+            "1",
+            "number of the mode with the most similar shape at rest",
+        ),
+        "strain_to_kinetic": (both, over([e.strain_ratio for e in each]), "1", "strain over kinetic energy"),
+        "gyroscopic_share": (both, over([e.gyroscopic for e in each]), "1", "gyroscopic over kinetic energy"),
+        "strain_share": (
+            (*both, "component"),
+            over([e.strain for e in each], len(groups.components)),
+            "1",
+            "share in the strain energy",
+        ),
+        "kinetic_share": (
+            (*both, "part", "motion"),
+            over([e.kinetic for e in each], len(groups.parts), len(WAYS)),
+            "1",
+            "share in the kinetic energy",
+        ),
+    }
+
+
+def _of_orders(found: Campbell, listed: Sequence[Order]) -> Rows:
+    """Variables over the orders."""
+    teeth = np.array(list(found.orders.values()), dtype=np.float64)
+    per = f"periods per revolution of {found.body}"
+    return {
+        "order": ("mesh", teeth, "1", f"mesh {per}"),
+        "mesh_frequency": (
+            ("speed", "mesh"),
+            np.abs(found.speed)[:, None] * teeth / (2.0 * np.pi),
+            "Hz",
+            "mesh frequency",
+        ),
+        "excitation_order": ("excitation", np.array([o.value for o in listed]), "1", per),
+        "excitation_kind": ("excitation", np.array([o.kind for o in listed], dtype=object), "", "kind"),
+    }
+
+
+def _of_crossings(critical: Sequence[CriticalSpeed], operating: tuple[float, float] | None) -> Rows:
+    """Variables over the critical speeds."""
+    one = "crossing"
+    speed = np.array([c.speed for c in critical])
+    rows: Rows = {
+        "crossing_speed": (one, speed, "rad/s", "critical speed"),
+        "crossing_frequency": (one, np.array([c.frequency for c in critical]), "Hz", "frequency"),
+        "crossing_damping_ratio": (one, np.array([c.damping_ratio for c in critical]), "1", "damping ratio"),
+        "crossing_mode": (one, np.array([c.mode + 1 for c in critical], np.int64), "1", "number of the mode"),
+    }
+    for name, text in (("whirl", "whirl of the shafts"), ("source", "what drives the mode")):
+        words = np.array([getattr(c, name) for c in critical], dtype=object)
+        rows[f"crossing_{name}"] = (one, words, "", text)
+    rows["crossing_order"] = (one, np.array([c.order.name for c in critical], dtype=object), "", "order")
+    for name, text in (
+        ("participation", "share of the energy where the order acts"),
+        ("amplification", "amplification at resonance"),
+    ):
+        rows[f"crossing_{name}"] = (one, np.array([getattr(c, name) for c in critical]), "1", text)
+    if operating is not None:
+        if max(map(abs, operating)) == 0.0:
+            raise SolverError("operating: the operating speed is zero; give a speed above 0", INCONSISTENT)
+        rows["crossing_separation"] = (
+            one,
+            separation(speed, operating),
+            "1",
+            "distance from the operating speed",
+        )
+    return rows

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Critical speeds: crossings of branches and excitation orders, with what drives them, ranked.
+
+Crossings of the computed points are solved again at the speed of the crossing. They are ranked by the
+amplification at resonance, X/((T + V) zeta), with the kinetic energy T, strain energy V and damping ratio
+zeta of the mode, and the energy X where the order acts. It follows from the response of a lightly damped mode
+z to a force f, with the amplitude z (z^H f)/((2 i omega z^H M z + z^H D z)(i Omega - lambda)), whose first
+factor is 4 i (T + V)/omega:
+
+* transmission error e of a mesh of stiffness k: f = k e in the mesh; its deflection is u = e V_m/((T + V)
+  zeta) with the strain energy V_m of the mesh;
+* eccentricity e of the mass of a shaft: f = m e Omega^2; its forward whirl is u = e T_f/((T + V) zeta) with
+  the kinetic energy T_f of the forward whirl. The distribution of the unbalance along the shaft is the most
+  unfavourable one, as are the phases of several meshes of one frequency.
+
+Without gyroscopic effects T = V, and the amplification is the share of X over 2 zeta.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.solvers.campbell import Campbell
+from pitchpoint.solvers.eigen import ratio_of
+from pitchpoint.solvers.excitation_orders import MESH, SHAFT, SIDEBAND, Order
+from pitchpoint.solvers.machine_groups import Groups
+from pitchpoint.solvers.mode_energies import (
+    Energies,
+    energies_of,
+    gyroscopic_terms,
+    senses_of,
+    whirl_words,
+)
+from pitchpoint.solvers.stiffness_parts import Array
+
+ERROR, RUN_OUT, FAULT, GIVEN = "transmission error", "run-out", "bearing fault", "given order"
+UNBALANCE, MISALIGNMENT = "unbalance", "misalignment"
+BY_STRAIN = (ERROR, RUN_OUT, FAULT, GIVEN)
+"""Sources that act on the strain energy of a mode; the others act on its kinetic energy."""
+ROUNDS, EXACT = 6, 1e-9
+"""Maximum number of corrections of a crossing, and its relative accuracy."""
+
+RANKING = (
+    "ranked by the amplification at resonance: energy of the mode where the order acts, over the kinetic and "
+    "strain energy of the mode times its damping ratio"
+)
+"""How crossings are ranked, for outputs."""
+
+
+@dataclass(frozen=True)
+class CriticalSpeed:
+    """Crossing of a branch and an excitation order.
+
+    Parameters
+    ----------
+    speed
+        Speed of the reference body [rad/s].
+    frequency
+        Damped natural frequency [Hz].
+    damping_ratio
+        Damping ratio at this speed.
+    mode
+        Index of the branch.
+    order
+        The excitation order.
+    whirl
+        Whirl of the mode at this speed.
+    source
+        What drives the mode: unbalance, misalignment, run-out, transmission error, other.
+    participation
+        Share of the kinetic energy (unbalance, misalignment) or strain energy (transmission error, run-out,
+        bearing fault) of the mode where the order acts, 0 to 1.
+    amplification
+        Amplification at resonance, see the module; infinite without damping or if the mode is unstable.
+    """
+
+    speed: float
+    frequency: float
+    damping_ratio: float
+    mode: int
+    order: Order
+    whirl: str
+    source: str
+    participation: float
+    amplification: float
+
+
+def critical_speeds(found: Campbell, orders: Sequence[Order]) -> tuple[CriticalSpeed, ...]:
+    """Crossings of all branches and orders in the range of the speeds, largest amplification first."""
+    forward = np.argsort(found.speed, kind="stable")
+    solved = [
+        (order, mode, *_solve(found, order.value, mode, at))
+        for order in orders
+        for mode in range(len(found.names))
+        for at in _brackets(found, forward, order.value, mode)
+    ]
+    if not solved:
+        return ()
+    _, _, speeds, values, shapes = zip(*solved, strict=True)
+    z, senses = np.array(shapes), senses_of(found.motions, found.rates)
+    turning = np.array([gyroscopic_terms(z[k : k + 1], found.modes.at(s).D)[0] for k, s in enumerate(speeds)])
+    energies = energies_of(
+        found.motions, z, np.array(values), turning, np.sign(np.array(speeds))[:, None] * senses
+    )
+    words = whirl_words(energies)
+    listed = [
+        _critical(found, order, mode, speed, value, (energies, k, words[k]))
+        for k, (order, mode, speed, value, _) in enumerate(solved)
+    ]
+    return tuple(sorted(listed, key=lambda c: (-c.amplification, -c.participation, c.speed)))
+
+
+def _brackets(found: Campbell, forward: NDArray[np.intp], order: float, mode: int) -> list[tuple[int, int]]:
+    """Pairs of neighbouring points between which the branch crosses the order."""
+    f, speed = found.frequency[forward, mode], found.speed[forward]
+    away = f - order * np.abs(speed) / (2.0 * np.pi)
+    pairs = []
+    for k in range(len(f) - 1):
+        vibrates = f[k] > 0.0 and f[k + 1] > 0.0 and speed[k] * speed[k + 1] >= 0.0
+        if vibrates and (away[k] * away[k + 1] < 0.0 or (away[k] == 0.0 and speed[k] != 0.0)):
+            pairs.append((int(forward[k]), int(forward[k + 1])))
+    if len(f) > 1 and away[-1] == 0.0 and f[-1] > 0.0:
+        pairs.append((int(forward[-2]), int(forward[-1])))
+    return pairs
+
+
+def _solve(
+    found: Campbell, order: float, mode: int, at: tuple[int, int]
+) -> tuple[float, complex, NDArray[np.complex128]]:
+    """Speed, eigenvalue and shape at a crossing: secant steps on the mode followed from the closer point."""
+    ends = [float(found.speed[k]) for k in at]
+    away = [
+        float(found.frequency[k, mode]) - order * abs(s) / (2.0 * np.pi)
+        for k, s in zip(at, ends, strict=True)
+    ]
+    near = 0 if abs(away[0]) < abs(away[1]) else 1
+    value, shape = complex(found.eigenvalue[at[near], mode]), found.shape[at[near], mode]
+    slope = (away[1] - away[0]) / (ends[1] - ends[0])
+    last, gap = ends[near], away[near]
+    for _ in range(ROUNDS):
+        speed = float(np.clip(last - gap / slope, min(ends), max(ends)))
+        value, shape = found.modes.near(speed, value, shape)
+        new = value.imag / (2.0 * np.pi) - order * abs(speed) / (2.0 * np.pi)
+        if speed != last and new != gap:
+            slope = (new - gap) / (speed - last)
+        done = abs(new) <= EXACT * abs(value.imag) / (2.0 * np.pi) or speed == last
+        last, gap = speed, new
+        if done:
+            break
+    return last, value, shape
+
+
+def _critical(
+    found: Campbell, order: Order, mode: int, speed: float, value: complex, about: tuple[Energies, int, str]
+) -> CriticalSpeed:
+    """Crossing with what drives it; `about`: energies, index of the mode in them, whirl."""
+    energies, k, whirl = about
+    ratio = float(ratio_of(np.array([value]))[0])
+    source, share = driven_by(found.motions.groups, energies, k, order)
+    share = float(np.clip(share, 0.0, 1.0))
+    strain = float(energies.strain_ratio[k])  # V/T
+    of_total = share * (strain if source in BY_STRAIN else 1.0) / (1.0 + strain)
+    gain = of_total / ratio if ratio > 0.0 else np.inf if share > 0.0 else 0.0
+    return CriticalSpeed(
+        speed=speed,
+        frequency=value.imag / (2.0 * np.pi),
+        damping_ratio=ratio,
+        mode=mode,
+        order=order,
+        whirl=whirl,
+        source=source,
+        participation=share,
+        amplification=gain,
+    )
+
+
+def driven_by(groups: Groups, energies: Energies, k: int, order: Order) -> tuple[str, float]:
+    """Source through which an order drives mode k, and its share of the energy of the mode.
+
+    * mesh orders and sidebands: transmission error, strain energy of the meshes;
+    * first order of a shaft: unbalance, kinetic energy of its forward whirl; or run-out of its gears, strain
+      energy of their meshes;
+    * higher orders of a shaft: misalignment, kinetic energy of its lateral motion; or run-out;
+    * other orders: strain energy of the component named by the order, as for bearing faults; otherwise 1.
+    """
+    strain: Array = energies.strain[k]
+    names = [name.partition(" ")[2] for name in groups.components]
+    teeth = float(
+        sum(strain[e] for e, kind in enumerate(groups.kinds) if kind == MESH and names[e] in order.meshes)
+    )
+    if order.kind in (MESH, SIDEBAND):
+        return ERROR, teeth
+    if order.kind == SHAFT:
+        own = [p for p in range(len(groups.parts)) if groups.moves[p] in order.parts]
+        lateral = float(energies.forward[k, own].sum())
+        if order.harmonic > 1:
+            lateral += float(energies.backward[k, own].sum())
+        word = UNBALANCE if order.harmonic == 1 else MISALIGNMENT
+        return (word, lateral) if lateral >= teeth else (RUN_OUT, teeth)
+    named = [e for e, name in enumerate(groups.components) if order.name.endswith(f" {name.split(' ')[-1]}")]
+    return (FAULT, float(strain[named].sum())) if named else (GIVEN, 1.0)
+
+
+def separation(speed: Array, operating: tuple[float, float]) -> Array:
+    """Distance of speeds from an operating range over its nearest end: 0 inside, negative below.
+
+    Examples
+    --------
+    >>> separation(np.array([80.0, 110.0, 150.0]), (100.0, 120.0)).round(6).tolist()
+    [-0.2, 0.0, 0.25]
+    """
+    low, high = sorted(map(abs, operating))
+    x = np.abs(speed)
+    return np.where(x > high, x / max(high, 1e-300) - 1.0, np.where(x < low, x / max(low, 1e-300) - 1.0, 0.0))

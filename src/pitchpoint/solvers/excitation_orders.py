@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Excitation orders of a machine per revolution of one body: shafts, meshes, their sidebands, others."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.core.errors import SolverError
+from pitchpoint.core.status import INCONSISTENT
+from pitchpoint.solvers.gear_trains import mesh_orders
+from pitchpoint.solvers.mode_energies import Motions
+from pitchpoint.system.meshes import mesh_names, mesh_records
+
+if TYPE_CHECKING:
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+
+USUAL = ("1x", "2x", "mesh", "2mesh", "sidebands")
+"""Default orders: once and twice per revolution of every shaft, mesh frequencies with one pair of sidebands
+per gear, and twice the mesh frequencies."""
+SHAFT, MESH, SIDEBAND, OTHER = "shaft", "mesh", "sideband", "other"
+EQUAL = 1e-9
+"""Relative distance of orders that are one line."""
+FEW = 2
+"""Maximum number of names in the name of an order."""
+
+
+@dataclass(frozen=True)
+class Order:
+    """One excitation order.
+
+    Parameters
+    ----------
+    name
+        Its name: `1× rotor`, `mesh stage`, `mesh stage + 1× rotor`.
+    value
+        Periods per revolution of the reference body.
+    kind
+        `shaft`, `mesh`, `sideband` or `other`.
+    harmonic
+        Number of the harmonic of the shaft or mesh.
+    parts, meshes
+        Parts that rotate with the shaft, and meshes with a gear on them; the meshes of a mesh order.
+    """
+
+    name: str
+    value: float
+    kind: str
+    harmonic: int = 1
+    parts: tuple[int, ...] = ()
+    meshes: tuple[str, ...] = ()
+
+
+def excitation_orders(
+    system: System,
+    motions: Motions,
+    rates: Array,
+    chosen: Sequence[str] = USUAL,
+    others: Mapping[str, float] | None = None,
+) -> tuple[Order, ...]:
+    """Orders in ascending order; equal ones of one kind are one.
+
+    Parameters
+    ----------
+    system, motions
+        The system and the motions of its bodies.
+    rates
+        Rates of all coordinates with the reference body at 1 rad/s.
+    chosen
+        `3x` for the third order of every shaft, `mesh` and `2mesh` for mesh harmonics, `sidebands` and
+        `2sidebands` for one and two pairs of sidebands per gear at every chosen mesh harmonic, numbers.
+    others
+        Further orders by name, such as those of bearing faults.
+
+    Raises
+    ------
+    SolverError
+        If a word is unknown.
+    """
+    shafts, meshes, bands, more = _read(chosen)
+    turning = _shafts(system, motions, rates)
+    teeth = _grouped([(name, value, (name,)) for name, value in mesh_orders(system, rates).items()])
+    found = [
+        Order(f"{n}× {name}", n * value, SHAFT, n, tuple(own), _on(system, motions, own))
+        for n in shafts
+        for name, value, own in turning
+    ]
+    for n in meshes:
+        for name, value, own in teeth:
+            words = f"mesh {name}" if n == 1 else f"{n}× mesh {name}"
+            found.append(Order(words, n * value, MESH, n, (), own))
+            for j in range(1, bands + 1):
+                for shaft, rotation in _gears(system, motions, rates, own[0]):
+                    for sign, side in ((-1.0, "−"), (1.0, "+")):
+                        band = f"{words} {side} {j}× {shaft}"
+                        found.append(Order(band, abs(n * value + sign * j * rotation), SIDEBAND, n, (), own))
+    found += [Order(f"{value:g}×", value, OTHER) for value in more]
+    found += [Order(name, abs(value), OTHER) for name, value in (others or {}).items()]
+    return tuple(sorted((o for o in found if o.value > 0.0), key=lambda o: o.value))
+
+
+def _read(chosen: Sequence[str]) -> tuple[list[int], list[int], int, list[float]]:
+    """Shaft orders, mesh harmonics, pairs of sidebands, numbers."""
+    shafts, meshes, more, bands = [], [], [], 0
+    for word in chosen:
+        found = re.fullmatch(r"(\d*)(x|mesh|sidebands?)", word.strip())
+        number = int(found[1] or 1) if found else 0
+        try:
+            value = 0.0 if found else float(word)
+        except ValueError:
+            value = 0.0
+        if found and number:
+            if found[2] == "x":
+                shafts.append(number)
+            elif found[2] == "mesh":
+                meshes.append(number)
+            else:
+                bands = max(bands, number)
+        elif value > 0.0:
+            more.append(value)
+        else:
+            raise SolverError(
+                f"orders: {word!r} is not an order; use 1x, 2x (shafts), mesh, 2mesh, sidebands, 2sidebands "
+                "or a number",
+                INCONSISTENT,
+            )
+    return sorted(set(shafts)), sorted(set(meshes)), bands, more
+
+
+def _grouped(rows: Sequence[tuple[str, float, tuple[Any, ...]]]) -> list[tuple[str, float, tuple[Any, ...]]]:
+    """Rows of equal value as one, with a common name; values of zero are omitted."""
+    groups: list[list[tuple[str, float, tuple[Any, ...]]]] = []
+    for row in rows:
+        if row[1] <= EQUAL:
+            continue
+        for group in groups:
+            if abs(row[1] - group[0][1]) <= EQUAL * row[1]:
+                group.append(row)
+                break
+        else:
+            groups.append([row])
+    return [
+        (
+            ", ".join(r[0] for r in g) if len(g) <= FEW else f"{g[0][0]} and {len(g) - 1} more",
+            g[0][1],
+            tuple(x for r in g for x in r[2]),
+        )
+        for g in groups
+    ]
+
+
+def _speeds(motions: Motions, rates: Array) -> Array:
+    """Speed of every body about its axis in space with the reference body at 1 rad/s, shape (nb,)."""
+    return np.abs(motions.of(rates[None].astype(np.complex128))[0][0, :, 5].real)
+
+
+def _shafts(system: System, motions: Motions, rates: Array) -> list[tuple[str, float, tuple[int, ...]]]:
+    """Shafts by speed: name, order and parts."""
+    groups, speed = motions.groups, _speeds(motions, rates)
+    rows = []
+    for part in dict.fromkeys(groups.carried):
+        if part >= 0 and groups.rotates[part]:
+            own = max(float(speed[b]) for b, p in enumerate(groups.carried) if p == part)
+            rows.append((groups.parts[part], own, (part,)))
+    return _grouped(rows)
+
+
+def _on(system: System, motions: Motions, parts: Sequence[int]) -> tuple[str, ...]:
+    """Meshes with a gear on one of some parts."""
+    carried = motions.groups.carried
+    return tuple(
+        name
+        for name, record in zip(mesh_names(system), mesh_records(system), strict=True)
+        if {carried[int(record["i"])], carried[int(record["j"])]} & set(parts)
+    )
+
+
+def _gears(system: System, motions: Motions, rates: Array, mesh: str) -> list[tuple[str, float]]:
+    """Shafts of both gears of a mesh, and their rotation relative to the line of centres."""
+    at = mesh_names(system).index(mesh)
+    record, groups = mesh_records(system)[at], motions.groups
+    order = mesh_orders(system, rates)[mesh]
+    return [
+        (groups.parts[groups.carried[int(record[end])]], order / abs(float(record[teeth])))
+        for end, teeth in (("i", "z1"), ("j", "z2"))
+        if record[end]
+    ]

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Planetary sets with equally spaced planets, and the three types of their modes.
+
+With N equal planets at equal angles the motion of a mode repeats from planet to planet, up to a factor
+e^(2 pi i h/N) in the radial and tangential directions of each planet [1]_:
+
+* h = 0, rotational modes: all planets move alike, sun, ring and carrier only rotate (and move axially);
+* h = 1 or -1, translational modes, in pairs: sun, ring and carrier only move laterally and tilt;
+* other h, planet modes, N - 3 of each: sun, ring and carrier are at rest. If these cannot move laterally, the
+  modes with h = 1 or -1 are planet modes, too.
+
+The energies by h follow from the discrete Fourier transform of the planets' motions and inertia forces.
+
+References
+----------
+.. [1] J. Lin, R. G. Parker: Analytical characterization of the unique properties of planetary gear free
+   vibration, Journal of Vibration and Acoustics 121 (1999) 316-321.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pitchpoint.system.meshes import mesh_records
+
+if TYPE_CHECKING:
+    from pitchpoint.solvers.machine_groups import Groups
+    from pitchpoint.system.system import System
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+EVEN = 1e-3
+"""Tolerance of equal angles [rad] and radii (relative)."""
+STILL = 1e-6
+"""Share of sun, ring and carrier in the energy of the set up to which they are at rest."""
+PURE = 0.8
+"""Share of one type in the energy of the set from which a mode has this type."""
+TYPES = ("rotational", "translational", "planet")
+"""Types of modes of a planetary set."""
+
+
+@dataclass(frozen=True)
+class PlanetSet:
+    """Equally spaced planets and the bodies around them.
+
+    Parameters
+    ----------
+    name
+        Name of the carrier, else of the sun.
+    planets
+        Bodies with the gears of the planets, in order of the angle.
+    angles
+        Angles of the planets in the axes of the first one [rad].
+    parts
+        Parts of the planets.
+    central
+        Parts of sun, ring and carrier.
+    """
+
+    name: str
+    planets: tuple[int, ...]
+    angles: tuple[float, ...]
+    parts: tuple[int, ...]
+    central: tuple[int, ...]
+
+
+def planet_sets(system: System, groups: Groups, place: Array, axes: Array) -> tuple[PlanetSet, ...]:
+    """Sets of three or more equal planets at equal angles around a central gear.
+
+    Parameters
+    ----------
+    system, groups
+        The system and its parts.
+    place, axes
+        Origins (nb, 3) [m] and axes (nb, 3, 3) of the bodies, world axes.
+    """
+    mates: dict[int, list[int]] = {}
+    for record in mesh_records(system):
+        i, j = int(record["i"]), int(record["j"])
+        mates.setdefault(i, []).append(j)
+        mates.setdefault(j, []).append(i)
+    found: dict[frozenset[int], tuple[list[int], Array, list[int]]] = {}
+    for body, others in mates.items():
+        planets = list(dict.fromkeys(others))
+        angles = _angles(planets, body, place, axes) if len(planets) > 2 else None
+        if angles is not None:
+            found.setdefault(frozenset(planets), (planets, angles, []))[2].append(body)
+    return tuple(_set(system, groups, *about) for about in found.values())
+
+
+def _angles(planets: list[int], body: int, place: Array, axes: Array) -> Array | None:
+    """Angles of planets about a central body; None unless they are equally spaced on a circle."""
+    way = (place[planets] - place[body]) @ axes[planets[0]]
+    radii, angles = np.hypot(way[:, 0], way[:, 1]), np.arctan2(way[:, 1], way[:, 0])
+    steps = np.diff(np.sort(angles))
+    alike = radii.min() > 0.0 and np.ptp(radii) <= EVEN * radii.max()
+    even = np.abs(steps - 2.0 * np.pi / len(planets)).max() <= EVEN
+    return angles if alike and even else None
+
+
+def _set(system: System, groups: Groups, planets: list[int], angles: Array, central: list[int]) -> PlanetSet:
+    """Set with its carrier: the parent of all planets, or a body connected to each of them."""
+    near = [{int(system.program["body"][p]["parent"])} for p in planets]
+    for records in system.records.values():
+        if {"i", "j"} <= set(records.dtype.names or ()):
+            for i, j in zip(records["i"].tolist(), records["j"].tolist(), strict=True):
+                for own, p in zip(near, planets, strict=True):
+                    own |= {j} if i == p else {i} if j == p else set()
+    carriers = sorted(set.intersection(*near) - {0, *central})
+    members = [*(b for b in central if b), *carriers]
+    order = np.argsort(angles)
+    return PlanetSet(
+        name=groups.parts[groups.part[(carriers or members)[0]]],
+        planets=tuple(planets[k] for k in order),
+        angles=tuple(float(angles[k]) for k in order),
+        parts=tuple(dict.fromkeys(groups.carried[planets[k]] for k in order)),
+        central=tuple(dict.fromkeys(groups.carried[b] for b in members)),
+    )
+
+
+def type_of_mode(planets: PlanetSet, twist: Complex, wrench: Complex, kinetic: Array) -> tuple[str, float]:
+    """Type of a mode of a set ("" if mixed), and the share of the set in its kinetic energy.
+
+    Parameters
+    ----------
+    planets
+        The set.
+    twist, wrench
+        Motions and inertia wrenches of the bodies in body axes, shape (nb, 6).
+    kinetic
+        Shares of the kinetic energy by part that moves and direction, shape (parts, 4).
+    """
+    own = list(planets.planets)
+    angles = np.array(planets.angles)
+    c, s = np.cos(angles), np.sin(angles)
+    turn = np.zeros((len(own), 3, 3))
+    turn[:, 0, 0], turn[:, 0, 1], turn[:, 1, 0], turn[:, 1, 1], turn[:, 2, 2] = c, s, -s, c, 1.0
+    waves = []
+    for values in (twist, wrench):  # radial and tangential directions, then by cycles around the set
+        local = np.einsum("pij,pkj->pki", turn, values[own].reshape(-1, 2, 3)).reshape(-1, 6)
+        waves.append(np.fft.fft(local, axis=0, norm="ortho"))
+    each = (waves[0].conj() * waves[1]).real.sum(axis=1)
+    size = max(float(each.sum()), 1e-300)
+    moving = float(kinetic[list(planets.parts)].sum())
+    middle = kinetic[list(planets.central)].sum(axis=0)
+    found = np.array([each[0], each[1] + each[-1], each[2:-1].sum()]) / size * moving
+    found += (middle[1] + middle[2], middle[0], 0.0)
+    whole = float(found.sum())
+    if middle.sum() < STILL * whole:
+        return TYPES[2], whole
+    best = int(np.argmax(found))
+    return TYPES[best] if found[best] >= PURE * whole else "", whole
