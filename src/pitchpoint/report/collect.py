@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES
 from pitchpoint.report.campbell import KEPT as CAMPBELL
@@ -219,10 +219,11 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
 
 
 def _time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str = "") -> TimeRun:
-    """Time response with its window of statistics and its mesh frequencies."""
+    """Time response with its window of statistics, its notes and its mesh frequencies."""
     settle = settle_time_of(attrs)
     meshes = mean_mesh_frequencies(model, data, settle)
-    return TimeRun(data=data, settle_time=settle, note=note, mesh_frequencies=meshes)
+    notes = split_notes(str(data.attrs.get("notes", "")))
+    return TimeRun(data=data, settle_time=settle, note=note, remarks=notes, mesh_frequencies=meshes)
 
 
 def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:

@@ -21,11 +21,12 @@ from pitchpoint.solvers.constraints.row_notes import explain, row_notes
 from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.initial_state.start import UNBALANCED, Start, prepare_start
-from pitchpoint.solvers.mean_balance import drift_notes
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
+from pitchpoint.solvers.speed_drift import drift_notes
 from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_statistics
+from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.flank_remarks import contact_counters
@@ -102,7 +103,7 @@ def run_time(
     if chosen.duration is None:
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", NOT_FINITE)
     begun = time.perf_counter()
-    begin = prepare_start(system, chosen) if start is None else start
+    begin = start or with_vibration_losses(prepare_start(system, chosen), chosen, run_time)
     forget_contacts(begin.system)  # trial states of the start do not count
     loop = _Loop(begin, chosen, sink, channels)
     status = loop.run(progress)
@@ -310,12 +311,12 @@ class _Loop:
         found = read_statistics(self.sums)
         channels = channel_statistics(self.system.layout.channels, found)
         remarks = run_remarks(self.system, channels)
-        if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
-            remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
+        t, state = float(self.run_.t), self.run_.state()
+        if status == OK:
+            remarks = (*remarks, *drift_notes(self.start, self.scenario, channels, state, t - self.t0))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
         remarks = (*remarks, *self._divisions())
-        t = float(self.run_.t)
         return TimeSummary(
             status=status,
             sentence=(self.sampler.failure if self.sampler is not None else "") or self._sentence(status),
@@ -328,7 +329,7 @@ class _Loop:
             events=np.concatenate(self.events) if self.events else np.zeros((0, 3)),
             event_names=tuple(e.name for e in self.system.layout.events),
             notes=(*self.start.notes, *row_notes(self.system), *remarks),
-            state=self.run_.state(),
+            state=state,
             contact_solver=contact_counters(self.system),
         )
 

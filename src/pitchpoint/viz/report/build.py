@@ -231,6 +231,8 @@ class TimeRun:
         Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
     note
         Sentence above the signals (status of an unfinished run).
+    remarks
+        Notes of the run, listed above the signals.
     """
 
     data: Any
@@ -238,6 +240,7 @@ class TimeRun:
     angle: str | None = None
     highest_order: float | None = None
     note: str = ""
+    remarks: Sequence[str] = ()
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
 
 

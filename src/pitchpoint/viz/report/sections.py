@@ -130,6 +130,8 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
             continue
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
+        notes = "".join(f"<li>{escape(remark)}</li>" for remark in run.remarks)
+        section.add(f'<ul class="notes">{notes}</ul>' if notes else "")
         section.add('<div class="linked">' if name == seen else "")
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
