@@ -964,7 +964,7 @@ def test_a_run_ends_at_its_duration_samples_lie_at_multiples(method: str) -> Non
 def test_shares_count_separation_and_the_back_flank_alone() -> None:
     sums = new_statistics(1)
     for state in (1.0, 0.0, 0.0, -1.0, 2.0, 1.0, 1.0, 1.0):
-        accumulate(np.array([state]), sums)
+        accumulate(np.array([state]), sums.sums)
     found = read_statistics(sums)
     assert found.share_zero[0] == pytest.approx(2 / 8)
     assert found.share_negative[0] == pytest.approx(1 / 8)

@@ -75,6 +75,7 @@ def run(
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
+        rattle_table,
         refuse_without_effect,
         result_path,
         statistics_table,
@@ -119,6 +120,7 @@ def run(
         title = f"{model.title or file}: {name}"
         if not shown_rows or any(math.isfinite(row["mean"]) for row in shown_rows.values()):
             statistics_table(title, shown_rows)
+            rattle_table(shown_rows)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
