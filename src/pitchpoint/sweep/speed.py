@@ -21,6 +21,7 @@ from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.elements.drive import target_of
 from pitchpoint.elements.kind import DRIVE
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
@@ -163,8 +164,11 @@ class _SweepRun:
     def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
         self.plan = plan
         first = next(plan.points())[1]
-        body = scenario.sweep.body  # type: ignore[union-attr]
-        start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
+        self.body = body = scenario.sweep.body  # type: ignore[union-attr]
+        own = system.copy()
+        for record in own.rows(DRIVE):
+            record["speed"] = first * plan.ratio[own.layout.bodies[int(record["i"])]]
+        start = prepare_start(own, replace(scenario, speed={body: first}, duration=1.0))
         self.system, self.notes = start.system, start.notes
         self.mode = max(mesh_mode(row, self.system) for row in mesh_records(self.system))
         self.speed = first
@@ -181,16 +185,18 @@ class _SweepRun:
 
     def go_to(self, speed: float) -> None:
         """Change the mean speed of the whole train, including drives with constant speed."""
-        w = self.system.workspace
-        for name, ratio in self.plan.ratio.items():
-            if ratio != 0.0:
-                w.v[self.system.spin(name)] += (speed - self.speed) * ratio
+        w, t = self.system.workspace, self.run.t
+        share = 1.0  # of the ripple of the swept body in its present speed
         for record in self.system.rows(DRIVE):
             name = self.system.layout.bodies[int(record["i"])]
-            spin = self.system.spin(name)
-            turned = w.q[spin] + 2.0 * math.pi * w.fr["turns"][int(record["i"])]
+            before, mean = target_of(record, t)[1], float(record["speed"])
             record["speed"] = speed * self.plan.ratio[name]
-            record["angle"] = turned - record["speed"] * self.run.t
+            record["angle"] += (mean - record["speed"]) * t
+            if name == self.body and mean != 0.0:
+                share = before / mean
+        for name, ratio in self.plan.ratio.items():
+            if ratio != 0.0:
+                w.v[self.system.spin(name)] += (speed - self.speed) * ratio * share
         self.speed = speed
         self.run.change_step(self._step(speed))
 
