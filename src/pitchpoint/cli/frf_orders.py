@@ -150,7 +150,7 @@ NEAR = 0.05
 
 
 def nearest_mode(hertz: float, modes: list[dict[str, Any]]) -> str:
-    """Name of the mode at a frequency [Hz]; a dash if none is near.
+    """Main motion and frequency of the mode at a frequency [Hz]; a dash if none is near.
 
     Examples
     --------
@@ -161,7 +161,7 @@ def nearest_mode(hertz: float, modes: list[dict[str, Any]]) -> str:
     if not near:
         return "–"
     mode = min(near, key=lambda m: abs(hertz - m["frequency"]))
-    return f"{mode['name']}, {shown(mode['frequency'], 'frequency', 4)}"
+    return f"{mode['name'].partition(',')[0]}, {shown(mode['frequency'], 'frequency', 4)}"
 
 
 def store(path: Path, header: Header, found: MeshResponse) -> None:
