@@ -14,6 +14,7 @@ import pytest
 from pitchpoint.analysis.gear_signals import gear_signals
 from pitchpoint.analysis.indicators import signal_indicators, standardised_moment
 from pitchpoint.analysis.noise import with_white_noise
+from pitchpoint.analysis.rattle import rattle
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
 from pitchpoint.analysis.synchronous_average import synchronous_average
 from pitchpoint.cli.main import run_command
@@ -959,6 +960,15 @@ def test_a_run_ends_at_its_duration_samples_lie_at_multiples(method: str) -> Non
         assert done.window[1] == done.t_end
         assert times[-1] == pytest.approx(last, rel=1e-12)
         assert np.diff(times) == pytest.approx(times[1], rel=1e-9)
+
+
+def test_an_impact_begins_after_a_state_without_contact() -> None:
+    """On the back flank, then on the front flank; the change of the flank at the end is none."""
+    state, force = [1, 0, -1, -1, 0, 1, -1], [3.0, 0.0, -4.0, -2.0, 0.0, 5.0, -1.0]
+    found = rattle(np.arange(7.0), state, [1.0, 0.5, -1.5, -1.2, 0.0, 3.0, -1.0], force)
+    assert (found.front_impacts, found.back_impacts) == (1, 1)
+    assert (found.closing_speed_max, found.closing_speed_mean) == (3.0, 2.5)
+    assert (found.impulse_max, found.impulse_mean) == (6.0, 5.5)
 
 
 def test_shares_count_separation_and_the_back_flank_alone() -> None:

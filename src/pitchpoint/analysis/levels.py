@@ -92,6 +92,11 @@ def a_weighting(frequency: ArrayLike) -> Array:
     NDArray
         Weighting [dB], 0 at 1 kHz.
 
+    Raises
+    ------
+    SignalError
+        If a frequency is not above 0.
+
     Notes
     -----
     A(f) = 20 lg(f4² f⁴ / ((f² + f1²) √(f² + f2²) √(f² + f3²) (f² + f4²))) + 2.000 dB with f1 = 20.60 Hz,

@@ -25,7 +25,7 @@ COUNTS = np.dtype(
     [
         *((name, "i8") for name in ("state_at", "deflection_at", "force_at", "speed_1_at", "speed_2_at")),
         *((name, "i8") for name in ("begun", "state", "hit", "front_impacts", "back_impacts", "impulses")),
-        *((name, "f8") for name in ("normal", "t", "deflection", "force", "speed_1", "speed_2")),
+        *((name, "f8") for name in ("normal", "t", "deflection", "mesh_force", "speed_1", "speed_2")),
         *((name, "f8") for name in ("total", "front", "back", "both", "loss", "lost_at", "longest_loss")),
         ("momentum", "f8"),
         *((name, "f8") for name in ("closing", "closing_squares", "closing_most")),
@@ -84,9 +84,9 @@ def _count(t, row, c):
         _add_share(c, c["state"], 0.5 * h)
         _add_share(c, state, 0.5 * h)
         _add_accelerations(c, (speed_1 - c["speed_1"]) / h, (speed_2 - c["speed_2"]) / h)
-        c["momentum"] += 0.5 * h * (c["force"] + force)
+        c["momentum"] += 0.5 * h * (c["mesh_force"] + force)
         if c["hit"] != 0:
-            c["impulse"] += 0.5 * h * abs(c["force"])
+            c["impulse"] += 0.5 * h * abs(c["mesh_force"])
         if c["hit"] != 0 and (state == 0 or state * c["state"] == -1):
             _end_contact(c, middle)
         if state == 0 and c["state"] != 0:
@@ -103,7 +103,7 @@ def _count(t, row, c):
     c["t"] = t
     c["state"] = state
     c["deflection"] = x
-    c["force"] = force
+    c["mesh_force"] = force
     c["speed_1"] = speed_1
     c["speed_2"] = speed_2
 

@@ -176,7 +176,7 @@ def peaks(decibels: ArrayLike, prominence: float = 6.0) -> list[int]:
     decibels
         Levels [dB], shape (n,).
     prominence
-        Height above the higher of the two minima beside a maximum [dB].
+        Height above the higher of the minima on both sides of a maximum [dB].
 
     Examples
     --------
