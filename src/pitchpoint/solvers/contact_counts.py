@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.kind import DRIVE
+from pitchpoint.solvers.torque_paths import against_the_base
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
@@ -187,7 +188,12 @@ def read_counts(system: System, counts: NDArray[np.void]) -> dict[str, dict[str,
 
 
 def _index(system: System, record: np.void, c: np.void, force: float, driven: set[int]) -> float:
-    """Rattle index, see `analysis.rattle.rattle_index`; NaN without a mean force [N] or a free gear."""
+    """Rattle index, see `analysis.rattle.rattle_index`.
+
+    NaN without a mean force [N], without a gear that is free to rotate, and for gears on a carrier.
+    """
+    if any(len(against_the_base(system, record, end)) > 1 for end in "ij"):
+        return float("nan")
     sides = []
     bodies = system.program["body"]
     for end, radius, gear in (("i", "r_b1", 1), ("j", "r_b2", 2)):

@@ -13,8 +13,9 @@ from pitchpoint import compile_model, solve_time
 from pitchpoint.analysis.rattle import Rattle, rattle
 from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.yaml_model import loads_model
-from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS
+from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS, new_counts, read_counts
 from pitchpoint.solvers.time import run_time
+from tests.support.planetary import gear_pairs, planetary
 from tests.validation.test_free_gap import INERTIA, MODEL, RADIUS, STIFFNESS, closed_form
 
 TORQUE, GAP = 5.0, 0.43
@@ -110,3 +111,14 @@ def test_counters_equal_the_analysis_of_all_samples():
     for name, value in asdict(whole).items():
         assert counted[name] == pytest.approx(value, rel=1e-9), name
     assert np.isfinite(counted["rattle_index"])
+
+
+def test_no_index_for_gears_on_a_carrier():
+    """The acceleration of a planet is not that of its mesh; the other numbers are known."""
+    pairs = gear_pairs(20, 25, 2e-3, math.radians(20.0))
+    system = planetary(pairs, (1e-4, 1e-3, 1e-2, 1e-4), (1e8, 1e8))
+    counts = new_counts(system)
+    counts["total"], counts["momentum"], counts["front"], counts["least_1"] = 1.0, 5.0, 1.0, -7.0
+    for numbers in read_counts(system, counts).values():
+        assert math.isnan(numbers["rattle_index"])
+        assert numbers["front_contact_share"] == 1.0
