@@ -29,7 +29,7 @@ OTHERWISE = {
     "report/diagnosis/study.py": {"bearing": "class of evidence"},
     "report/diagnosis/tables.py": {"bearing": "class of evidence", "ratio": "head of a column"},
     "report/diagnosis/words.py": {"bearing": "class of evidence"},
-    "report/notebook.py": {"torque": "quantity"},
+    "report/main_channels.py": {"torque": "quantity"},
     "report/power_flow.py": {
         "damping": "name of a loss",
         "coupling": "class of a link in the drawing",

@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pitchpoint.analysis.frames import frame_places, frame_spectra
 from pitchpoint.analysis.sampled import Array, SignalError, as_increasing, as_signal, positive, same_length
-from pitchpoint.analysis.spectra import Spectrum, one_sided, order_spectrum, window
+from pitchpoint.analysis.spectra import Spectrum, order_spectrum
 
 SAMPLES_PER_ORDER = 2.56
 """Samples per revolution of a grid over the highest order of interest: content above half the grid rate then
@@ -243,7 +244,8 @@ def order_map(
     highest_order
         Highest order [-]; the angle grid has 2.56 times as many samples per revolution.
     revolutions
-        Length of one frame [revolutions]; the line spacing is 1/revolutions.
+        Length of one frame [revolutions]; the line spacing is 1/revolutions. Frames at the ends are shorter,
+        see `frames.frame_places`, with wider lines.
     frames
         Maximum number of frames [-]; they overlap as needed.
     window_name
@@ -287,25 +289,22 @@ def order_map(
     length = max(8, round(rate * positive(revolutions, "revolutions")))
     signal = resample_over_angle(values, angle, samples_per_revolution=length / revolutions)
     same_length(clock, as_signal(angle, "angle"), "time, angle")
-    if signal.values.size < length:
-        turned = (signal.values.size - 1) / signal.samples_per_revolution
+    size = signal.values.size
+    if size < length:
+        turned = (size - 1) / signal.samples_per_revolution
         raise SignalError(
             f"angle: covers {turned:.3g} revolutions (limit {revolutions:g}); use shorter frames"
         )
-    count = min(max(1, int(frames)), signal.values.size - length + 1)
-    starts = np.unique(np.linspace(0, signal.values.size - length, count).round().astype(np.int64))
-    w = window(window_name, length)
+    places = starts, lengths = frame_places(size, length, frames)
     n_order = int(np.floor(highest_order * revolutions * (1.0 + 1e-12))) + 1
     amplitude = np.empty((starts.size, n_order))
-    for row, start in enumerate(starts):
-        frame = signal.values[start : start + length]
-        lines = one_sided(np.fft.rfft(w * (frame - frame.mean())), length, float(w.sum()))
-        lines[0] = abs(frame.mean())
+    for row, (mean, lines) in enumerate(frame_spectra(signal.values, places, length, window_name)):
         amplitude[row] = lines[:n_order]
+        amplitude[row, 0] = abs(mean)
     phi = one_way(angle)
     step = 2.0 * np.pi / signal.samples_per_revolution
-    begin, end = (np.interp(phi[0] + (starts + k) * step, phi, clock) for k in (0, length - 1))
-    speed = (length - 1) * step / (end - begin)
+    begin, end = (np.interp(phi[0] + (starts + k) * step, phi, clock) for k in (0, lengths - 1))
+    speed = (lengths - 1) * step / (end - begin)
     return OrderMap(0.5 * (begin + end), speed, np.arange(n_order) / revolutions, amplitude)
 
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from pitchpoint.analysis.frames import frame_places, frame_spectra
 from pitchpoint.analysis.sampled import Array, SignalError, as_signal, positive
-from pitchpoint.analysis.spectra import one_sided, window
 
 
 @dataclass(frozen=True)
@@ -50,8 +50,9 @@ def time_frequency_map(
     sample_rate
         Sample rate f_s [Hz].
     frame
-        Samples per frame L [-]; default the power of two nearest to √(2n), at least 64, which balances time
-        and frequency resolution of the map.
+        Samples per frame L [-]; default the power of two nearest to √(2n), at least 64, of a record just
+        fast enough for the highest frequency, which balances time and frequency resolution of the map.
+        Frames at the ends are shorter, see `frames.frame_places`.
     frames
         Maximum number of frames [-], evenly distributed over the record; they overlap as needed.
     highest_frequency
@@ -95,21 +96,24 @@ def time_frequency_map(
     """
     x = as_signal(values, minimum=16)
     rate = positive(sample_rate, "sample_rate")
-    length = min(x.size, max(64, 2 ** round(0.5 * np.log2(2.0 * x.size)))) if frame is None else int(frame)
+    top = 0.5 * rate if highest_frequency is None else positive(highest_frequency, "highest_frequency")
+    length = _balanced(x.size, rate, top) if frame is None else int(frame)
     if not 8 <= length <= x.size:
         raise SignalError(f"frame: {length} samples (limit 8 to {x.size}); choose a length inside the record")
-    count = min(max(1, int(frames)), x.size - length + 1)
-    starts = np.unique(np.linspace(0, x.size - length, count).round().astype(np.int64))
-    top = 0.5 * rate if highest_frequency is None else positive(highest_frequency, "highest_frequency")
     n_line = min(length // 2 + 1, int(np.floor(top * length / rate * (1.0 + 1e-12))) + 1)
-    w = window(window_name, length)
-    gain = float(w.sum())
+    places = starts, lengths = frame_places(x.size, length, frames)
     amplitude = np.empty((starts.size, n_line))
-    for row, first in enumerate(starts):
-        piece = x[first : first + length]
-        amplitude[row] = one_sided(np.fft.rfft(w * (piece - piece.mean())), length, gain)[:n_line]
+    for row, (_, lines) in enumerate(frame_spectra(x, places, length, window_name)):
+        amplitude[row] = lines[:n_line]
     return TimeFrequencyMap(
-        time=np.asarray(start + (starts + 0.5 * (length - 1)) / rate, dtype=np.float64),
+        time=np.asarray(start + (starts + 0.5 * (lengths - 1)) / rate, dtype=np.float64),
         frequency=np.arange(n_line) * rate / length,
         amplitude=amplitude,
     )
+
+
+def _balanced(size: int, rate: float, top: float) -> int:
+    """Samples per frame with equal numbers of frames and lines up to the highest frequency."""
+    thinner = max(1.0, 0.5 * rate / top)
+    length = 2 ** round(np.log2(thinner * max(64.0, np.sqrt(2.0 * size / thinner))))
+    return int(min(size, length))

@@ -6,7 +6,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,24 +19,9 @@ if TYPE_CHECKING:
     from pitchpoint.model.model import Model
     from pitchpoint.model.scenario import Scenario
 
-SHOWN = (
-    "transmission_error",
-    "deflection",
-    "mesh_force",
-    "contact_state",
-    "speed",
-    "displacement",
-    "slip_speed",
-    "contact_force",
-    "tension",
-    "torque",
-    "bearing_force",
-    "coupling_force",
-    "signal",
-)
-"""Channels printed after a run; the file contains all."""
-
 STATISTICS = ("mean", "rms", "min", "max")
+ROUND_OFF = 1e-10
+"""Alternating part of a constant channel, relative to its largest value."""
 
 FEWEST_STEPS = 5
 """Steps in a contact below which a note is printed."""
@@ -166,18 +151,33 @@ def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, 
         return summary | dict(empty), error
 
 
-def statistics_table(title: str, channels: Mapping[str, Mapping[str, Any]]) -> None:
-    """Print the statistics of channels, the main ones first; channels that are zero are only counted."""
+def statistics_table(
+    title: str, channels: Mapping[str, Mapping[str, Any]], chosen: Sequence[str] | None = None
+) -> None:
+    """Print the statistics of channels; channels that are zero, and those not chosen, are only counted.
+
+    Parameters
+    ----------
+    title
+        Title of the table.
+    channels
+        Statistics and unit by channel.
+    chosen
+        Channels to print, in this order; default: all.
+    """
     rows, zeros = [], []
-    for name, row in channels.items():
-        inner = ".eta" in name or (name.startswith("signal[") and "." in name)
-        if name.partition("[")[0] in SHOWN and not inner:  # no modal coordinates, no parts of blocks
-            if any(row[key] != 0.0 for key in STATISTICS):
-                rows.append([name, *statistics_cells(row)])
-            else:
-                zeros.append(name.partition("[")[0])
+    listed = list(channels) if chosen is None else [name for name in chosen if name in channels]
+    for name in listed:
+        row = channels[name]
+        if any(row[key] != 0.0 for key in STATISTICS):
+            rows.append([name, *statistics_cells(row)])
+        else:
+            zeros.append(name.partition("[")[0])
     counts = ", ".join(f"{zeros.count(kind)} of {kind}" for kind in dict.fromkeys(zeros))
     notes = [f"zero throughout, not shown: {counts}"] if zeros else []
+    rest = len(channels) - len(listed)
+    if rest:
+        notes.append(f"{rest} more channel{'s' if rest > 1 else ''} in the file; --all lists all of them")
     table(title, ["channel", "mean", "alternating rms", "min", "max"], rows, notes)
 
 
@@ -219,5 +219,10 @@ def statistics_cells(row: Mapping[str, Any]) -> list[str]:
     dimension = _DIMENSIONS.get(row["unit"], "dimensionless")
     values = [row[key] for key in STATISTICS]
     most = max((abs(v) for v in values if v is not None and math.isfinite(v)), default=0.0)
+    # the alternating part of a constant is round-off, not a result
+    values = [
+        0.0 if key == "rms" and v is not None and v <= ROUND_OFF * most else v
+        for key, v in zip(STATISTICS, values, strict=True)
+    ]
     nothing = f"0 {display_unit(dimension, most)}".rstrip()
     return [nothing if v == 0.0 else shown(v, dimension, 5) for v in values]

@@ -53,6 +53,7 @@ NOT_BEGUN: dict[str, Any] = {
     metavar="PATTERN",
     help="Store only these channels, such as 'mesh_force[*]'; may be repeated. Default: all.",
 )
+@click.option("--all", "everything", is_flag=True, help="Print the statistics of all channels.")
 @set_option
 @vary_option
 @common
@@ -81,6 +82,8 @@ def run(
         statistics_table,
         unless_it_cannot_begin,
     )
+    from pitchpoint.report.main_channels import main_channels
+    from pitchpoint.viz.quantities import window_words
 
     model = with_settings(read_model(file, allow_code, quiet), how["settings"])
     step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
@@ -116,11 +119,13 @@ def run(
     if as_json:
         emit_json(summary)
     elif not quiet and (summary["steps"] or error is None):
-        shown_rows = {name: row for name, row in summary["channels"].items() if name not in inner}
+        rows = {channel: row for channel, row in summary["channels"].items() if channel not in inner}
         title = f"{model.title or file}: {name}"
-        if not shown_rows or any(math.isfinite(row["mean"]) for row in shown_rows.values()):
-            statistics_table(title, shown_rows)
-            rattle_table(shown_rows)
+        if not rows or any(math.isfinite(row["mean"]) for row in rows.values()):
+            chosen = None if how["everything"] else main_channels(model, rows, name)
+            window = f", {window_words(*summary['window'])}" if summary["window"] else ""
+            statistics_table(f"{title}{window}", rows, chosen)
+            rattle_table(rows)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import vary_option
+from pitchpoint.cli.cases import set_option, vary_option, with_settings
 from pitchpoint.cli.options import common, model_file, output, scenario
 from pitchpoint.cli.output import emit_json, greatest, show, show_notes, shown, table
 
@@ -26,12 +26,14 @@ NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "points": [], "jumps": []
 @model_file
 @scenario
 @output("Result file (netCDF-4/HDF5); default: MODEL-SCENARIO.h5 in the current folder.")
+@set_option
 @vary_option
 @common
 def sweep(
     file: str,
     scenario: str | None,
     output: str | None,
+    settings: tuple[str, ...],
     vary: tuple[str, ...],
     jobs: int | None,
     as_json: bool,
@@ -51,7 +53,7 @@ def sweep(
         unless_it_cannot_begin,
     )
 
-    model = read_model(file, allow_code, quiet)
+    model = with_settings(read_model(file, allow_code, quiet), settings)
     name = choose_scenario(model, scenario, "sweep")
     refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
     if vary:

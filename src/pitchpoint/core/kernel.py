@@ -26,6 +26,7 @@ from pitchpoint.core.compiler import machine_code
 from pitchpoint.core.compiler.interpreter import run_compiler
 from pitchpoint.core.compiler.machine_code import cache_folder
 from pitchpoint.core.compiler.second_process import announce, await_entry, delegate, withdraw
+from pitchpoint.core.progress import report_step
 
 __all__ = [
     "COMPILING",
@@ -185,7 +186,7 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
     here = [e for e in (*mine, *_expected) if not is_compiled(e)]
     _expected.clear()
     if missing or here:
-        announce()
+        announce(len(missing) + len(here))
     if missing and here and machine_code.can_save():
         delegate([label(e) for e in missing])
     run_compiler(lambda: _compile(here, missing))
@@ -193,12 +194,20 @@ def prepare(mine: Sequence[Any], theirs: Sequence[Any]) -> None:
 
 def _compile(here: Sequence[Any], there: list[Any]) -> None:
     """Compile the entry points of this process, then those that the second process has not started."""
+    every = [*here, *there]
+
+    def report() -> None:
+        """Report how many kernels both processes have completed."""
+        report_step(f"compiling kernels, {sum(map(is_compiled, every))} of {len(every)} done")
+
     for entry in here:
+        report()
         address(entry)
     # take from the end of the list; the second process works from its start
     while len(there) > 1:
         last = there.pop()
         if not is_compiled(last) and not all(is_compiled(e) for e in there):
+            report()
             withdraw(label(last))
             address(last)
 

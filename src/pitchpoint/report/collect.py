@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +15,8 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
+from pitchpoint.report.run_frequencies import mean_mesh_frequencies
+from pitchpoint.viz.quantities import settle_time_of
 from pitchpoint.viz.report.build import (
     CaseTable,
     MeshCycleData,
@@ -37,8 +39,6 @@ SOURCES = (
     "Stiffness over the mesh cycle: L. Mauer, SIMPACK User Meeting 2006.",
 )
 BEVEL_SOURCES = ("Bevel gears: ISO 23509:2016; virtual cylindrical gears: ISO 10300-1:2014.",)
-SETTLED = 0.2
-"""Share of a record omitted from statistics if no file gives `settle_time`."""
 
 
 def describe(model: Model) -> ReportModel:
@@ -201,13 +201,19 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         if header["kind"] == "quasi_static":
             found.rolls[take(found.rolls)] = given_roll(data, note)
             return
-        settle = float(header["options"].get("settle_time", 0.0))
-        found.runs[take(found.runs)] = TimeRun(data=data, settle_time=settle, note=note)
+        found.runs[take(found.runs)] = _time_run(model, data, header, note)
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
             f"{own}: a report recomputes {kind} results from the model; those of the file are not shown."
         )
+
+
+def _time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str = "") -> TimeRun:
+    """Time response with its window of statistics and its mesh frequencies."""
+    settle = settle_time_of(attrs)
+    meshes = mean_mesh_frequencies(model, data, settle)
+    return TimeRun(data=data, settle_time=settle, note=note, mesh_frequencies=meshes)
 
 
 def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:
@@ -228,10 +234,8 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     dimensions = set(getattr(data, "dims", ()))
     kind = "time"
     if "time" in dimensions:
-        time = data["time"].values
-        settle = SETTLED * float(time[-1] - time[0]) if time.size else 0.0
         name = _free("time response", str(len(found.runs) + 1), found.runs)
-        found.runs[name] = TimeRun(data=data, settle_time=settle)
+        found.runs[name] = _time_run(model, data, data.attrs)
     elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
         kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
         found.sweeps[name] = _sweep_of(data)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -19,23 +19,13 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from pitchpoint.model.model import Model
+    from pitchpoint.viz.quantities import Array, Channel
     from pitchpoint.viz.scene.content import Scene
 
 HEIGHT, WITH_CURVES = "480px", "640px"
 """Height of a scene in a cell, without and with curves below it."""
 MAX_BYTES = 8_000_000
 """Size limit of a scene in a notebook, including the viewer (0.7 MB): the file stores each scene."""
-FIRST = (
-    "mesh_force",
-    "transmission_error",
-    "deflection",
-    "bearing_force",
-    "contact_force",
-    "torque",
-    "speed",
-    "angle",
-)
-"""First quantities of a summary."""
 MAX_ROWS = 8
 
 
@@ -118,15 +108,11 @@ def _sentence(text: str) -> str:
 
 def _scene(data: xr.Dataset) -> Scene:
     """Scene of a result over time, or of its model at rest if nothing moves."""
-    from pitchpoint.core.errors import PitchpointError
-    from pitchpoint.io.yaml_model import loads_model
     from pitchpoint.report.scene.build import scene_of
     from pitchpoint.report.scene.rest import rest_scene
+    from pitchpoint.report.stored_model import model_of
 
-    text = str(data.attrs.get("model_text", ""))
-    if not text:
-        raise PitchpointError("this result does not contain its model")
-    model = loads_model(text, file=str(data.encoding.get("source", "result")))
+    model = model_of(data)
     if "mode" in data.dims or ("time" in data.dims and data.sizes["time"] > 1):
         return scene_of(model, data)
     return rest_scene(model)
@@ -168,24 +154,43 @@ def _ending(data: xr.Dataset) -> str:
 
 
 def _numbers(data: xr.Dataset) -> str:
-    """Mean, alternating rms, minimum and maximum value of the first channels over the whole record."""
+    """Statistics of the main channels, over the same window as in the terminal and in a report."""
     import numpy as np
 
+    from pitchpoint.analysis.statistics import signal_statistics
+    from pitchpoint.viz.quantities import channels, settle_time_of, window_words
+    from pitchpoint.viz.run_record import settled_part
     from pitchpoint.viz.tables import plain_table
 
     if "time" not in data.dims or data.sizes["time"] < 2:
         return ""
-    over_time = {str(name): v for name, v in data.data_vars.items() if v.dims == ("time",)}
-    names = [name for kind in FIRST for name in over_time if name.partition("[")[0] == kind]
-    rows = []
-    for name in names[:MAX_ROWS]:
-        x = np.asarray(over_time[name].values, dtype=np.float64)
-        if np.isfinite(x).all():
-            rows.append(_row(name, str(over_time[name].attrs.get("units", "")), x))
+    time, found = channels(data)
+    inside = settled_part(time, settle_time_of(data.attrs))
+    rows: list[str] = []
+    for name in _main(data, list(found)):
+        x = found[name].values[inside]
+        if np.isfinite(x).all() and len(rows) < MAX_ROWS:
+            known = found[name].statistics or vars(signal_statistics(x, time[inside]))
+            rows.append(_row(found[name], x, known))
     if not rows:
         return ""
+    begin, end = (float(t) for t in time[inside][[0, -1]])
     head = ("channel", "unit", "mean", "rms (alternating)", "minimum", "maximum")
-    return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>'
+    sentence = _sentence(window_words(begin, end).capitalize())
+    return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>{sentence}'
+
+
+def _main(data: xr.Dataset, names: list[str]) -> list[str]:
+    """Main channels of a result that contains its model; else all channels."""
+    from pitchpoint.core.errors import PitchpointError
+    from pitchpoint.report.main_channels import main_channels
+    from pitchpoint.report.stored_model import model_of
+
+    try:
+        model = model_of(data)
+    except PitchpointError:
+        return names
+    return main_channels(model, names, str(data.attrs.get("scenario", "")))
 
 
 def _modes(data: xr.Dataset) -> str:
@@ -235,14 +240,14 @@ def _sweep(data: xr.Dataset) -> str:
     return f'{drawings.STYLE}<div class="pp-shown">{plain_table(head, rows)}</div>'
 
 
-def _row(name: str, unit: str, x: Any) -> str:
+def _row(channel: Channel, x: Array, known: Mapping[str, float]) -> str:
     """Table row of one channel in a customary unit."""
-    from pitchpoint.viz.quantities import Channel, number, scale
+    from pitchpoint.viz.quantities import number, scale
 
-    shown = scale(unit, x)
+    shown = scale(channel.unit, x)
     # the alternating part of a constant is round-off, not a result
-    rms = float(x.std()) if x.std() > 1e-10 * abs(x).max() else 0.0
-    values = (float(x.mean()), rms, float(x.min()), float(x.max()))
+    rms = known["rms"] if known["rms"] > 1e-10 * abs(x).max() else 0.0
+    values = (known["mean"], rms, known["min"], known["max"])
     cells = "".join(f'<td class="num">{number(value * shown.factor)}</td>' for value in values)
-    label = escape(Channel(name, x).label)
+    label = escape(channel.label)
     return f'<tr><th scope="row">{label}</th><td class="unit">{shown.unit}</td>{cells}</tr>'

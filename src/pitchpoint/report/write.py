@@ -37,9 +37,9 @@ def write_report(
         HTML file to write; its folder is created if necessary, an older report is replaced.
     *results
         Any number of result files (`.h5`) of runs, slow rolls, sweeps and cases, and datasets of
-        `solve_time`, `solve_quasistatic` and `sweep_speed`. The settling time is the first fifth of a
-        dataset; for a file it is that of the scenario. Results of the model alone (geometry, mesh cycle,
-        modes) are always computed and shown.
+        `solve_time`, `solve_quasistatic` and `sweep_speed`. The statistics begin at the `settle_time` of
+        their scenarios. Results of the model alone (geometry, mesh cycle, modes) are always computed and
+        shown.
     allow_code
         Allow model files to run the Python functions that they name.
     progress

@@ -382,7 +382,8 @@ def solve_time(
     chosen = scenario_of(system, scenario)
     memory, stored = Memory(), chosen_channels(system, chosen.channels)
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
-    attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step)
+    settled = chosen.statistics_start
+    attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step, settle_time=settled)
     attrs |= {"steps": done.steps, "notes": join_notes(done.notes)}
     attrs["contact_solver"] = json.dumps(done.contact_solver)
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -250,6 +251,34 @@ def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
             stored_contact(attrs),
         )
     return time, found
+
+
+def settle_time_of(attrs: Mapping[str, Any]) -> float:
+    """Start of the statistics window of a run after its first sample [s]; 0 if it is not known.
+
+    Examples
+    --------
+    >>> settle_time_of({"options": '{"settle_time": 0.02}'}), settle_time_of({})
+    (0.02, 0.0)
+    """
+    try:
+        options = attrs.get("options") or "{}"
+        known = json.loads(options) if isinstance(options, str) else options
+        value = float(known.get("settle_time") or 0.0)
+    except (ValueError, TypeError, AttributeError):  # damaged
+        return 0.0
+    return value if np.isfinite(value) else 0.0
+
+
+def window_words(begin: float, end: float) -> str:
+    """Window of the statistics of a run in words, for headings and captions.
+
+    Examples
+    --------
+    >>> window_words(0.02, 0.1)
+    'statistics from 20 to 100 ms'
+    """
+    return f"statistics from {span(begin, end, 's')}"
 
 
 def stored_statistics(attrs: Mapping[str, Any]) -> dict[str, float] | None:

@@ -14,12 +14,15 @@ from pitchpoint.analysis.spectra import Spectrum, largest_peaks
 from pitchpoint.analysis.time_frequency import TimeFrequencyMap
 from pitchpoint.viz import theme
 from pitchpoint.viz.downsampling import kept_samples
+from pitchpoint.viz.frequency_marks import mark_frequencies
 from pitchpoint.viz.quantities import Array, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 MAP_COLUMNS, MAP_ROWS = 360, 300
+HARMONICS = 3
+"""Number of harmonics of a mesh frequency that are marked in a spectrum."""
 
 
 @dataclass(frozen=True)
@@ -33,10 +36,13 @@ class Shafts:
     speeds
         Mean speeds [rad/s] of it and of all shafts with a constant ratio to it, by name; orders of another
         shaft are the given ones times the ratio of the speeds.
+    meshes
+        Orders of the meshes relative to the chosen shaft, by name; marked in the plot.
     """
 
     chosen: str
     speeds: Mapping[str, float] = field(default_factory=dict)
+    meshes: Mapping[str, float] = field(default_factory=dict)
 
 
 def plot_spectrum(
@@ -48,6 +54,7 @@ def plot_spectrum(
     highest: float | None = None,
     labels: int = 4,
     shafts: Shafts | None = None,
+    meshes: Mapping[str, float] | None = None,
 ) -> go.Figure:
     """Plot of amplitude spectra on a logarithmic axis, with labels at the highest peaks of the first.
 
@@ -67,6 +74,8 @@ def plot_spectrum(
         Number of peaks with a label.
     shafts
         Reference shafts of the orders; in a report the reader can select another one.
+    meshes
+        Mesh frequencies [Hz] by name, marked with their harmonics.
     """
     tallest = max(
         (float(s.amplitude[1:].max()) for s in spectra.values() if s.amplitude.size > 1), default=0.0
@@ -93,11 +102,13 @@ def plot_spectrum(
     if spectra:
         first = next(iter(spectra.values()))
         _label_peaks(figure, first, end, factor, shown.factor, labels)
+    known = (shafts.meshes if shafts else {}) if across is None else meshes or {}
     if tallest > 0.0:
-        top = float(np.log10(tallest * shown.factor))
-        figure.update_yaxes(type="log", range=[top - 4.2, top + 0.6], dtick=1, exponentformat="power")
+        top, room = float(np.log10(tallest * shown.factor)), 1.2 if known else 0.6
+        figure.update_yaxes(type="log", range=[top - 4.2, top + room], dtick=1, exponentformat="power")
     figure.update_xaxes(range=[0.0, end * factor])
     figure.update_layout(showlegend=any(spectra))
+    mark_frequencies(figure, known, harmonics=HARMONICS, factor=factor)
     if across is None:
         _offer(figure, shafts)
     return figure
@@ -122,6 +133,8 @@ def plot_order_map(
         unit,
         quantity,
     )
+    if shafts is not None:
+        mark_frequencies(figure, shafts.meshes, over_map=True)
     _offer(figure, shafts, over_speed=steady)
     return figure
 

@@ -395,7 +395,7 @@ def test_two_processes_share_what_has_to_be_compiled(monkeypatch):
     made, given, taken = [], [], []
     monkeypatch.setattr(door, "is_compiled", lambda entry: entry in made)
     monkeypatch.setattr(door, "address", made.append)
-    monkeypatch.setattr(door, "announce", lambda: None)
+    monkeypatch.setattr(door, "announce", lambda count: None)
     monkeypatch.setattr(door, "delegate", given.extend)
     monkeypatch.setattr(door, "withdraw", taken.append)
     monkeypatch.setattr(machine_code, "can_save", lambda: True)
@@ -415,7 +415,7 @@ def test_nothing_is_given_to_a_second_process_that_could_not_hand_it_back(monkey
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "file"))
     monkeypatch.setattr(door, "is_compiled", lambda entry: entry in made)
     monkeypatch.setattr(door, "address", made.append)
-    monkeypatch.setattr(door, "announce", lambda: None)
+    monkeypatch.setattr(door, "announce", lambda count: None)
     monkeypatch.setattr(door, "delegate", given.extend)
     door.prepare([mine], [mesh, torque])
     assert (made, given) == ([mine, torque], [])

@@ -184,7 +184,8 @@ def test_maps_have_axes_with_units_and_no_more_cells_than_a_screen() -> None:
     assert cells.max() == 0
     orders = plot_order_map(order_map(x, angle, TIME, highest_order=20, revolutions=2), unit="N")
     assert titles(orders) == ("order [per revolution]", "speed [rpm]")
-    column = np.asarray(orders.data[0].z).max(axis=0)
+    # lines of the shorter frames at the ends are wider
+    column = np.asarray(orders.data[0].z, dtype=float).mean(axis=0)
     assert float(orders.data[0].x[column.argmax()]) == 10.0
 
 

@@ -62,8 +62,18 @@ def test_marks_stand_at_the_frequencies_and_their_harmonics() -> None:
     assert [line.x0 for line in figure.layout.shapes] == [100.0, 200.0, 105.0, 210.0]
     names = {a.text: a for a in figure.layout.annotations}
     assert set(names) == {"mesh", "near"}
-    # names that would overlap are above each other
-    assert names["near"].yshift > names["mesh"].yshift == 0
+    # names that would overlap are below each other
+    assert names["near"].yshift < names["mesh"].yshift == 0
+
+
+def test_meshes_of_equal_frequency_have_one_line() -> None:
+    """Three planets mesh with the sun at one frequency."""
+    figure = plot_spectrum(
+        {"a": amplitude_spectrum(np.sin(np.arange(400.0)), 400.0)}, unit="N", highest=199.0
+    )
+    mark_frequencies(figure, {"sun_1": 50.0, "sun_2": 50.0, "ring": 80.0})
+    assert [line.x0 for line in figure.layout.shapes] == [50.0, 80.0]
+    assert [a.text for a in figure.layout.annotations if a.name] == ["sun_1, sun_2", "ring"]
 
 
 def test_missing_part_of_a_flank_is_where_the_level_is_positive() -> None:

@@ -11,7 +11,9 @@ from __future__ import annotations
 import logging
 import os
 import sys
+import time
 from collections.abc import Sequence
+from functools import cache
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.child import python_command, python_environment
@@ -24,10 +26,25 @@ if TYPE_CHECKING:
 _pending: dict[str, subprocess.Popen[str]] = {}
 
 
-def announce() -> None:
-    """Notify the user of the compilation at the first start."""
-    seconds = 45 if is_stock() else 20
-    notice(f"compiling kernels for this machine: about {seconds} s, once", logging.INFO)
+KERNEL, STOCK = 90.0, 2.2
+"""Compilation time of a kernel over the time of `_yardstick`; factor with the public interface of Numba."""
+
+
+def announce(count: int) -> None:
+    """Notify the user of the compilation of a number of kernels, with an estimate of its duration."""
+    seconds = KERNEL * count * _yardstick() * (STOCK if is_stock() else 1.0)
+    about = max(5, 5 * round(seconds / 5.0))
+    kernels = "1 kernel" if count == 1 else f"{count} kernels"
+    notice(f"compiling {kernels} for this machine: about {about} s, once", logging.INFO)
+
+
+@cache
+def _yardstick() -> float:
+    """Time of a fixed amount of interpreted work [s]: the compiler is interpreted, too."""
+    begun, total = time.perf_counter(), 0
+    for k in range(200_000):
+        total += k * k % 7
+    return time.perf_counter() - begun
 
 
 def cores() -> int:

@@ -23,7 +23,7 @@ from pitchpoint.report.scene.places import Places
 from pitchpoint.report.scene.solids import scene_solids
 from pitchpoint.report.scene.spectra import scene_spectra
 from pitchpoint.report.scene.tooth_contacts import scene_contacts
-from pitchpoint.viz.quantities import Channel, channel_scale
+from pitchpoint.viz.quantities import Channel, channel_scale, settle_time_of
 from pitchpoint.viz.scene.contacts import SceneContact
 from pitchpoint.viz.scene.content import Scene, SceneArrow, SceneChannel, SceneMark
 from pitchpoint.viz.scene.spectrum import SceneMap, SceneSpectrum
@@ -104,7 +104,7 @@ def scene_of(
         arrows, remarks = force_arrows(system, moved, record.at_frames)
         contacts, lacking = scene_contacts(model, system, lines, moved, record.at_frames)
         marks, coarse = scene_marks(model, result, contacts, record.times)
-        spectra, maps = scene_spectra(model, result, _settle_time(model, chosen))
+        spectra, maps = scene_spectra(model, result, settle_time_of(result.attrs))
         notes += [*_another_state(model, result), *remarks, *lacking, *coarse]
     labels = [body.name for body in bodies]
     found = scene_modes(system, modes, labels, solids) if modes else []
@@ -159,12 +159,6 @@ def _up(model: Model) -> tuple[float, float, float]:
         return (0.0, 1.0, 0.0)
     x, y, z = (-g / size for g in model.gravity)
     return (x, y, z)
-
-
-def _settle_time(model: Model, scenario: str | None) -> float:
-    """Settling time of a scenario [s]."""
-    found = model.scenarios.get(scenario or "")
-    return float(getattr(found, "settle_time", None) or 0.0)
 
 
 def _subtitle(result: xr.Dataset) -> str:

@@ -68,7 +68,7 @@
     label.className = "shaft";
     label.append("orders of ", select);
     node.before(label);
-    const { xaxis, yaxis, annotations = [] } = figure.layout;
+    const { xaxis, yaxis, annotations = [], shapes = [] } = figure.layout;
     const end = node.layout.xaxis.range.slice(), bottom = node.layout.yaxis.range.slice();
     const title = (axis, name) => axis.title.text.replace(` of ${shaft}`, () => ` of ${name}`);
     select.addEventListener("change", () => {
@@ -83,7 +83,12 @@
       }
       annotations.forEach((note, k) => {
         layout[`annotations[${k}].x`] = note.x / faster;
-        layout[`annotations[${k}].text`] = String(Number((note.x / faster).toPrecision(4)));
+        // numbers at peaks are orders; names of meshes remain
+        if (!note.name) layout[`annotations[${k}].text`] = String(Number((note.x / faster).toPrecision(4)));
+      });
+      shapes.forEach((line, k) => {
+        layout[`shapes[${k}].x0`] = line.x0 / faster;
+        layout[`shapes[${k}].x1`] = line.x1 / faster;
       });
       Plotly.update(node, data, layout);
     });

@@ -223,6 +223,8 @@ class TimeRun:
         Angle channel of the reference shaft of orders; default: shaft of gear 1 of each mesh.
     highest_order
         End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
+    mesh_frequencies
+        Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
     note
         Sentence above the signals (status of an unfinished run).
     """
@@ -232,6 +234,7 @@ class TimeRun:
     angle: str | None = None
     highest_order: float | None = None
     note: str = ""
+    mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

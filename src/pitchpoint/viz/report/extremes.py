@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.analysis.statistics import signal_statistics
-from pitchpoint.viz.quantities import Array, Channel, Scale, channels, number, scale, span
+from pitchpoint.viz.quantities import Array, Channel, Scale, channels, number, scale, window_words
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.run_record import FORCE_PARTS, TIME_QUANTITIES, channel_word, listed, settled_part
 from pitchpoint.viz.tables import MAX_ROWS, plain_table
@@ -35,7 +35,8 @@ def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         settled = settled_part(time, run.settle_time)
         _add_table(section, time[settled], found, settled, linked=name == seen)
         begin, end = time[settled][[0, -1]]
-        words = f"From {span(float(begin), float(end), 's')}; times are those of the nearest stored sample."
+        window = window_words(float(begin), float(end)).capitalize()
+        words = f"{window}; times are those of the nearest stored sample."
         section.add(f"<p>{escape(words)}{' Click a time to set the scene.' if name == seen else ''}</p>")
     return section
 

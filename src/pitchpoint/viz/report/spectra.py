@@ -60,23 +60,43 @@ def spectrum_section(
             signal = Channel(channel.name, channel.values[window], channel.unit, channel.long_name)
             angle = turning_angle(run, found, (shafts or {}).get(owner(channel), ""))
             if angle is None:
-                _add_spectrum(section, signal, time[window])
+                _add_spectrum(section, signal, time[window], {})
                 continue
             turns = angle.values[window]
-            named = Shafts(owner(angle), geared_speeds(time[window], angle, found, window))
+            speeds = geared_speeds(time[window], angle, found, window)
+            named = Shafts(owner(angle), speeds, _mesh_orders(run, time[window], turns))
             if changes_speed(time[window], angle, window):
-                _add_maps(section, signal, time[window], turns, orders, named)
+                # statistics begin after settling, maps show all of a run-up
+                part = slice(None) if _is_one_way(angle.values) else window
+                whole = Channel(channel.name, channel.values[part], channel.unit, channel.long_name)
+                _add_maps(section, whole, time[part], angle.values[part], orders, named)
             else:
-                _add_spectrum(section, signal, time[window])
+                _add_spectrum(section, signal, time[window], run.mesh_frequencies)
                 _add_order_spectrum(section, signal, turns, orders, named)
     return section
 
 
-def _add_spectrum(section: Section, channel: Channel, time: Array) -> None:
+def _is_one_way(angle: Array) -> bool:
+    """Whether a shaft never stops or reverses."""
+    try:
+        one_way(angle)
+    except SignalError:
+        return False
+    return True
+
+
+def _mesh_orders(run: Any, time: Array, angle: Array) -> dict[str, float]:
+    """Orders of the meshes relative to a reference shaft with this angle over the same window."""
+    turns_per_second = abs(float(angle[-1] - angle[0])) / float(time[-1] - time[0]) / (2.0 * np.pi)
+    if not turns_per_second > 0.0:
+        return {}
+    return {mesh: frequency / turns_per_second for mesh, frequency in run.mesh_frequencies.items()}
+
+
+def _add_spectrum(section: Section, channel: Channel, time: Array, meshes: Mapping[str, float]) -> None:
     values, rate = uniform(time, channel.values)
-    section.add_figure(
-        spectrum_plots.plot_spectrum({channel.label: amplitude_spectrum(values, rate)}, unit=channel.unit)
-    )
+    spectrum = {channel.label: amplitude_spectrum(values, rate)}
+    section.add_figure(spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes))
 
 
 def _add_order_spectrum(

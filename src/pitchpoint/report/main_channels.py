@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Main channels of a run, chosen by meaning: speeds of input and output, meshes, bearings, torques, signals.
+
+Terminal, notebook and report show them first and in this order; the file contains all channels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+RESULTANTS = ("radial", "axial")
+"""Components of a bearing force that represent all others."""
+MESH = ("mesh_force", "transmission_error", "contact_state")
+CONNECTIONS = ("torque", "coupling_force", "tension", "contact_force", "slip_speed")
+FEW = 12
+"""Number of channels up to which all are main channels."""
+
+
+@dataclass(frozen=True)
+class ChannelGroup:
+    """Channels with one meaning.
+
+    Attributes
+    ----------
+    title
+        Title in words, "Speeds of input and output".
+    names
+        Names of the channels, the most important first.
+    """
+
+    title: str
+    names: tuple[str, ...]
+
+
+def main_channels(model: Model, names: Iterable[str], scenario: str = "") -> list[str]:
+    """Names of the main channels, the most important first; all of a machine with few.
+
+    Parameters
+    ----------
+    model
+        Model of the run.
+    names
+        Names of the available channels.
+    scenario
+        Scenario of the run, whose driven bodies are the inputs.
+
+    Returns
+    -------
+    list of str
+        Main channels; all channels if there are few, or if none is a main channel.
+    """
+    given = list(names)
+    found = [name for group in channel_groups(model, given, scenario) for name in group.names]
+    if not found or len(given) <= FEW:
+        return [*found, *(name for name in given if name not in set(found))]
+    return found
+
+
+def channel_groups(model: Model, names: Iterable[str], scenario: str = "") -> list[ChannelGroup]:
+    """Main channels by meaning; groups without channels are omitted.
+
+    Parameters
+    ----------
+    model, names, scenario
+        As in `main_channels`.
+    """
+    given = list(dict.fromkeys(names))
+    available = set(given)
+    ends = end_bodies(model, scenario)
+    titles = {
+        "Speeds of input and output": [f"speed[{body}]" for body in ends],
+        "Meshes": [f"{quantity}[{mesh}]" for mesh in model.every_mesh for quantity in MESH],
+        "Bearings": _bearing_channels(given),
+        "Connections": [name for kind in CONNECTIONS for name in given if _kind(name) == kind],
+        "Signals": [name for name in given if _kind(name) == "signal" and "." not in name],
+    }
+    found = []
+    for title, wanted in titles.items():
+        kept = tuple(name for name in wanted if name in available)
+        if kept:
+            found.append(ChannelGroup(title, kept))
+    return found
+
+
+def end_bodies(model: Model, scenario: str = "") -> list[str]:
+    """Bodies where power enters or leaves: driven bodies, then loaded bodies, in the order of the file.
+
+    Parameters
+    ----------
+    model
+        The model.
+    scenario
+        Scenario whose drives and given speeds come first; default: those of all scenarios.
+
+    Returns
+    -------
+    list of str
+        Names without repetition; all bodies with gears if nothing is driven or loaded.
+    """
+    chosen = [model.scenarios[scenario]] if scenario in model.scenarios else list(model.scenarios.values())
+    driven = [body for one in chosen for body in (*one.drive, *one.speed)]
+    swept = [one.sweep.body for one in chosen if one.sweep is not None]
+    loaded = [load.body for load in model.loads.values() if load.torque is not None]
+    found = [body for body in dict.fromkeys((*driven, *swept, *loaded)) if body in model.bodies]
+    return found or [name for name, body in model.bodies.items() if body.gears or body.bevel_gears]
+
+
+def _kind(name: str) -> str:
+    """Quantity of a channel: `speed` of `speed[input]`."""
+    return name.partition("[")[0]
+
+
+def _bearing_channels(names: Sequence[str]) -> list[str]:
+    """Resultants of the bearings; components of a bearing without resultants."""
+    own = [name for name in names if _kind(name) == "bearing_force"]
+    complete = {_bearing(name) for name in own if name.endswith(tuple(f".{r}]" for r in RESULTANTS))}
+    return [n for n in own if _bearing(n) not in complete or n.endswith(tuple(f".{r}]" for r in RESULTANTS))]
+
+
+def _bearing(name: str) -> str:
+    """Name of the bearing of a channel: `left` of `bearing_force[left.fx]`."""
+    return name.partition("[")[2].rstrip("]").rpartition(".")[0]
