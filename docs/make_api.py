@@ -21,6 +21,7 @@ GROUPS = {
         "solve_modal",
         "solve_campbell",
         "solve_frequency_response",
+        "solve_mesh_response",
         "solve_contact",
         "solve_contacts_on_shafts",
         "design_relief",

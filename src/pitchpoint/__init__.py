@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.contact_analysis.solve import solve_contact
     from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
     from pitchpoint.solvers.frequency_response import solve_frequency_response
+    from pitchpoint.solvers.mesh_response import solve_mesh_response
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
@@ -73,6 +74,7 @@ __all__ = [
     "solve_contacts_on_shafts",
     "solve_equilibrium",
     "solve_frequency_response",
+    "solve_mesh_response",
     "solve_modal",
     "solve_quasistatic",
     "solve_time",
@@ -106,6 +108,7 @@ _HOMES = {
     "solvers.contact_analysis.relief.plan": ("ReliefPlan",),
     "solvers.equilibrium.solve": ("solve_equilibrium",),
     "solvers.frequency_response": ("solve_frequency_response",),
+    "solvers.mesh_response": ("solve_mesh_response",),
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),

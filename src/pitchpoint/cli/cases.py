@@ -227,7 +227,7 @@ def compute(
 
 
 def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
-    """Channels with statistics in the table, and the size of the sweeps."""
+    """Channels with statistics in the table, meshes with contact numbers, and the size of the sweeps."""
     from pitchpoint.system.compile import compile_model
     from pitchpoint.system.planet_loads import FACTOR
     from pitchpoint.system.planet_loads import WORDS as WORDS_OF_FACTOR
@@ -237,13 +237,15 @@ def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], 
         directions = ["up", "down"] if both else [scenario.sweep.direction]
         return [], {"directions": directions, "n_points": scenario.sweep.points}
     channels = [(c.name, c.unit, c.long_name) for c in compile_model(model, scenario).layout.channels]
+    channels += [(f"{FACTOR}[{stage}]", "1", WORDS_OF_FACTOR) for stage in model.planetary_stages]
     if scenario.kind == "quasi_static":
         for mesh in model.every_mesh:
             words = "transmission error without load"
             channels.append((f"unloaded_transmission_error[{mesh}]", "m", words))
             channels.append((f"tangent_stiffness[{mesh}]", "N/m", "slope of the mesh force"))
-    channels += [(f"{FACTOR}[{stage}]", "1", WORDS_OF_FACTOR) for stage in model.planetary_stages]
-    return channels, {}
+        return channels, {}
+    state = "contact_state["
+    return channels, {"meshes": [n[len(state) : -1] for n, _, _ in channels if n.startswith(state)]}
 
 
 def notes_of(results: Sequence[CaseResult]) -> list[str]:
@@ -314,7 +316,10 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
             )
 
 
-WORDS = ("rms of deflection", "maximum force", "contact loss")
+WORDS = ("rms of deflection", "maximum force", "contact loss", "impacts", "closing speed")
+
+
+CONTACT = ("contact_loss_share", "impact_rate", "closing_speed_max")
 
 
 def is_roll(result: CaseResult) -> bool:
@@ -342,7 +347,7 @@ def meshes_of(result: CaseResult) -> list[str]:
 
 
 def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
-    """Table cells of one mesh: results of a slow roll, or rms of the deflection, force and contact loss.
+    """Table cells of one mesh: results of a slow roll, or those of `WORDS`, of a sweep the largest.
 
     There are `count` cells, also for a case without numbers.
     """
@@ -353,16 +358,27 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
     if result.points:
         rms = max(p["deflection"]["rms"] for p in result.points)
         force = max((greatest(p["mesh_force"]) for p in result.points), key=abs)
-        lost = f"{100.0 * max(p['contact_loss_share'] for p in result.points):.1f} %"
+        contact = [max(p[name] for p in result.points) for name in CONTACT]
     elif f"deflection[{mesh}]" in result.channels:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
         force = greatest(result.channels[f"mesh_force[{mesh}]"])
-        share = result.channels[f"contact_state[{mesh}]"]["share_zero"]
-        # a case that failed before its window has no samples
-        lost = NOTHING if math.isnan(share) else "yes" if share > 0.0 else "no"
+        contact = [result.channels[f"contact_state[{mesh}]"][name] for name in CONTACT]
     else:
         return [NOTHING] * count
-    return [shown(rms, "length", 4), shown(force, "force", 5), lost]
+    return [shown(rms, "length", 4), shown(force, "force", 5), *contact_cells(*contact)]
+
+
+def contact_cells(loss: float, rate: float, closing: float) -> list[str]:
+    """Cells of the share of contact loss, the impacts per time [1/s] and the closing speed [m/s].
+
+    Examples
+    --------
+    >>> contact_cells(0.123, 25.0, 0.0085), contact_cells(0.0, 0.0, 0.0)
+    (['12.3 %', '25 1/s', '8.5 mm/s'], ['0 %', '0 1/s', '0 mm/s'])
+    """
+    if not math.isfinite(loss):  # a case that failed before its window has no samples
+        return [NOTHING] * 3
+    return [f"{100.0 * loss:.3g} %", f"{rate:.4g} 1/s", f"{1e3 * closing:.4g} mm/s"]
 
 
 def shortest(path: str, paths: Sequence[str]) -> str:

@@ -76,6 +76,7 @@ def run(
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
+        rattle_table,
         refuse_without_effect,
         result_path,
         show_planets,
@@ -125,6 +126,7 @@ def run(
             chosen = None if how["everything"] else main_channels(model, rows, name)
             window = f", {window_words(*summary['window'])}" if summary["window"] else ""
             statistics_table(f"{title}{window}", rows, chosen)
+            rattle_table(rows)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""

@@ -13,7 +13,7 @@ import numpy as np
 
 from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
-from pitchpoint.io.sweep_store import QUANTITIES, SHARES
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
@@ -283,7 +283,8 @@ def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
         frequencies = one["mesh_frequency"].values
         order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
         for i in order:
-            values = {name: float(one[name].values[i]) for name in ("speed", *(share for share, _ in SHARES))}
+            known = ("speed", *(name for name, _, _ in CONTACTS))
+            values = {name: float(one[name].values[i]) for name in known if name in one}
             if not np.isfinite(values["speed"]):
                 continue
             point: dict[str, Any] = {"direction": str(direction), "mesh_frequency": float(frequencies[i])}

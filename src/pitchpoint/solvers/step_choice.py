@@ -31,6 +31,9 @@ For a spur pair excited at resonance by its mesh, the relative error of the rms 
 steps and 1.1e-3 with 100 steps; it is second order in the step.
 """
 
+CHUNK_SECONDS = 0.15
+"""Target wall time of one call of the compiled loop; progress and Ctrl-C are handled between calls."""
+
 
 def fastest_mesh(system: System, scenario: Scenario) -> float:
     """Highest mesh frequency [Hz] of a scenario, from its initial speeds and drives."""
@@ -152,3 +155,14 @@ def whole_steps(span: float, h: float) -> tuple[int, float]:
     count = math.floor(span / h * (1.0 + ROUND_OFF))
     rest = span - count * h
     return count, rest if rest > ROUND_OFF * span else 0.0
+
+
+def next_chunk(n: int, seconds: float) -> int:
+    """Number of steps of the next chunk, from the wall time [s] of the last n steps.
+
+    Examples
+    --------
+    >>> next_chunk(1000, 0.3), next_chunk(1000, 0.001)
+    (500, 8000)
+    """
+    return max(1, int(n * min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4)))))
