@@ -79,13 +79,20 @@ def print_bevel_gears(model: Model, only: str | None, *, quiet: bool) -> None:
 def print_bevel_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
     """Print the geometry of bevel meshes, one per column."""
     from pitchpoint.report.bevel_numbers import BEVEL_PAIR_ROWS, BEVEL_STIFFNESS_ROWS, bevel_mesh_numbers
+    from pitchpoint.report.number_rows import LAW_ROWS
 
     names = [n for n, m in model.bevel_meshes.items() if only is None or only in m.gears]
     if not names:
         return
     numbers = {name: bevel_mesh_numbers(model, name) for name in names}
     heads = [f"{n}: {' / '.join(model.bevel_meshes[n].gears)}" for n in names]
-    rows = number_rows((*BEVEL_PAIR_ROWS, *BEVEL_STIFFNESS_ROWS), numbers)
+    rows = [
+        *number_rows(BEVEL_PAIR_ROWS, numbers),
+        [],
+        *number_rows(LAW_ROWS, numbers, 6, symbols=False),
+        [],
+        *number_rows(BEVEL_STIFFNESS_ROWS, numbers, 6),
+    ]
     notes = []
     for n in names:
         if numbers[n]["j_mt"] < 0.0:

@@ -53,7 +53,7 @@ def gears(
 ) -> None:
     """Show the geometry of gears and pairs of FILE (ISO 21771, bevel gears ISO 23509).
 
-    The mesh stiffness listed is that of DIN 3990 / ISO 6336.
+    The mesh stiffness is listed twice: that of the law of the simulation, and that of ISO 6336 (DIN 3990).
     """
     from pitchpoint.cli.reading import read_model
 
@@ -101,6 +101,11 @@ def gears(
     print_bevel_gears(model, only, quiet=quiet)
     _print_pairs(model, only, quiet=quiet)
     print_bevel_pairs(model, only, quiet=quiet)
+    if only is None and model.planetary_stages:
+        from pitchpoint.cli.planets import show_stages
+        from pitchpoint.report.planets import stages_of_model
+
+        show_stages(stages_of_model(model))
 
 
 def _chosen(model: Model, name: str | None) -> str:
@@ -211,6 +216,7 @@ def _print_gears(model: Model, only: str | None, *, quiet: bool) -> None:
 
 
 def _print_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
+    from pitchpoint.report.number_rows import LAW_ROWS
     from pitchpoint.report.numbers import PAIR_ROWS, SLIDING_ROWS, STIFFNESS_ROWS, mesh_numbers
 
     names = [n for n, m in model.meshes.items() if only is None or only in m.gears]
@@ -218,7 +224,13 @@ def _print_pairs(model: Model, only: str | None, *, quiet: bool) -> None:
         return
     numbers: dict[str, dict[str, Any]] = {name: mesh_numbers(model, name) for name in names}
     heads = [f"{n}: {' / '.join(model.meshes[n].gears)}" for n in names]
-    rows = [*number_rows(PAIR_ROWS + SLIDING_ROWS, numbers), [], *number_rows(STIFFNESS_ROWS, numbers, 6)]
+    rows = [
+        *number_rows(PAIR_ROWS + SLIDING_ROWS, numbers),
+        [],
+        *number_rows(LAW_ROWS, numbers, 6, symbols=False),
+        [],
+        *number_rows(STIFFNESS_ROWS, numbers, 6),
+    ]
     notes = []
     for n in names:
         given, needed = numbers[n]["x_sum_given"], numbers[n]["x_sum"]

@@ -3,18 +3,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from pitchpoint.cli.options import common
-from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.mesh_map import MOST_OVERLAP, write_map
+from pitchpoint.cli.options import common, output
+from pitchpoint.cli.output import emit_json, show, show_unless, shown, table
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
+    from pitchpoint.report.stiffness_tables import StiffnessTable
 
 BARE = "mesh"
 """Name of the mesh if no file is given."""
+
+TITLES = {"mesh": "Torsional stiffness of the mesh", "pair": "One tooth pair from A to E"}
+"""Titles of the tables of a mesh."""
 
 _BARS = "▁▂▃▄▅▆▇█"
 
@@ -43,6 +50,7 @@ _BARS = "▁▂▃▄▅▆▇█"
 @click.option(
     "--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Number of samples."
 )
+@output("Table of the stiffness of meshes and tooth pairs (csv), or map of its variation (html).")
 @common
 def mesh(
     file: str | None,
@@ -51,6 +59,7 @@ def mesh(
     stiffness_ratio: float | None,
     tip_relief_factor: float | None,
     points: int,
+    output: str | None,
     as_json: bool,
     allow_code: bool,
     quiet: bool,
@@ -58,13 +67,19 @@ def mesh(
     """Show the mesh stiffness over one mesh cycle, for the meshes of FILE or for given contact ratios.
 
     Values are relative to c' b (single stiffness times common face width), or to the mean for a prescribed
-    waveform; mean and extremes are analytic.
+    waveform; mean and extremes are analytic. Torsional stiffness is about the axis of a gear, the other one
+    being fixed. The map is that of the parabolic stiffness of one tooth pair over both contact ratios.
     """
     from pitchpoint.report.number_rows import C_PRIME_B
     from pitchpoint.report.numbers import cycle_numbers, cycles_of_model
+    from pitchpoint.report.stiffness_tables import mesh_table, pair_table
 
     bare = (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor)
+    ending = _ending(output)
+    model, tables = None, []
     if file is None:
+        if ending == ".csv":
+            raise click.BadParameter("a table requires a model FILE", param_hint="--output")
         if eps_alpha is None:
             raise click.UsageError("give a model FILE, or --eps-alpha with its second processes")
         from pitchpoint.contact.mesh_cycle import mesh_cycle
@@ -79,14 +94,75 @@ def mesh(
             )
         from pitchpoint.cli.reading import read_model
 
-        cycles = dict(cycles_of_model(read_model(file, allow_code, quiet), points))
+        model = read_model(file, allow_code, quiet)
+        cycles = dict(cycles_of_model(model, points))
+        for name, (cycle, _, unit) in cycles.items():
+            pairs = {"mesh": mesh_table(model, name, cycle, unit), "pair": pair_table(model, name, points)}
+            tables += [(name, of, found) for of, found in pairs.items() if found is not None]
+    best = {}
+    if output is not None and ending == ".html":
+        best = write_map(Path(output), model, (eps_alpha, eps_beta, stiffness_ratio, tip_relief_factor))
+    elif output is not None and file is not None:
+        _write_table(Path(output), tables, file)
     if as_json:
-        emit_json({"meshes": {name: cycle_numbers(*found) for name, found in cycles.items()}})
+        found_numbers = {name: cycle_numbers(*found) for name, found in cycles.items()}
+        for name, of, stiffness in tables:
+            found_numbers[name][f"{of}_table"] = {"position": stiffness.position, **stiffness.columns()}
+        for name, overlap in best.items():
+            found_numbers[name]["best_overlap_ratio"] = overlap.eps_beta
+        emit_json({"meshes": found_numbers})
         return
     if not cycles:
         show(f"{file}: no meshes; add meshes: to the file, or give --eps-alpha instead of a file")
     for name, found in cycles.items():
         _print(name, *found)
+        for of, title in (
+            ("mesh", "Torsional stiffness of the mesh"),
+            ("pair", "One tooth pair from A to E"),
+        ):
+            for stiffness in (t for n, o, t in tables if (n, o) == (name, of)):
+                _print_torsion(title, stiffness, pair=of == "pair")
+        if name in best:
+            value, variation = best[name]
+            show(
+                f"  best overlap ratio up to {MOST_OVERLAP:g}: {value:.4g}, peak to peak {variation:.4g} c' b"
+            )
+    if output is not None:
+        show_unless(quiet, f"written to {output}")
+
+
+def _ending(output: str | None) -> str:
+    """Extension of the output file; empty without one."""
+    if output is None:
+        return ""
+    ending = Path(output).suffix.lower()
+    if ending not in (".csv", ".html"):
+        raise click.BadParameter(
+            f"{Path(output).name} ends neither in .csv nor in .html", param_hint="--output"
+        )
+    return ending
+
+
+def _write_table(target: Path, tables: Sequence[tuple[str, str, StiffnessTable]], file: str) -> None:
+    """Write the stiffness tables."""
+    from pitchpoint.io.target import check_target, write_file
+    from pitchpoint.report.stiffness_tables import csv_text
+
+    write_file(check_target(target, "stiffness", [file]), csv_text(tables))
+
+
+def _print_torsion(title: str, table_of: StiffnessTable, *, pair: bool) -> None:
+    """Print torsional stiffness about both axes, of one pair with its stiffness along the base tangent."""
+    columns = table_of.columns()
+    names = list(columns) if pair else list(columns)[1:]
+    heads = {"stiffness": "along the base tangent"}
+    kinds = {name: "stiffness" if name == "stiffness" else "torsional_stiffness" for name in names}
+    rows = [
+        [word, *(shown(float(of(columns[name].tolist())), kind, 6) for name, kind in kinds.items())]
+        for word, of in (("least", min), ("greatest", max))
+    ]
+    about = [heads.get(n, f"about gear {n[-1]}") for n in names]
+    table(title, ["", *about], rows)
 
 
 def _print(name: str, cycle: MeshCycle, relative_to: str, unit: float | None) -> None:

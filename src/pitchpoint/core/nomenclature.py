@@ -17,14 +17,23 @@ from pitchpoint.core.errors import PitchpointError
 _PARTS = {
     "beam_force": {"mx": "beam_moment", "my": "beam_moment", "mz": "beam_moment"},
     "displacement": {"rx": "tilt", "ry": "tilt", "rz": "angle"},
-    "bearing_force": {"mx": "bearing_moment", "my": "bearing_moment", "mz": "bearing_moment"},
+    "bearing_force": {
+        "mx": "bearing_moment",
+        "my": "bearing_moment",
+        "mz": "bearing_moment",
+        "direction": "bearing_direction",
+    },
     "coupling_force": {"mx": "coupling_moment", "my": "coupling_moment", "mz": "coupling_moment"},
     "bushing_force": {"mx": "bushing_moment", "my": "bushing_moment", "mz": "bushing_moment"},
 }
 
 
 class Entry(NamedTuple):
-    """Row of the table; texts may be empty."""
+    """Row of the table; texts may be empty.
+
+    `values` is "states" for a quantity with a few whole numbers as values, "modulo" for one that starts again
+    after a period, and empty otherwise. A filter would create values that the first two do not have.
+    """
 
     identifier: str
     symbol: str
@@ -34,13 +43,14 @@ class Entry(NamedTuple):
     display: str
     meaning: str
     source: str
+    values: str = ""
 
 
 @lru_cache(maxsize=1)
 def table() -> dict[str, Entry]:
     """All rows by identifier, in the order of the file."""
     with Path(__file__).with_name("nomenclature.csv").open(encoding="utf-8", newline="") as file:
-        rows = [Entry(**row) for row in csv.DictReader(file)]
+        rows = [Entry(**row) for row in csv.DictReader(file, restval="")]
     return {row.identifier: row for row in rows}
 
 
@@ -122,6 +132,25 @@ def symbol(name: str) -> str:
         return lookup(name).symbol
     except PitchpointError:
         return ""
+
+
+def can_be_filtered(name: str) -> bool:
+    """Whether a low-pass filter may be applied to a result channel; also True for names without a row.
+
+    Parameters
+    ----------
+    name
+        Result channel.
+
+    Examples
+    --------
+    >>> [can_be_filtered(f"{c}[stage]") for c in ("mesh_force", "contact_state", "mesh_phase")]
+    [True, False, False]
+    """
+    try:
+        return not lookup(name).values
+    except PitchpointError:
+        return True
 
 
 def attributes(name: str) -> dict[str, str]:

@@ -97,10 +97,25 @@ def load_user_law(
         Parameters of the law.
     where
         Path of the key in the model, for messages.
+
+    Raises
+    ------
+    ModelError
+        If file or function cannot be used, or if the function uses more parameters than are given.
     """
     function = load_function(reference, folder, ("t", "x", "p"), allow_code=allow_code, where=where)
-    values = np.ascontiguousarray(parameters if len(parameters) else [0.0], dtype=np.float64)
-    return UserLaw(function, values, reference)
+    law = UserLaw(function, np.ascontiguousarray(parameters, dtype=np.float64), reference)
+    if not hasattr(function, "address") and law.diagnose(0.0, 0.0).startswith(
+        f"{reference} raised IndexError"
+    ):
+        # compiled laws do not check their indices: a missing parameter would be whatever follows in memory
+        _refuse(
+            where,
+            reference,
+            f"uses more than its {len(parameters)} parameters",
+            "add the numbers: parameters: [...], in the order of the function",
+        )
+    return law
 
 
 def load_function(

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Contact of two surfaces: cylinders in line contact, crossed cylinders, ring on a plane, triangles.
+"""Contact of two surfaces: cylinders, cones and rings in line or point contact, triangles.
 
 A cylinder extends along the z axis of its marker, from -length/2 to length/2; a ring (torus; a disc if its
 tube radius is zero) is in the plane z = 0. For spheres use the kind point_surface.
 
 * cylinder on a plane, on a cylinder or in a bore: line contact (elements/contacts/line.py), parallel or
   tilted; the law is for the whole line; flat ends;
+* cone on a plane: line contact along its flank, as a cylinder;
 * ring on a plane: contact at the lowest point of the circle;
+* ring on a cylinder, cone or ring, also in a hollow one; cone on a cylinder or cone: contact points of swept
+  balls (elements/contacts/swept.py);
 * crossed cylinders: one contact point, on the common normal of the axes, which must not be parallel; round
   ends;
 * triangles: contact at the centroid of every face that is inside the other body, weighted with half of the
@@ -21,13 +24,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pitchpoint.contact.surface import CYLINDER, PLANE, RIM, TRIANGLES
+from pitchpoint.contact.surface import CONE, CYLINDER, PLANE, RIM, TRIANGLES
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.contacts.crossed_cylinders import rim_place, rods_place
 from pitchpoint.elements.contacts.line import line_of_contact
 from pitchpoint.elements.contacts.record import EVENTS, MAX_STATIONS, RECORD, RESULTS, set_triangles
+from pitchpoint.elements.contacts.swept import cone_of_contact, ring_of_contact
 from pitchpoint.elements.contacts.triangles import points_on_shape, points_on_triangles
 from pitchpoint.elements.contacts.wrench import act, begin, finish
 from pitchpoint.elements.kind import FRAME, Kind
@@ -41,12 +45,15 @@ __all__ = [
     "OUTPUTS",
     "RECORD",
     "entry",
+    "set_cone_on_plane",
+    "set_cone_on_surface",
     "set_crossed_cylinders",
     "set_cylinder_on_plane",
     "set_cylinders_in_line",
     "set_mesh_on_shape",
     "set_meshes",
     "set_ring_on_plane",
+    "set_ring_on_surface",
     "surface_surface",
 ]
 
@@ -130,6 +137,89 @@ def set_ring_on_plane(record: np.void, radius: float, tube: float = 0.0) -> None
     record["margin"] = np.inf
 
 
+def set_ring_on_surface(
+    record: np.void,
+    ring: Sequence[float],
+    form: str,
+    size: Sequence[float],
+    hollow: bool = False,
+    line: bool = False,
+) -> None:
+    """Set the contact of a ring of body i with a cylinder, cone or torus of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
+    ring
+        Radius of the centre circle and of the tube [m]; the tube may be 0.
+    form, size, hollow
+        As in `point_surface.set_surface`; a cylinder with its length [m] as second size has flat ends.
+    line
+        The law is for the whole ring instead of each contact point.
+    """
+    if ring[0] <= 0.0 or ring[1] < 0.0:
+        raise ValueError("ring: radius (limit above 0), tube (limit 0 or above)")
+    _set_convex(record, form, size, hollow)
+    record["form_i"], record["size_i"] = RIM, ring
+    record["stations"] = 1 if line else 0
+
+
+def _set_convex(record: np.void, form: str, size: Sequence[float], hollow: bool) -> None:
+    """Set the surface of body j, a cylinder with its length if given."""
+    of_length = form == "cylinder" and len(size) == 2
+    if of_length and not size[1] > 0.0:
+        raise ValueError(f"size: length {size[1]:g} m of the cylinder (limit above 0)")
+    set_surface(record, form, size[:1] if of_length else size, 0.0, hollow)
+    if of_length:
+        record["size_j"][1] = size[1]
+
+
+def _set_cone(record: np.void, half_angle: float, height: float) -> None:
+    """Set the cone of body i."""
+    if not (0.0 < half_angle < 0.5 * np.pi and height > 0.0):
+        raise ValueError("cone: half angle (limit 0 to pi/2), height (limit above 0)")
+    record["form_i"], record["size_i"] = CONE, (np.tan(half_angle), height)
+    record["margin"] = np.inf
+
+
+def set_cone_on_plane(record: np.void, half_angle: float, height: float, stations: int = 8) -> None:
+    """Set the contact of a cone of body i with a plane of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately, the law for
+        the whole flank from the tip, at the origin of the marker, to the base.
+    half_angle, height
+        Half angle [rad] and height [m] of the cone.
+    stations
+        Gauss points along every part of the line in contact, 1 to 8.
+    """
+    _set_line(record, np.tan(half_angle), height, height, stations)
+    _set_cone(record, half_angle, height)
+    record["form_j"] = PLANE
+
+
+def set_cone_on_surface(
+    record: np.void, half_angle: float, height: float, form: str, size: Sequence[float]
+) -> None:
+    """Set the contact of a cone of body i with a cylinder or cone of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately.
+    half_angle, height
+        Half angle [rad] and height [m] of the cone of body i; that of body j has no base.
+    form, size
+        As in `point_surface.set_surface`; a cylinder with its length [m] as second size has flat ends.
+    """
+    _set_convex(record, form, size, False)
+    _set_cone(record, half_angle, height)
+    record["radius"] = half_angle
+
+
 def set_crossed_cylinders(record: np.void, radii: Sequence[float], lengths: Sequence[float]) -> None:
     """Set the contact of two crossed cylinders.
 
@@ -196,12 +286,7 @@ def set_mesh_on_shape(
     depth
         Maximum depth of a point below the surface for contact [m]; None: no limit.
     """
-    of_length = form == "cylinder" and len(size) == 2
-    if of_length and not size[1] > 0.0:
-        raise ValueError(f"size: length {size[1]:g} m of the cylinder (limit above 0)")
-    set_surface(record, form, size[:1] if of_length else size, 0.0, hollow)
-    if of_length:
-        record["size_j"][1] = size[1]
+    _set_convex(record, form, size, hollow)
     set_triangles(record, "i", pool, surface)
     record["depth"] = np.inf if depth is None else depth
     record["margin"] = np.inf
@@ -220,6 +305,10 @@ def surface_surface(rec, ctl, fr, kk):
             points_on_triangles(b, c, f, g, kk)
         elif b["form_i"] == TRIANGLES:
             points_on_shape(b, c, f, g, kk)
+        elif b["form_i"] == RIM and b["form_j"] != PLANE:
+            ring_of_contact(b, c, f, g, kk, b["size_i"][0], b["size_i"][1], 0.0)
+        elif b["form_i"] == CONE and b["form_j"] != PLANE:
+            cone_of_contact(b, c, f, g, kk)
         elif b["stations"] > 0:
             line_of_contact(b, c, f, g, kk)
         elif b["form_j"] == CYLINDER:

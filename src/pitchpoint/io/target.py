@@ -91,6 +91,7 @@ DXF_MARK = "999\npitchpoint\n"
 STEP_MARK = "pitchpoint"
 PNG_MARK = b"Software\x00pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
+SCHEMA_TITLE = '"title": "pitchpoint model file"'
 MODEL_MARK = "# model written by pitchpoint\n"
 """Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
 
@@ -98,6 +99,8 @@ CONTACT_TABLE = "gear-contact-potential-"
 """Beginning of the attribute `format` of a contact table; the version of the format follows."""
 
 
+STIFFNESS_HEAD = "stiffness of mesh"
+"""First cell of a table of stiffness."""
 INDEX_HEAD = "case,file,status,status_code,sentence"
 """First columns of the table of the cases of a data set."""
 
@@ -109,11 +112,13 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "csv": ("points of a gear of pitchpoint (CSV)", _begins(b"x [mm],y [mm],tooth,region")),
     "analysis": ("a table of an analysis of pitchpoint (CSV)", _begins(ANALYSIS_MARK.encode())),
     "model": ("a model written by a command of pitchpoint (YAML)", _begins(MODEL_MARK.encode())),
+    "stiffness": ("a table of stiffness of pitchpoint (CSV)", _begins(STIFFNESS_HEAD.encode())),
     "dxf": ("a drawing of pitchpoint (DXF)", _begins(DXF_MARK.encode())),
     "svg": ("a drawing of pitchpoint (SVG)", _marked(b"<svg", SVG_MARK)),
     "png": ("a picture of pitchpoint (PNG)", _is_png),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "animation": ("an animation of modes of pitchpoint (JSON, NPZ)", _is_animation),
+    "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }

@@ -28,7 +28,7 @@ def bevel_gap(pair: BevelPair, mesh: BevelMesh) -> float:
     """Backlash along the base tangent at the mean cone distance [m]: as given, or from geometry."""
     if mesh.backlash is None:
         return pair.R_m * pair.sigma_j
-    return along_base_tangent(mesh.backlash, pair.alpha_t, pair.beta_b)
+    return along_base_tangent(mesh.backlash, pair.alpha_t, pair.beta_b, pair.gear1.m_mn)
 
 
 def apex_of(machine: Model | Parts, gear: str) -> tuple[Array, Array] | None:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from pitchpoint.report.number_rows import C_PRIME_B, MEAN, Row, pick
+from pitchpoint.report.number_rows import C_PRIME_B, MEAN, Row, law_numbers, pick
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
@@ -57,8 +57,8 @@ BEVEL_PAIR_ROWS: tuple[Row, ...] = (
 )
 
 BEVEL_STIFFNESS_ROWS: tuple[Row, ...] = (
-    ("c_prime", "single stiffness", "stiffness_per_width"),
-    ("c_gamma_alpha", "mesh stiffness", "stiffness_per_width"),
+    ("c_prime", "single stiffness by ISO 6336", "stiffness_per_width"),
+    ("c_gamma_alpha", "mesh stiffness by ISO 6336", "stiffness_per_width"),
     ("C_B", "basic rack factor", "dimensionless"),
 )
 
@@ -81,16 +81,15 @@ def bevel_gear_numbers(model: Model, name: str) -> dict[str, Any]:
 
 
 def bevel_mesh_numbers(model: Model, name: str) -> dict[str, Any]:
-    """Collect the geometry of a bevel mesh and its DIN 3990 stiffness, independent of its stiffness law.
-
-    The backlash is the simulated one: a given value takes precedence.
-    """
-    from pitchpoint.system.rules.bevel_mesh import bevel_single_stiffness
+    """Collect geometry and stiffness of a bevel mesh, see `numbers.mesh_numbers`."""
+    from pitchpoint.system.rules.bevel_mesh import bevel_single_stiffness, bevel_stiffness, mean_stiffness
 
     pair = model.bevel_pairs[name]
     numbers = pick(pair, BEVEL_PAIR_ROWS, set())
     gap = model.backlash(name)
     numbers |= {"j_mt": gap / math.cos(pair.alpha_t), "j_mn": gap * math.cos(pair.beta_b)}
+    law = bevel_stiffness(model, name)
+    numbers |= law_numbers(model.bevel_meshes[name].stiffness.law, law, mean_stiffness(pair, law))
     numbers |= pick(bevel_single_stiffness(model, name), BEVEL_STIFFNESS_ROWS, set())
     return numbers | {"gears": list(model.bevel_meshes[name].gears)}
 

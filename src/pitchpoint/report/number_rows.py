@@ -4,7 +4,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pitchpoint.contact.stiffness.description import Description
 
 Row = tuple[str, str, str]
 """Identifier, meaning, dimension of `core.units`."""
@@ -20,3 +23,32 @@ def pick(source: Any, rows: Sequence[Row], positive: set[str]) -> dict[str, Any]
         value = getattr(source, name)
         numbers[name] = abs(value) if name in positive else value
     return numbers
+
+
+LAW_ROWS: tuple[Row, ...] = (
+    ("stiffness_law", "stiffness law of the simulation", ""),
+    ("c_prime_law", "its single stiffness", "stiffness_per_width"),
+    ("mean_mesh_stiffness", "its mean mesh stiffness along the base tangent", "stiffness"),
+)
+
+
+def law_numbers(name: str, law: Description | None, mean: float | None) -> dict[str, Any]:
+    """Stiffness of the law of a mesh; None where the law does not have such a value.
+
+    Parameters
+    ----------
+    name
+        Name of the law in model files.
+    law
+        Its description; the single stiffness is that of a linear law of tooth pairs.
+    mean
+        Mean stiffness over the mesh cycle along the base tangent [N/m].
+    """
+    from pitchpoint.contact.stiffness.description import PairShape
+
+    linear = isinstance(law, PairShape) and law.power == 1.0
+    return {
+        "stiffness_law": name,
+        "c_prime_law": law.c_prime if linear else None,  # type: ignore[union-attr]
+        "mean_mesh_stiffness": mean,
+    }

@@ -12,12 +12,14 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.report.bevel_numbers import bevel_cycles, bevel_gear_numbers, bevel_mesh_numbers
-from pitchpoint.report.number_rows import C_PRIME_B, MEAN, ONE_PAIR, Row, pick
+from pitchpoint.report.number_rows import C_PRIME_B, MEAN, ONE_PAIR, Row, law_numbers, pick
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
+    from pitchpoint.contact.stiffness.description import Description
     from pitchpoint.contact.stiffness.din3990 import SingleStiffness
     from pitchpoint.geometry.cylindrical_gear import CylindricalGear
+    from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.model import Model
 
 GEAR_ROWS: tuple[Row, ...] = (
@@ -96,8 +98,8 @@ SLIDING_ROWS: tuple[Row, ...] = (
 )
 
 STIFFNESS_ROWS: tuple[Row, ...] = (
-    ("c_prime", "single stiffness", "stiffness_per_width"),
-    ("c_gamma_alpha", "mesh stiffness", "stiffness_per_width"),
+    ("c_prime", "single stiffness by ISO 6336", "stiffness_per_width"),
+    ("c_gamma_alpha", "mesh stiffness by ISO 6336", "stiffness_per_width"),
     ("C_R", "gear blank factor", "dimensionless"),
     ("C_B", "basic rack factor", "dimensionless"),
 )
@@ -139,9 +141,9 @@ def measure_numbers(gear: CylindricalGear) -> dict[str, Any]:
 
 
 def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
-    """Collect the geometry of a mesh of the model and its stiffness by DIN 3990 / ISO 6336.
+    """Collect geometry and stiffness of a mesh: of its law, and by DIN 3990 / ISO 6336 for comparison.
 
-    The backlash is the simulated one: a value given in the file takes precedence.
+    Backlash and stiffness of the law are the simulated ones: values given in the file take precedence.
     """
     from pitchpoint.geometry.sliding import specific_sliding
     from pitchpoint.system.rules.stiffness import single_stiffness_of
@@ -156,7 +158,20 @@ def mesh_numbers(model: Model, name: str) -> dict[str, Any]:
         "gears": list(model.meshes[name].gears),
     }
     numbers |= specific_sliding(pair)._asdict()
+    numbers |= _law_numbers(model, name)
     return numbers | stiffness_numbers(single_stiffness_of(model, name))
+
+
+def _law_numbers(model: Model, name: str) -> dict[str, Any]:
+    """Collect the stiffness of the law of a mesh; tooth surfaces in contact have none in advance."""
+    from pitchpoint.system.rules.stiffness import describe_stiffness
+
+    part = model.meshes[name]
+    if part.contact is not None:
+        return law_numbers(part.contact.law, None, None)
+    law = describe_stiffness(model, name)
+    cycle, _, unit = _cycle(model.pairs[name], law, 2)
+    return law_numbers(part.stiffness.law, law, None if unit is None else cycle.mean * unit)
 
 
 def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str, float | None]]:
@@ -164,26 +179,33 @@ def cycles_of_model(model: Model, points: int) -> dict[str, tuple[MeshCycle, str
 
     None if the reference value does not have the unit of a stiffness.
     """
-    from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
-    from pitchpoint.contact.stiffness.description import PairShape
     from pitchpoint.system.rules.stiffness import describe_stiffness
 
-    cycles: dict[str, tuple[MeshCycle, str, float | None]] = {}
-    for name, pair in model.pairs.items():
-        law = describe_stiffness(model, name)
-        if isinstance(law, PairShape):
-            cycle = pair_cycle(law, pair.eps_alpha, pair.eps_beta, points)
-            linear = law.power == 1.0
-            unit = law.c_prime * pair.b_w if linear else None
-            cycles[name] = cycle, C_PRIME_B if linear else ONE_PAIR, unit
-        else:
-            cycles[name] = phase_cycle(law, points), MEAN, law.mean
+    cycles = {
+        name: _cycle(pair, describe_stiffness(model, name), points) for name, pair in model.pairs.items()
+    }
     return cycles | bevel_cycles(model, points)
+
+
+def _cycle(pair: GearPair, law: Description, points: int) -> tuple[MeshCycle, str, float | None]:
+    """Stiffness cycle of a law with its reference value, see `cycles_of_model`."""
+    from pitchpoint.contact.mesh_cycle import pair_cycle, phase_cycle
+    from pitchpoint.contact.stiffness.description import PairShape
+
+    if not isinstance(law, PairShape):
+        return phase_cycle(law, points), MEAN, law.mean
+    linear = law.power == 1.0
+    unit = law.c_prime * pair.b_w if linear else None
+    cycle = pair_cycle(law, pair.eps_alpha, pair.eps_beta, points)
+    return cycle, C_PRIME_B if linear else ONE_PAIR, unit
 
 
 def geometry_of_model(model: Model) -> dict[str, Any]:
     """Output of `gears --json`."""
 
+    from pitchpoint.report.planets import stages_of_model
+
+    stages = {"planetary_stages": stages_of_model(model)} if model.planetary_stages else {}
     return {
         "gears": {
             name: gear_numbers(model, name) | measure_numbers(gear.geometry)
@@ -192,6 +214,7 @@ def geometry_of_model(model: Model) -> dict[str, Any]:
         "meshes": {name: mesh_numbers(model, name) for name in model.meshes},
         "bevel_gears": {name: bevel_gear_numbers(model, name) for name in model.bevel_gears},
         "bevel_meshes": {name: bevel_mesh_numbers(model, name) for name in model.bevel_meshes},
+        **stages,
     }
 
 

@@ -10,16 +10,19 @@ from html import escape
 import numpy as np
 
 from pitchpoint.viz import theme
+from pitchpoint.viz.label_placement import LINE, Label, placed
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
 from pitchpoint.viz.quantities import Scale, amount, scale
 from pitchpoint.viz.svg import document, text
 
-WIDTH_BLOCK, STEP = 104.0, 218.0
+WIDTH_BLOCK, STEP = 122.0, 246.0
 """Width of a block, and distance between columns [pixels]."""
 WIDEST, THINNEST = 54.0, 1.5
 """Width of the band of the largest power, and minimum width of a band [pixels]."""
 GAP, HEAD, MIN_WIDTH = 62.0, 44.0, 46.0
 """Distance between blocks of a column, space above them, and height of a block [pixels]."""
+SIDE, BACK = 10.0, 90.0
+"""Margin of the drawing, and reach of the arc of a band to an earlier block [pixels]."""
 NEGLIGIBLE = 1e-6
 """Share of the largest power below which a band is not drawn."""
 
@@ -78,21 +81,31 @@ def power_flow_svg(flow: PowerFlow) -> str:
     height = _stack(boxes, ends)
     first = min(box.column for box in boxes)
     span = max(box.column for box in boxes) - first
-    x = {id(box): 10.0 + STEP * (box.column - first) for box in boxes}
+    x = {id(box): SIDE + STEP * (box.column - first) for box in boxes}
+    far = SIDE + STEP * span + WIDTH_BLOCK
+    turns_back = any(end.column <= start.column for _, start, end, _ in ends)
     for box in boxes:
         box.used = [0.5 * (box.height - _load(box, ends, side)) for side in (0, 1)]
     order = sorted(ends, key=lambda e: (e[1].y, e[2].y))
-    parts, names = [], []
+    parts: list[str] = []
+    labels: list[Label] = []
     for link, start, end, width in order:
         shared = [_load(box, ends, side) > width for box, side in ((start, 1), (end, 0))]
-        band, name = _band(link, start, end, width, unit, x, shared)
+        band, names = _band(link, start, end, width, unit, x, shared)
         parts.append(band)
-        names.append(name)
+        labels += names
+    blocks = [(x[id(b)], b.y, x[id(b)] + WIDTH_BLOCK, b.y + b.height) for b in boxes]
+    labels = placed(labels, blocks)
     # no band of another link covers a name
-    parts += [*names, *(_block(box, x[id(box)]) for box in boxes)]
+    parts += [*(label.svg() for label in labels), *(_block(box, x[id(box)]) for box in boxes)]
     title = f"power flow, input {unit.text(flow.put_in)}"
-    width = 20.0 + STEP * span + WIDTH_BLOCK
-    drawing = document(width, height, [f"<style>{STYLE}</style>", *parts], title)
+    above = max(0.0, SIDE - min((label.box[1] for label in labels), default=SIDE))
+    height = max([height, *(label.box[3] + SIDE for label in labels)]) + above
+    left = max([0.0, *(-label.box[0] for label in labels), *([BACK] if turns_back else [])])
+    right = max([0.0, *(label.box[2] - far for label in labels), *([BACK] if turns_back else [])])
+    width = far + SIDE + left + right
+    drawn = f'<g transform="translate({left:.1f} {above:.1f})">{"".join(parts)}</g>'
+    drawing = document(width, height, [f"<style>{STYLE}</style>", drawn], title)
     size = f"min-width:{0.75 * width:.0f}px;max-width:{width:.0f}px"
     return f'<div class="scroll"><div style="{size}">{drawing}</div></div>'
 
@@ -163,11 +176,11 @@ def _band(
     unit: Scale,
     x: dict[int, float],
     shared: Sequence[bool],
-) -> tuple[str, str]:
+) -> tuple[str, list[Label]]:
     """Band between two boxes, and its name with the loss; `shared` are ends with several bands."""
     a, b = x[id(start)] + WIDTH_BLOCK, x[id(end)]
     ya, yb = start.port(1, width), end.port(0, width)
-    reach = 0.5 * (b - a) if b > a else 90.0
+    reach = 0.5 * (b - a) if b > a else BACK
     h = 0.5 * width
     there, back = a + reach, b - reach
     path = (
@@ -175,55 +188,52 @@ def _band(
         f"V{yb + h:.1f}C{back:.1f} {yb + h:.1f} {there:.1f} {ya + h:.1f} {a:.1f} {ya + h:.1f}Z"
     )
     colour = COLOURS.get(link.kind, theme.TEAL)
-    words = ""
+    drop = ""
+    labels: list[Label] = []
     if not start.outside and not end.outside:
-        if not any(shared) and abs(yb - ya) <= 0.5 * width:
-            words = _named(link, unit, 0.5 * (a + b), ya, width)
-        elif shared[1] and not shared[0]:
+        if not any(shared) and abs(yb - ya) <= 0.5 * width and b > a:
+            drop, labels = _named(link, unit, 0.5 * (a + b), ya, width)
+        elif (shared[1] and not shared[0]) or b <= a:
             # converging bands are labelled at their start
-            words = _beside(link, unit, (a + 6.0, ya, "start"), yb, h)
+            labels = [_beside(link, unit, (a + 6.0, ya, "start"), yb, h)]
         else:
-            words = _beside(link, unit, (b - 6.0, yb, "end"), ya, h)
-    return f'<path class="pp-band" fill="{colour}" d="{path}"/>', words
+            labels = [_beside(link, unit, (b - 6.0, yb, "end"), ya, h)]
+    return f'<path class="pp-band" fill="{colour}" d="{path}"/>{drop}', labels
 
 
-def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> str:
-    """Name and power above a straight band, with a drop for the loss."""
-    words = text(x, y - 0.5 * width - 19.0, link.name, "pp-halo")
-    words += text(x, y - 0.5 * width - 5.0, unit.text(link.given), "pp-small")
-    if link.lost > 0.0:
-        words += _drop(x, y + 0.5 * width, max(THINNEST, width * link.lost / link.given), _loss(link))
-    return words
+def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> tuple[str, list[Label]]:
+    """Drop for the loss of a straight band; name and power above the band, the loss below it."""
+    words = ((link.name, "pp-halo"), (unit.text(link.given), "pp-small"))
+    labels = [Label(x, y - 0.5 * width - 19.0, "middle", words)]
+    if not link.lost > 0.0:
+        return "", labels
+    below, drop = y + 0.5 * width, min(max(THINNEST, width * link.lost / link.given), 40.0)
+    line = (
+        f'<line class="pp-drop" stroke-width="{drop:.1f}" '
+        f'x1="{x:.1f}" x2="{x:.1f}" y1="{below:.1f}" y2="{below + 12.0:.1f}"/>'
+    )
+    return line, [*labels, Label(x, below + 26.0, "middle", ((_loss(link), "pp-small"),))]
 
 
 def _beside(
     link: PowerLink, unit: Scale, place: tuple[float, float, str], other_y: float, half: float
-) -> str:
+) -> Label:
     """Name, power and loss at the end of a curved band, on the side away from its other end."""
     x, y, anchor = place
     lost = _loss(link) if link.lost > 0.0 else ""
     # the blocks show the planets on each carrier
     name = "" if link.kind == "carrier" else link.name
-    lines = [line for line in (name, unit.text(link.given), lost) if line]
-    top = y + half + 15.0 if other_y < y else y - half - 6.0 - 14.0 * (len(lines) - 1)
-    return "".join(
-        text(x, top + 14.0 * k, line, "pp-halo" if line == name else "pp-small", anchor)
-        for k, line in enumerate(lines)
-    )
+    lines = [
+        (line, "pp-halo" if line == name else "pp-small") for line in (name, unit.text(link.given), lost)
+    ]
+    lines = [line for line in lines if line[0]]
+    top = y + half + 15.0 if other_y < y else y - half - 6.0 - LINE * (len(lines) - 1)
+    return Label(x, top, anchor, tuple(lines))
 
 
 def _loss(link: PowerLink) -> str:
     """Loss in words, with the sign of the table."""
     return f"{amount(link.lost, 'W')} lost"
-
-
-def _drop(x: float, y: float, width: float, lost: str) -> str:
-    """Drop below the band for the loss."""
-    line = (
-        f'<line class="pp-drop" stroke-width="{min(width, 40.0):.1f}" '
-        f'x1="{x:.1f}" x2="{x:.1f}" y1="{y:.1f}" y2="{y + 12.0:.1f}"/>'
-    )
-    return line + text(x, y + 26.0, lost, "pp-small")
 
 
 def _block(box: _Box, x: float) -> str:

@@ -59,6 +59,8 @@ MESH_ROWS = (
     "zeta_a1",
     "zeta_f2",
     "zeta_a2",
+    "c_prime_law",
+    "mean_mesh_stiffness",
     "c_prime",
     "c_gamma_alpha",
     "C_R",
@@ -83,7 +85,7 @@ BEVEL_GEAR_ROWS = (
 )
 BEVEL_MESH_ROWS = (
     *("Sigma", "u", "b", "sigma_p", "eps_alpha", "eps_beta", "eps_gamma", "j_mt", "j_mn"),
-    *("c_prime", "c_gamma_alpha", "C_B"),
+    *("c_prime_law", "mean_mesh_stiffness", "c_prime", "c_gamma_alpha", "C_B"),
 )
 MEASURES = (
     ("tip_thickness", "s_an", "length", "mm", "normal tip thickness"),

@@ -64,6 +64,30 @@ def test_backlash_of_the_file_counts(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert stage["j_wt"] == pytest.approx(1e-4 / math.cos(math.radians(20)), rel=1e-12)
 
 
+def test_the_stiffness_in_force_is_listed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """c' = 14 N/(mm µm) of the file, and the mean of its parabola eps_alpha (1 - (1 - S_R)/3) c' b.
+
+    The number of ISO 6336 follows under its own name. Laws of the whole mesh have a mean only; the mean of a
+    law F = K u^1.5 has another unit, so there is none.
+    """
+    laws = {
+        "{law: din3990, single_stiffness: 14 N/(mm µm)}": (14e9, 14e9 * 0.1 * STAGE["eps_alpha"] * 2.8 / 3.0),
+        "{law: din3990}": (STAGE["c_prime"], STAGE["c_prime"] * 0.1 * STAGE["eps_alpha"] * 2.8 / 3.0),
+        "{law: constant, value: 400 N/µm}": (None, 4e8),
+        "{law: hertz}": (None, None),
+    }
+    for law, (single, mean) in laws.items():
+        text = ISO_EX1.replace("{law: din3990, stiffness_ratio: 0.8, tip_relief_factor: 0.0}", law)
+        assert law in text
+        stage = json_of(["gears", written(tmp_path, text)], capsys)["meshes"]["stage"]
+        assert stage["stiffness_law"] in law
+        assert stage["c_prime_law"] == (single if single is None else pytest.approx(single, rel=1e-5)), law
+        assert stage["mean_mesh_stiffness"] == (mean if mean is None else pytest.approx(mean, rel=1e-5)), law
+        assert stage["c_prime"] == pytest.approx(STAGE["c_prime"], rel=1e-5)
+    assert run_command(["gears", written(tmp_path, text.replace(law, next(iter(laws))))]) == 0
+    assert "14 N/(mm µm)" in capsys.readouterr().out
+
+
 def test_internal_gears_are_positive_outside(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     text = """
 gears:

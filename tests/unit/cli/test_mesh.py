@@ -107,3 +107,37 @@ def test_a_mesh_without_contact_for_a_while_has_no_least_stiffness_of_round_off(
     found = mesh_of(f"--eps-alpha 0.5 --stiffness-ratio 0{options}", capsys)
     assert found["minimum"] == 0.0 and min(found["stiffness_ratio"]) == 0.0
     assert found["peak_to_peak"] == found["maximum"] > 0.5
+
+
+def test_torsional_and_single_pair_stiffness(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """k r_b^2 about each axis; one pair has c' b at the middle of its path and S_R of that at A and E."""
+    file, target = written(tmp_path, ISO_EX1), tmp_path / "k.csv"
+    found = json_of(["mesh", file, "-o", str(target)], capsys)["meshes"]["stage"]
+    pair = loads_model(ISO_EX1).pairs["stage"]
+    mesh, one = found["mesh_table"], found["pair_table"]
+    for k, own in ((1, pair.gear1), (2, pair.gear2)):
+        for table in (mesh, one):
+            expected = [k_t * (0.5 * own.d_b) ** 2 for k_t in table["stiffness"]]
+            assert table[f"torsional_stiffness_{k}"] == pytest.approx(expected, rel=1e-12)
+    whole = found["unit_stiffness"]
+    assert mesh["stiffness"] == pytest.approx([whole * r for r in found["stiffness_ratio"]], rel=1e-12)
+    assert one["position"][-1] == pytest.approx(pair.eps_alpha, rel=1e-12)
+    assert one["stiffness"][200] == pytest.approx(whole, rel=1e-9)
+    assert one["stiffness"][0] == pytest.approx(0.8 * whole, rel=1e-9)
+    lines = target.read_text(encoding="utf-8").splitlines()
+    assert lines[0].startswith("stiffness of mesh,of,position [base pitches],stiffness [N/m],torsional")
+    assert len(lines) == 1 + 401 + 401
+    assert run_command(["mesh", file]) == 0
+    out = capsys.readouterr().out
+    assert "N m/rad" in out and "about gear 2" in out and "One tooth pair from A to E" in out
+
+
+def test_the_map_names_the_best_overlap_ratio(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    target = tmp_path / "map.html"
+    found = json_of(["mesh", "--eps-alpha", "1.3", "--eps-beta", "0.7", "-o", str(target)], capsys)
+    assert found["meshes"]["mesh"]["best_overlap_ratio"] == 1.0
+    assert "plotly" in target.read_text(encoding="utf-8")
+    assert run_command(["mesh", written(tmp_path, TORSION), "-o", str(target)]) == 2
+    assert "no mesh has parabolic stiffness" in capsys.readouterr().err
+    assert run_command(["mesh", "--eps-alpha", "1.3", "-o", str(tmp_path / "t.csv")]) == 2
+    assert "a table requires a model FILE" in capsys.readouterr().err

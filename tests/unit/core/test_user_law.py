@@ -31,6 +31,12 @@ def raising(t, x, p):
         raise ValueError("too large")
     return x
 
+def sums(t, x, p):
+    total = 0.0
+    for k in range(3):
+        total += p[k]
+    return total
+
 def short(t):
     return t
 
@@ -64,6 +70,14 @@ def test_a_simple_law_runs_in_compiled_code(folder):
     got = through(law.address(), 0.4, 1.0, law.parameters.ctypes.data)
     assert got == pytest.approx(3.0 * math.sin(0.8) + 1.0, rel=1e-14)
     assert law(0.4, 1.0) == pytest.approx(got)
+
+
+@pytest.mark.parametrize(("name", "given"), [("torque", 0), ("torque", 1), ("sums", 2)])
+def test_a_missing_parameter_is_refused(folder, name, given):
+    """Compiled code does not check indices: it would read the memory behind the parameters."""
+    with pytest.raises(ModelError, match=f"uses more than its {given} parameters; add the numbers"):
+        load(folder, f"laws.py:{name}", parameters=(1.0,) * given)
+    assert load(folder, "laws.py:sums", parameters=(1.0, 2.0, 4.0))(0.0, 0.0) == 7.0
 
 
 def test_a_law_beyond_the_compiler_is_called_back(folder):

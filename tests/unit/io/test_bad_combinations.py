@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from pitchpoint.core.errors import ModelError
@@ -117,7 +119,11 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_a_wrong_combination_is_told_once_with_its_line(case: str) -> None:
+def test_a_wrong_combination_is_told_once_with_its_line(
+    case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("a.py").write_text("def f(t, x, p):\n    return t\n")
     changes, where, words = CASES[case]
     text = TORSIONAL_PAIR
     for old, new in changes:

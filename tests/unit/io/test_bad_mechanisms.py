@@ -269,8 +269,8 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     ),
     "friction of a ball": (
         [("type: prismatic,", "type: spherical, friction: {coefficient: 0.1},")],
-        "joints.cylinder.friction",
-        "is not available for a joint of type spherical",
+        "joints.cylinder.friction.radius",
+        "is missing: the radius of the ball",
     ),
     "friction of a pin without radius": (
         [("[crank.pin, rod.big]", "[crank.pin, rod.big], friction: {coefficient: 0.1}")],
@@ -280,7 +280,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "a slide with a radius": (
         [("type: prismatic,", "type: prismatic, friction: {coefficient: 0.1, radius: 1 mm},")],
         "joints.cylinder.friction.radius",
-        "is the radius of a pin",
+        "has no effect on a joint of type prismatic",
     ),
     "a start that is upside down": (
         [("type: prismatic,", "type: spherical, start: {beta: 100 deg},"), ("{mass: 0.5 kg}", BLOCK)],

@@ -37,6 +37,7 @@ scenarios:
   run: {speed: {motor: 100 rad/s}, duration: 20 ms, step: 0.1 ms, settle_time: 0 s}
 """
 LAWS = "def loop(t, inputs, state, parameters):\n    return 0.0\n\n\ndef law(t, x, p):\n    return x\n"
+LAWS += "\n\ndef scaled(t, x, p):\n    return p[0] + p[1] * x\n"
 LOOP = "'laws.py:loop'"
 
 
@@ -219,7 +220,7 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
     "differentiating": (
         [block("{type: transfer_function, input: turn, numerator: [1, 0], denominator: [1]}")],
         "blocks.more.denominator",
-        "has 1 entries",
+        "has 1 entry (limit at least 2 entries)",
     ),
     "order": (
         [block("{type: transfer_function, input: turn, numerator: [1, 0, 0], denominator: [1, 2]}")],
@@ -235,6 +236,26 @@ CASES: dict[str, tuple[list[tuple[str, str]], str, str]] = {
         [block("{type: filter, input: turn, time_constant: 0 s}")],
         "blocks.more.time_constant",
         "limit > 0",
+    ),
+    "too many inputs of a formula": (
+        [block("{type: formula, formula: speed + turn + error + u, inputs: [speed, turn, error, u]}")],
+        "blocks.more.inputs",
+        "has 4 entries (limit at most 3 entries)",
+    ),
+    "missing parameter of a block": (
+        [block("{type: python, input: speed, function: 'laws.py:scaled', parameters: [1]}")],
+        "blocks.more.function",
+        "has 1 parameter, but scaled of 'laws.py' uses p[1] (its line 10) (limit >= 2); add the numbers",
+    ),
+    "missing parameter of a load": (
+        [("actuators:\n", "loads:\n  l: {body: drum, torque: {python: 'laws.py:scaled'}}\nactuators:\n")],
+        "loads.l.torque",
+        "has no parameters, but scaled of 'laws.py' uses p[1]",
+    ),
+    "missing file of a load": (
+        [("actuators:\n", "loads:\n  l: {body: drum, torque: {python: 'lows.py:law'}}\nactuators:\n")],
+        "loads.l.torque",
+        "'lows.py', which does not exist",
     ),
     "no file": ([(LOOP, "'lows.py:loop'")], "controllers.loop.function", "'lows.py', which does not exist"),
     "no function": ([(LOOP, "'laws.py:lop'")], "controllers.loop.function", "did you mean loop?"),
@@ -419,3 +440,31 @@ def test_no_sensor_is_blamed_for_what_could_not_be_read(folder: Path) -> None:
     with pytest.raises(ModelError) as error:
         load_model(folder / "model.yaml", allow_code=True)
     assert sorted(p.where for p in error.value.problems) == ["joints.pin.type", "torsion_spring"]
+
+
+CARRIED = """
+bodies:
+  carrier: {inertia: 1 kg m^2, mass: 5 kg, position: [0, 0, 0]}
+  wheel: {inertia: 0.1 kg m^2, mass: 1 kg, position: [0.2 m, 0, 0], axes: {z: AXIS}}
+joints:
+  pin: {type: revolute, bodies: [carrier, wheel], axes: {z: AXIS}}
+sensors:
+  speed: {type: joint, coordinate: wheel, derivative: 1}
+actuators:
+  motor: {type: torque, signal: speed, bodies: [wheel, carrier]}
+"""
+
+
+@pytest.mark.parametrize(("axis", "ok"), [("[1, 0, 0]", True), ("[0, 0, 1]", True), ("[1, 0, 2]", False)])
+def test_a_torque_between_a_body_and_its_carrier(axis, ok):
+    """A motor on the carrier turns the wheel about the axis of the wheel, across that of the carrier. Where
+    the axes are less than 45 deg apart, the remedy is not what the model has already."""
+    text = CARRIED.replace("AXIS", axis)
+    if ok:
+        assert loads_model(text).actuators["motor"].bodies == ("wheel", "carrier")
+        return
+    with pytest.raises(ModelError) as caught:
+        loads_model(text)
+    (problem,) = caught.value.problems
+    assert str(problem).startswith("actuators.motor.bodies (line 10): are tilted by 26.57 deg")
+    assert str(problem).endswith("(limit 0 deg, or above 45 deg); write {type: force, quantity: moment, ...}")

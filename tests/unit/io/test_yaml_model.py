@@ -116,6 +116,8 @@ scenarios:
 def test_every_key_survives_a_round_trip(tmp_path: Path) -> None:
     file = tmp_path / "all.yaml"
     file.write_text(EVERYTHING)
+    (tmp_path / "laws").mkdir()
+    (tmp_path / "laws" / "brake.py").write_text("def torque(t, angle, p):\n    return p[0] * t + p[1]\n")
     model = load_model(file, allow_code=True)
     copy = tmp_path / "copy.yaml"
     copy.write_text(dump_model(model), encoding="utf-8")

@@ -12,10 +12,12 @@ import pytest
 import pitchpoint as pp
 from pitchpoint.cli.main import run_command
 from pitchpoint.core.progress import silent
+from pitchpoint.core.units import format_quantity
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.model import Model
 from pitchpoint.report.collect import collect
 from pitchpoint.report.rolls import given_roll, periods_to_roll, periods_until_repeat, points_to_roll
+from pitchpoint.solvers.quasistatic.roll import roll_through
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -220,3 +222,27 @@ def test_of_many_meshes_only_the_first_ones_are_rolled_and_the_page_says_so(monk
         "Slow rolls of 2 meshes would take too long: the first 1 are computed. "
         "Use a scenario with quasi_static for the others."
     ) in notes
+
+
+def test_the_rolls_of_a_driven_train_are_loaded_in_every_mesh() -> None:
+    """Brake of 60 N m behind two stages: F = T/r_b in the second, times z3/z2 in the first.
+
+    A roll of the second mesh that held its own pinion would take the load off the first one.
+    """
+    driven = text("torsion").replace("  motor: {body: input, torque: 60 N m}\n", "")
+    driven = driven.replace("torque: balance", "torque: 60 N m")
+    driven = driven.replace("roll: {", "roll: {drive: {input: {speed: 100 rpm}}, ")
+    model = loads_model(driven)
+    shown, remarks = collect(model, [], silent)
+    assert not [r for r in remarks if "no load" in r or "do not balance" in r], remarks
+    radius = {n: [g.d_b / 2.0 for g in (p.gear1, p.gear2)] for n, p in model.pairs.items()}
+    second = 60.0 / radius["second"][1]
+    expected = {"second": second, "first": second * radius["second"][0] / radius["first"][1]}
+    system = pp.compile_model(model, "roll")
+    for mesh in expected:
+        roll = roll_through(system, None, 12, 1, mesh=mesh)
+        for name, force in expected.items():
+            found = roll.rows[:, system.layout.channel(f"mesh_force[{name}]")]
+            assert np.abs(found).mean() == pytest.approx(force, rel=1e-6), (mesh, name)
+        [title] = [t for t in shown.mesh_cycles[mesh].errors if t != "without load"]
+        assert title == f"mesh force {format_quantity(expected[mesh], 'force', 4)}"

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from pitchpoint.core import status as st
+from pitchpoint.core.errors import ModelError
 from pitchpoint.io.yaml_model import load_model
 from pitchpoint.io.yaml_plan import load_plan
 from pitchpoint.model.dataset_plan import DatasetPlan, PlannedCase
@@ -18,6 +19,9 @@ from pitchpoint.model.model import Model
 from pitchpoint.model.reading.dataset_plan import check_plan
 from pitchpoint.sweep.dataset import CaseRecord, compute_case, compute_cases, key_maker, treatment
 from tests.support.dataset_files import PLAN, written
+
+STATES = """state: {type: observation, channel: "contact_state[stage]"}
+  phase: {type: observation, channel: "mesh_phase[stage]"}"""
 
 
 def both(folder: Path, text: str = PLAN) -> tuple[DatasetPlan, Model]:
@@ -102,6 +106,32 @@ def test_samples_begin_after_the_settling_time(planned: tuple[DatasetPlan, Model
     # mesh frequency 1250 Hz and its harmonics up to 8 kHz pass; what is above is stopped in one of the two
     apart = found - wanted
     assert np.abs(apart).max() < 5.0 * noise + 0.02 * np.ptp(speed)
+
+
+def test_states_and_phases_are_not_filtered(tmp_path: Path) -> None:
+    """A rattling pair: the states stay whole, the phase starts again at 1; both are the machine's own."""
+    text = PLAN.replace('clean: {type: observation, channel: "mesh_force[stage]"}', STATES)
+    plan, model = both(tmp_path, text.replace("[100 N m, 150 N m]", "[1 N m, 2 N m]"))
+    plan = dataclasses.replace(plan, jitter={}, length=0.05)
+    record = computed(plan, model, next(plan.cases()))
+    bare = computed(dataclasses.replace(plan, oversampling=1), model, next(plan.cases()))
+    state, phase = (record.channels[n].values for n in ("state", "phase"))
+    assert len(set(state.tolist())) > 1
+    assert set(state.tolist()) <= {-1.0, 0.0, 1.0, 2.0}
+    assert phase.min() >= 0.0
+    assert phase.max() < 1.0
+    assert np.abs(np.diff(phase)).max() > 0.5  # it starts again within the record
+    apart = np.abs(phase - bare.channels["phase"].values)
+    # both settle for 40 samples, more than the 26 of the filter: the same instants of the same machine
+    assert np.minimum(apart, 1.0 - apart).max() < 1e-9
+    np.testing.assert_array_equal(state, bare.channels["state"].values)
+    assert "not filtered: state, phase" in treatment(plan)
+
+
+def test_states_have_no_noise(tmp_path: Path) -> None:
+    text = PLAN.replace('channel: "speed[driven]", noise', 'channel: "contact_state[stage]", noise')
+    with pytest.raises(ModelError, match=r"channels.motion.noise .*contact_state\[stage\].*remove the noise"):
+        both(tmp_path, text)
 
 
 def test_pulses_of_the_tacho(planned: tuple[DatasetPlan, Model]) -> None:

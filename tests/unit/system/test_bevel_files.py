@@ -198,3 +198,24 @@ def test_errors_of_the_flanks_shake_two_inertias_as_the_closed_form_says():
     found = find_response(system, ["transmission_error[m]"], ["mesh_force[m]"], frequency)
     expected = 3e8 * omega**2 / (omega_0**2 - omega**2)
     assert found.response[:, 0, 0].real == pytest.approx(expected, rel=1e-5)
+
+
+def test_the_backlash_factor_counts_in_mean_normal_modules():
+    """j_mt = factor m_mn at the mean cone distance; along the base tangent times cos(alpha_t)."""
+    text = bevel_file(shaft=80.0, spiral=30.0, rest=LOADS)
+    model = loads_model(text).replace("bevel_meshes.m.backlash", {"factor": 0.05})
+    pair = model.bevel_pairs["m"]
+    assert model.backlash("m") == pytest.approx(0.05 * pair.gear1.m_mn * math.cos(pair.alpha_t), rel=1e-12)
+
+
+def test_the_backlash_of_a_bevel_mesh_is_observed():
+    """At rest that of the model; with the pinion pulled out of its apex it grows."""
+    model = loads_model(bevel_file(shaft=90.0, spiral=20.0, bodies=FREE, rest=BEARINGS + LOADS))
+    system = compile_model(model)
+    state = system.initial_state()
+    at = system.layout.channel("backlash[m]")
+    rest = evaluate.observe(system, state)[at]
+    assert rest == pytest.approx(model.backlash("m"), abs=1e-14)
+    out = model.bevel_gears[model.bevel_meshes["m"].gears[0]].direction
+    state.q[system.layout.coordinate("first.z")] += 1e-4 * out
+    assert evaluate.observe(system, state)[at] > rest + 1e-6

@@ -258,11 +258,17 @@ CASES = {
         "surface_contacts.c.first.radius",
         "required for shape sphere",
     ),
-    "a cone on a plane": (
+    "a plane on a plane": (
+        BALL,
+        [("shape: sphere, radius: 10 mm", "shape: plane")],
+        "surface_contacts.c",
+        "a plane and a plane, which touch along an area",
+    ),
+    "a cone without height on a plane": (
         BALL,
         [("shape: sphere, radius: 10 mm", "shape: cone, half_angle: 10 deg")],
-        "surface_contacts.c",
-        "a cone and a plane, which is not supported",
+        "surface_contacts.c.first.length",
+        "required for shape cone",
     ),
     "a file that is not there": (
         BALL,

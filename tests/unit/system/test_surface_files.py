@@ -242,7 +242,7 @@ CASES = {
         ],
         None,
         "surface_contacts.c",
-        "is between a hollow cylinder and a cylinder, which is not supported",
+        "is between a hollow cylinder and a hollow cylinder, which touch at an edge",
     ),
     "a line without length": (
         ROLLER,

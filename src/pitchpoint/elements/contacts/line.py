@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Line contact of a cylinder on a plane, on another cylinder or in a bore, with parallel or tilted axes.
 
+A cone on a plane is a cylinder whose radius varies along its axis.
+
 The cylinder of body i is divided into slices at the points x of its axis; the force of a slice is the contact
 law times dx over the reference length of the law (slice model of roller bearings: T. A. Harris, *Rolling
 Bearing Analysis*; ISO 16281; exponent 10/9 with its stiffness: G. Lundberg and A. Palmgren). The gap of a
@@ -18,7 +20,7 @@ from __future__ import annotations
 
 import math
 
-from pitchpoint.contact.surface import PLANE, gap_of_length, of_length
+from pitchpoint.contact.surface import CONE, PLANE, gap_of_length, of_length
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.contacts.crossed_cylinders import rim_place
 from pitchpoint.elements.contacts.surface_place import curvature_in_world, point_place
@@ -38,11 +40,24 @@ def _on_axis(b, x):
 
 
 @kernel
+def _slice(b, x):
+    """Radius of the slice at x and its place on the axis of marker i [m]; x = 0 is the middle of the line.
+
+    A cone has the tangent of its half angle and its height as sizes; its tip is the origin of the marker.
+    """
+    if b["form_i"] == CONE:
+        below = 0.5 * b["size_i"][1] - x
+        return below * b["size_i"][0], -below
+    return b["size_i"][0], x
+
+
+@kernel
 def _gap(b, x):
     """Gap of the slice at x [m]."""
     if b["form_j"] == PLANE:
         up = b["M"][2, 2]
-        return b["d"][2] + x * up - b["size_i"][0] * math.sqrt(max(0.0, 1.0 - up * up))
+        radius, z = _slice(b, x)
+        return b["d"][2] + z * up - radius * math.sqrt(max(0.0, 1.0 - up * up))
     _on_axis(b, x)
     return gap_of_length(b["size_j"], b["sense"], b["y"]) - b["size_i"][0]
 
@@ -51,7 +66,8 @@ def _gap(b, x):
 def _place(b, f, g, x, weight):
     """Write the contact point of the slice at x to the record."""
     if b["form_j"] == PLANE:
-        rim_place(b, f, g, b["size_i"][0], 0.0, x, weight)
+        radius, z = _slice(b, x)
+        rim_place(b, f, g, radius, 0.0, z, weight)
         return
     _on_axis(b, x)
     phi, nx, ny, nz = of_length(b["size_j"], b["sense"], b["y"], b["V"])

@@ -84,6 +84,7 @@ def write_mesh(b, e_rate, psi, damper, rate):
     out["mesh_phase"] = psi
     out["damping_power"] += damper * rate
     out["parametric_power"] -= damper * e_rate
+    out["backlash"] = now["gap"]
     out["penetration"] = (abs(x) - 0.5 * now["gap"]) / b["contact"]["normal"]
 
 

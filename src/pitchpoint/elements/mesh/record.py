@@ -267,6 +267,7 @@ OUTPUTS = (
     ("parametric_power", "W", "power supplied by stiffness and excitation varying with the mesh phase"),
     ("elastic_energy", "J", "energy stored in the flanks"),
     ("penetration", "m", "overlap normal to the flanks at the pitch point; negative: distance"),
+    ("backlash", "m", "backlash along the base tangent at the actual position of the gears"),
 )
 N_OUT = len(OUTPUTS)
 

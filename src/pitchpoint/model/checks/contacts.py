@@ -32,12 +32,20 @@ SIZES: dict[str, tuple[str, ...]] = {
     "torus": ("radius", "tube"),
     "triangles": ("file",),
 }
-#: Sizes required of both surfaces of other pairs; the order of a pair with a plane does not matter.
+#: Sizes required of both surfaces of other pairs, in the order of `ORDER`.
 PAIRS: dict[tuple[str, str], tuple[tuple[str, ...], tuple[str, ...]]] = {
     ("cylinder", "plane"): (("radius", "length"), ()),
+    ("cone", "plane"): (("half_angle", "length"), ()),
     ("torus", "plane"): (("radius", "tube"), ()),
     ("cylinder", "cylinder"): (("radius", "length"), ("radius", "length")),
+    ("cone", "cylinder"): (("half_angle", "length"), ("radius",)),
+    ("cone", "cone"): (("half_angle", "length"), ("half_angle", "length")),
+    ("torus", "cylinder"): (("radius", "tube"), ("radius",)),
+    ("torus", "cone"): (("radius", "tube"), ("half_angle",)),
+    ("torus", "torus"): (("radius", "tube"), ("radius", "tube")),
 }
+ORDER = ("torus", "cone", "cylinder", "plane", "sphere")
+"""Order of the shapes in a pair; a sphere here is hollow."""
 PARALLEL = 0.02
 """Sine of the angle between two axes below which cylinders are parallel."""
 
@@ -59,33 +67,49 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
     shapes = {contact.first.shape, contact.second.shape}
     for part, key in (one, two):
         check_file(part, (*at, key), report)
-    if contact.line and shapes != {"cylinder"}:
-        report.problem((*at, "line"), "has no effect: it is for two cylinders only", remedy="remove it")
+    if contact.line and shapes != {"cylinder"} and not ("torus" in shapes and shapes <= set(ORDER[:3])):
+        report.problem(
+            (*at, "line"),
+            "has no effect: it is for two cylinders, or a torus on a cylinder, cone or torus",
+            remedy="remove it",
+        )
     if contact.permanent:
         _held(contact, at, report)
     if "triangles" in shapes or any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
         for part, key in (one, two):
             _sizes(part, SIZES[part.shape], (*at, key), report)
         return
-    if one[0].shape == "plane":
-        one, two = two, one
+    one, two = sorted((one, two), key=lambda part: (ORDER.index(part[0].shape), part[0].hollow))
     pair = (one[0].shape, two[0].shape)
-    bore = pair == ("cylinder", "cylinder") and one[0].hollow != two[0].hollow
-    if pair not in PAIRS or (not bore and (one[0].hollow or two[0].hollow)):
-        hollow = "hollow " * (one[0].hollow or two[0].hollow)
+    if pair not in PAIRS:
         report.problem(
             at,
-            f"is between a {hollow}{pair[0]} and a {pair[1]}, which is not supported",
-            remedy="supported are spheres and triangles with any surface, cylinder and torus on a plane, "
-            "two cylinders; use triangles for others",
+            f"is between {_named(one[0])} and {_named(two[0])}, which touch along an area"
+            if pair == ("plane", "plane")
+            else f"is between {_named(one[0])} and {_named(two[0])}, which is not supported",
+            remedy="describe corners of one of them by spheres, edges by cylinders, or it by triangles",
         )
         return
+    may_be_hollow = pair[0] == "torus" and pair[1] != "plane" or pair == ("cylinder", "cylinder")
+    if one[0].hollow or (two[0].hollow and not may_be_hollow):
+        report.problem(
+            at,
+            f"is between {_named(one[0])} and {_named(two[0])}, which touch at an edge",
+            remedy="describe the edge by a torus with a small tube, or one of them by triangles",
+        )
+        return
+    bore = pair == ("cylinder", "cylinder") and two[0].hollow
     for (part, key), needed in zip((one, two), PAIRS[pair], strict=True):
         _sizes(part, needed, (*at, key), report)
     if bore:
         _bore(contact, at, report)
     elif pair == ("cylinder", "cylinder") and not contact.line:
         _crossed(parts, contact, at, report)
+
+
+def _named(part: ContactSurface) -> str:
+    """Shape of a surface with its article."""
+    return f"a {'hollow ' * part.hollow}{part.shape}"
 
 
 def _held(contact: SurfaceContact, at: Place, report: Reader) -> None:

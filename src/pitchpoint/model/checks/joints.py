@@ -52,25 +52,43 @@ def check_joints(parts: Parts, report: Reader) -> None:
 
 
 def _friction(joint: Joint, at: Place, report: Reader) -> None:
-    """Check the friction of revolute and prismatic joints."""
+    """Check that the friction of a joint has the keys of its type."""
     part = joint.friction
-    if part is None:
+    if part is None or (*at, "friction") in report.tainted:
         return
-    if joint.type not in ("revolute", "prismatic"):
+    if joint.type not in RUBBING:
         report.problem(
             (*at, "friction"),
-            f"is not available for a joint of type {joint.type}",
-            remedy="split it into revolute and prismatic joints, or remove friction",
+            f"has no meaning for a joint of type {joint.type}, which has no sliding surfaces",
+            remedy=f"remove it; joints with friction are {', '.join(RUBBING)}",
         )
-    elif joint.type == "revolute" and part.radius is None and (*at, "friction") not in report.tainted:
+        return
+    needs, allows, surface = RUBBING[joint.type]
+    if "radius" in needs and part.radius is None:
         report.problem(
-            (*at, "friction", "radius"), "is missing: the radius of the pin", remedy="add radius: 10 mm"
+            (*at, "friction", "radius"), f"is missing: the radius of {surface}", remedy="add radius: 10 mm"
         )
-    elif joint.type == "prismatic" and (part.radius is not None or part.shoulder_radius):
-        key = "radius" if part.radius is not None else "shoulder_radius"
-        report.problem(
-            (*at, "friction", key), "is the radius of a pin; a prismatic joint has none", remedy="remove it"
-        )
+    for key, given in (
+        ("radius", part.radius is not None),
+        ("shoulder_radius", part.shoulder_radius > 0.0),
+        ("length", part.length is not None),
+    ):
+        if given and key not in (*needs, *allows):
+            report.problem(
+                (*at, "friction", key), f"has no effect on a joint of type {joint.type}", remedy="remove it"
+            )
+
+
+RUBBING: dict[str, tuple[tuple[str, ...], tuple[str, ...], str]] = {
+    "revolute": (("radius",), ("shoulder_radius", "length"), "the pin"),
+    "prismatic": ((), ("length",), ""),
+    "cylindrical": (("radius",), ("length",), "the pin"),
+    "screw": (("radius",), ("length",), "the thread"),
+    "universal": (("radius",), ("shoulder_radius", "length"), "the pins of the cross"),
+    "spherical": (("radius",), (), "the ball"),
+    "planar": ((), ("radius", "length"), ""),
+}
+"""Joints with friction: required keys, further keys, name of the surface with the radius."""
 
 
 def _functions(joint: Joint, at: Place, report: Reader) -> None:

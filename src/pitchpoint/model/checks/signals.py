@@ -1,97 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Checks of sensors, blocks, controllers and actuators: names, loops, numbers, functions."""
+"""Checks of sensors, blocks, controllers and actuators: names, loops, numbers."""
 
 from __future__ import annotations
 
-import ast
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components import block as bl
-from pitchpoint.model.components.block import LawBlock
 from pitchpoint.model.components.controller import PythonController
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS, SECTIONS, TIME, at_once, made, read
+from pitchpoint.model.signals import SECTIONS, TIME, at_once, made, read
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.law import PythonLaw
     from pitchpoint.model.parts import Parts
-
-
-Definition = ast.FunctionDef | ast.AsyncFunctionDef
-
-
-def check_functions(parts: Parts, report: Reader) -> None:
-    """Check that files and functions exist and have the right number of arguments."""
-    for name, block in parts.blocks.items():
-        if isinstance(block, LawBlock):
-            _function(block.function, LAW_ARGUMENTS, ("blocks", name, "function"), report)
-    for name, part in parts.controllers.items():
-        if isinstance(part, PythonController):
-            _function(part.function, CONTROLLER_ARGUMENTS, ("controllers", name, "function"), report)
-
-
-def _function(law: PythonLaw, arguments: tuple[str, ...], at: Place, report: Reader) -> None:
-    file = Path(law.file)
-    try:
-        tree = ast.parse(file.read_bytes(), file.name)
-    except OSError:
-        report.problem(
-            at,
-            f"names the file '{file.name}', which does not exist",
-            remedy="give it relative to the model file",
-        )
-        return
-    except SyntaxError as error:
-        report.problem(
-            at, f"names '{file.name}', which is not valid Python: {error.msg} (its line {error.lineno})"
-        )
-        return
-    except ValueError:
-        report.problem(at, f"names '{file.name}', which is not Python text")
-        return
-    known = {node.name: node for node in tree.body if isinstance(node, Definition)}
-    if law.function not in known:
-        if not _may_bind(tree, law.function):
-            listed = ", ".join(known) or "none"
-            report.problem(
-                at,
-                f"names the function {law.function!r}, which '{file.name}' does not define",
-                remedy=f"{did_you_mean(law.function, known)}functions there: {listed}",
-            )
-        return
-    node = known[law.function]
-    count = len(node.args.posonlyargs) + len(node.args.args)
-    if count != len(arguments) and not node.decorator_list:
-        report.problem(
-            at,
-            f"names {law.function} of '{file.name}' (its line {node.lineno}), which takes {count} arguments",
-            limit=str(len(arguments)),
-            remedy=f"define it as {law.function}({', '.join(arguments)})",
-        )
-
-
-def _may_bind(tree: ast.Module, name: str) -> bool:
-    """Whether statements other than definitions may define a name, which cannot be decided without running
-    them."""
-    simple = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Expr)
-    for node in tree.body:
-        if isinstance(node, ast.Import | ast.ImportFrom):
-            if any((a.asname or a.name).split(".")[0] in (name, "*") for a in node.names):
-                return True
-        elif (
-            isinstance(node, ast.ClassDef)
-            and node.name == name
-            or not isinstance(node, simple)
-            and any(
-                isinstance(n, ast.Name) and n.id == name or isinstance(n, Definition) and n.name == name
-                for n in ast.walk(node)
-            )
-        ):
-            return True
-    return False
 
 
 def check_signals(parts: Parts, report: Reader) -> None:
@@ -103,7 +25,6 @@ def check_signals(parts: Parts, report: Reader) -> None:
         _block(("blocks", name), block, report)
     for name, part in parts.controllers.items():
         _controller(("controllers", name), part, report)
-    check_functions(parts, report)
     if names and not any((section,) in report.tainted for section in SECTIONS):
         _loops(parts, report)
 

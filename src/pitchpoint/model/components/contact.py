@@ -156,7 +156,8 @@ class ContactSurface:
     tube: float | None = positive("length", "torus: tube radius", None)
     length: float | None = positive(
         "length",
-        "cylinder: length between flat ends, centred at the origin; infinite against a sphere or triangles",
+        "cylinder: length between flat ends, centred at the origin; infinite against a sphere, and if "
+        "omitted; cone: height from the tip to its base, infinite against a sphere or triangles",
         None,
     )
     half_angle: float | None = positive("angle", "cone: angle between the axis and the surface", None)
@@ -172,9 +173,9 @@ class ContactSurface:
 class SurfaceContact:
     """Surfaces of two bodies in space.
 
-    Pairs: sphere with any surface; cylinder or torus on a plane; cylinders that are crossed, parallel or one
-    in the bore of the other; triangles with any surface. For line contact of cylinders the law applies to
-    the whole line; for triangles with any surface except a sphere it applies per square metre.
+    Pairs: all except two planes. For line contact (cylinder or cone on a plane, cylinders) the law applies to
+    the whole line; for triangles with any surface except a sphere it applies per square metre; otherwise to
+    each contact point.
     """
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
@@ -195,7 +196,7 @@ class SurfaceContact:
     )
     line: bool = boolean(
         "two cylinders: line contact, the law applies to the whole length of the shorter cylinder; otherwise "
-        "point contact where they cross",
+        "point contact where they cross; torus on a cylinder, cone or torus: law for the whole ring",
         False,
     )
     stations: int = integer("Gauss points per segment of the contact line", 8, minimum=1, maximum=8)

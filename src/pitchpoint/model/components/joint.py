@@ -12,6 +12,7 @@ from pitchpoint.model.keys import (
     boolean,
     choice,
     component,
+    derived,
     ends,
     key,
     positive,
@@ -53,19 +54,25 @@ TUMBLING = ("spherical", "free")
 
 @dataclass(frozen=True, kw_only=True)
 class JointFriction:
-    """Friction of a pin in its bush, or of a slide, from the joint load.
+    """Friction of the surfaces of a joint, from the joint load.
 
     Normal load: the force across the axis, the axial force on the shoulder of a pin, and the bending moment
-    divided by the length of the bush or slide.
+    divided by the length of the bush or slide; of a ball the whole force, of a screw the force normal to the
+    thread, of a plane the force and moment normal to it.
     """
 
     coefficient: float = quantity("dimensionless", "coefficient of sliding friction", minimum=0.0)
-    radius: float | None = positive("length", "revolute: radius of the pin", None)
+    radius: float | None = positive(
+        "length",
+        "radius of the pin, pins of the cross (universal), ball (spherical), mean radius of the thread "
+        "(screw); planar: friction torque over friction force, 2/3 of the radius of a disc",
+        None,
+    )
     shoulder_radius: float = quantity(
-        "length", "revolute: mean radius of the thrust shoulder", 0.0, minimum=0.0
+        "length", "revolute, universal: mean radius of the thrust shoulder", 0.0, minimum=0.0
     )
     length: float | None = positive(
-        "length", "length of bush or slide; if omitted, moments cause no friction", None
+        "length", "length of bush, nut, slide or plane; if omitted, moments cause no friction", None
     )
     preload: float = quantity("force", "constant normal force", 0.0, minimum=0.0)
     static_ratio: float = quantity("dimensionless", "ratio of static to sliding friction", 1.0, minimum=1.0)
@@ -117,7 +124,7 @@ class Joint:
     speed: Mapping[str, float] = key(
         "rates", "initial rates of its coordinates, such as {spin: 100 rpm}; default 0", {}
     )
-    friction: JointFriction | None = component(JointFriction, "friction of a revolute or prismatic joint")
+    friction: JointFriction | None = component(JointFriction, "friction of the sliding surfaces of the joint")
     cut: bool = boolean("cut joint that closes a kinematic loop; another joint carries the moved body", False)
     coordinates: Mapping[str, str] = key(
         "coordinates", "user: names of its coordinates and their kind, length or angle: {s: length}", {}
@@ -128,6 +135,9 @@ class Joint:
         "{x: 2 mm * sin(2*pi*25 Hz*t)}, {x: {table: [[t, x], ...]}}; a list of functions is added up",
         {},
     )
+
+    stage: str | None = derived()
+    """Planetary stage that contains the joint, if any."""
 
     @property
     def names(self) -> tuple[str, ...]:

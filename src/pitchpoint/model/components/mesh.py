@@ -19,7 +19,7 @@ CRITICAL = (
 
 @dataclass(frozen=True, kw_only=True)
 class Backlash:
-    """Backlash at the centre distance of the mesh, in exactly one of three directions."""
+    """Backlash at the centre distance of the mesh: in one of three directions, or relative to the module."""
 
     normal: float | None = quantity("length", "normal backlash j_bn", None, one_of="gap")
     base_tangent: float | None = quantity(
@@ -27,6 +27,9 @@ class Backlash:
     )
     circumferential: float | None = quantity(
         "length", "circumferential backlash j_wt at the working pitch circle", None, one_of="gap"
+    )
+    factor: float | None = quantity(
+        "dimensionless", "backlash factor: circumferential backlash over normal module", None, one_of="gap"
     )
 
 
@@ -235,6 +238,8 @@ class Mesh:
         """Contact of the tooth surfaces if it is given, else the stiffness law."""
         return self.stiffness if self.contact is None else self.contact
 
+    stage: str | None = derived()
+    """Planetary stage that contains the mesh, if any."""
     a_w: float | None = derived()
     """Effective centre distance [m], signed as in ISO 21771 (negative for internal pairs)."""
     offset1: float = derived(0.0)

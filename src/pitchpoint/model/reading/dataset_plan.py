@@ -11,6 +11,7 @@ from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.nearest import hint
+from pitchpoint.core.nomenclature import can_be_filtered
 from pitchpoint.model.checks.choices import check_keys
 from pitchpoint.model.dataset_plan import DatasetPlan, Level, ObservedChannel, TachoChannel
 from pitchpoint.model.keys import BAD, Key, Place, defaults_of, keys_of
@@ -248,6 +249,14 @@ def _check_channel(name: str, channel: Any, model: Model, channels: tuple[str, .
             (*at, "channel"),
             f"there is no observation {channel.channel!r}",
             remedy=hint(channel.channel, channels, 3),
+        )
+    elif (
+        isinstance(channel, ObservedChannel)
+        and channel.noise is not None
+        and not can_be_filtered(channel.channel)
+    ):
+        report.problem(
+            (*at, "noise"), f"is added to {channel.channel}, a state or phase", remedy="remove the noise"
         )
     elif isinstance(channel, TachoChannel) and channel.body not in model.bodies:
         report.problem(

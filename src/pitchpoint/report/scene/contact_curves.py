@@ -106,7 +106,7 @@ def _surface(part: ContactSurface, size: float) -> shapes.Surface:
             return shapes.disc(radius + 0.02 * size, length, radius)
         return shapes.disc(radius, length)
     if part.shape == "cone":
-        high = 0.15 * size
+        high = part.length or 0.15 * size
         return shapes.turned_profile(
             [(0.0, -high), (high * math.tan(part.half_angle or 0.5), -high), (0.0, 0.0)], 48
         )

@@ -12,7 +12,14 @@ from pitchpoint.core.status import SINGULAR
 from pitchpoint.multibody.bodies import GENERAL, spin_of
 from pitchpoint.solvers.constraints.assembly import close_loops
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
-from pitchpoint.solvers.gear_trains import mesh_orders, turning_rates
+from pitchpoint.solvers.gear_trains import (
+    driven_coordinates,
+    exchange,
+    held_spins,
+    mesh_orders,
+    rotations,
+    turning_rates,
+)
 from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.meshes import mesh_names, mesh_record
 from pitchpoint.system.system import State, System
@@ -24,6 +31,21 @@ def turned_gear(system: System, mesh: int) -> tuple[int, int]:
     body = next(int(record[e]) for e in ("i", "j") if spin_of(system.program["body"], record[e]) >= 0)
     z = record["z1"] if body == record["i"] else record["z2"]
     return system.spin(system.layout.bodies[body]), abs(int(z))
+
+
+def held_in_roll(system: System, mesh: int, state: State) -> tuple[int, ...]:
+    """Held spins of a roll; the first one is rotated: that of the drive of the train, else of the mesh.
+
+    Arguments: the system, the index of the mesh, and the state at the start.
+
+    A held gear between the drive and the loads would take the load off the meshes on the side of the drive.
+    """
+    spin, driving = turned_gear(system, mesh)[0], held_spins(system)
+    held = exchange(system, driving, spin, state)
+    freed = [h for h in driving if h not in held and h in driven_coordinates(system)]
+    if len(freed) == 1 and not is_looped(system) and rotations(system, freed)[spin, 0] != 0.0:
+        return (*freed, *(h for h in driving if h not in freed))
+    return (spin, *(h for h in held if h != spin))
 
 
 def periods_per_turn(system: System, mesh: int, rates: Array) -> float:

@@ -30,13 +30,13 @@ from pitchpoint.solvers.controls import refuse_rates
 from pitchpoint.solvers.element_tangents import without_friction
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import find_equilibrium
-from pitchpoint.solvers.gear_trains import exchange, held_spins, mesh_orders, rotations, tied_by_teeth
+from pitchpoint.solvers.gear_trains import mesh_orders, rotations, tied_by_teeth
 from pitchpoint.solvers.operating_point import operating_point
 from pitchpoint.solvers.quasistatic.notes import friction_notes, load_notes
 from pitchpoint.solvers.quasistatic.path import (
+    held_in_roll,
     periods_per_turn,
     rolled_on,
-    turned_gear,
     without_deflections,
 )
 from pitchpoint.solvers.quasistatic.unloaded_mesh import tangent_stiffness, unloaded_error
@@ -159,11 +159,10 @@ def roll_through(
     point = operating_point(without_friction(system, joints=True), _begun(system, scenario))
     own = point.system.copy()
     k = mesh_names(own).index(mesh)
-    spin, _ = turned_gear(own, k)
     state = point.state.copy()
     state.v[:] = 0.0
-    held = exchange(own, held_spins(own), spin, state)
-    held = (spin, *(h for h in held if h != spin))
+    held = held_in_roll(own, k, state)
+    spin = held[0]
     direction = -1.0 if point.state.v[spin] < 0.0 else 1.0
     rates = rotations(own, (spin,))[:, 0]
     step = direction * 2.0 * np.pi / (periods_per_turn(own, k, rates) * points)

@@ -24,6 +24,7 @@ from pitchpoint.elements import (
 from pitchpoint.elements.contacts import record as element
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.triangle_file import placed_triangles, read_triangles
+from pitchpoint.model.checks.contacts import ORDER
 from pitchpoint.model.components.contact import (
     CamContact,
     ContactCurve,
@@ -243,9 +244,20 @@ def _pair(
     elif shapes == ("cylinder", "plane"):
         radius, length = _required(one.radius, "radius", where), _required(one.length, "length", where)
         surface_surface.set_cylinder_on_plane(row, radius, length, part.stations)
-    elif shapes == ("torus", "plane"):
-        radius, tube = _required(one.radius, "radius", where), _required(one.tube, "tube", where)
-        surface_surface.set_ring_on_plane(row, radius, tube)
+    elif one.shape == "torus":
+        ring = _required(one.radius, "radius", where), _required(one.tube, "tube", where)
+        if two.shape == "plane":
+            surface_surface.set_ring_on_plane(row, *ring)
+        else:
+            surface_surface.set_ring_on_surface(
+                row, ring, two.shape, _sizes(two, where), two.hollow, part.line
+            )
+    elif one.shape == "cone":
+        cone = _required(one.half_angle, "half_angle", where), _required(one.length, "length", where)
+        if two.shape == "plane":
+            surface_surface.set_cone_on_plane(row, *cone, part.stations)
+        else:
+            surface_surface.set_cone_on_surface(row, *cone, two.shape, _sizes(two, where))
     elif shapes == ("cylinder", "cylinder"):
         radii = [_required(s.radius, "radius", where) for s in (one, two)]
         lengths = [_required(s.length, "length", where) for s in (one, two)]
@@ -278,15 +290,15 @@ def _on_triangles(
 def _in_order(first: ContactSurface, second: ContactSurface) -> bool:
     """Whether the surfaces are in the order that the element kinds require.
 
-    Spheres first, planes last, triangles before simple shapes, the inner cylinder before the bore, the
-    shorter of two cylinders before the longer one.
+    Spheres first, triangles before simple shapes, these in the order of `ORDER`, the inner before the hollow
+    one, the shorter of two cylinders or cones before the longer one.
     """
     if _is_ball(first) or _is_ball(second):
         return _is_ball(first)
     if "triangles" in (first.shape, second.shape):
         return first.shape == "triangles"
-    if first.shape == second.shape == "cylinder":
-        if first.hollow != second.hollow:
-            return second.hollow
-        return first.length is None or second.length is None or first.length <= second.length
-    return first.shape != "plane"
+    if first.shape != second.shape:
+        return ORDER.index(first.shape) < ORDER.index(second.shape)
+    if first.hollow != second.hollow:
+        return second.hollow
+    return first.length is None or second.length is None or first.length <= second.length

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,34 +45,66 @@ def friction_bank(places: Places) -> Bank:
             at = joint_place(model, joint)
             row["j"], row["i"] = (frame_at(model, split(e)[0], at)[0] for e in joint.bodies)
             row["n_rows"], row["rows"] = rows_of(joint), first[name]
-        _place(row, model, joint, seat)
-        _law(row, joint)
-        rows.append(row)
-        names.append(name)
+        for axis, coordinate in _pins(joint):
+            one = row.copy()
+            _place(one, model, joint, seat, axis)
+            _law(one, joint)
+            rows.append(one)
+            names.append(f"{name}.{coordinate}" if coordinate else name)
     return pack("joint_friction", element.RECORD, rows, names, pool=pool.array())
 
 
-def _place(row: Any, model: Model, joint: Joint, seat: Seat | None) -> None:
-    """Set position and axis of the joint in the frames of both bodies."""
+def _pins(joint: Joint) -> tuple[tuple[int, str], ...]:
+    """Axes of the joint frame with friction, and names of the coordinates if there are several.
+
+    The cross of a universal joint turns about x of the body that carries it and about y of the moved body.
+    """
+    return ((0, "alpha"), (1, "beta")) if joint.type == "universal" else ((2, ""),)
+
+
+def _place(row: Any, model: Model, joint: Joint, seat: Seat | None, column: int) -> None:
+    """Set position and axis (column of its frame) of the joint in the frames of both bodies."""
     place = joint_place(model, joint)
-    axis = joint_axes(model, joint)[:, 2] if seat is None else seat_frame(model, seat)[1][:, 2]
+    axis = (joint_axes(model, joint) if seat is None else seat_frame(model, seat)[1])[:, column]
+    row["on_i"] = column == 1
     ends = [split(e)[0] for e in joint.bodies] if seat is None else [seat.parent, seat.body]
     for end, body in zip("ji", ends, strict=True):
         _, at, axes = frame_at(model, body, place)
         row[f"p_{end}"] = axes.T @ ((at if place is None else place) - at)
-        if end == "j":
+        if end == "ji"[column == 1]:
             row["axis"] = axes.T @ axis
 
 
+FORMS = {
+    "revolute": element.TURN,
+    "universal": element.TURN,
+    "prismatic": element.WAY,
+    "screw": element.THREAD,
+    "cylindrical": element.BUSH,
+    "spherical": element.BALL,
+    "planar": element.PLATE,
+}
+
+
 def _law(row: Any, joint: Joint) -> None:
-    """Set lever arms and coefficients; those of a pin refer to its radius, those of a slide to travel."""
+    """Set lever arms and coefficients.
+
+    Those of pins and balls refer to their radius, as the friction is a torque; all others to forces.
+    """
     part = joint.friction
     if part is None:
         return
-    radius = (part.radius or 0.0) if joint.type == "revolute" else 1.0
-    row["form"] = element.TURN if joint.type == "revolute" else element.WAY
-    row["c_r"], row["c_a"] = radius, part.shoulder_radius if joint.type == "revolute" else 0.0
-    row["c_m"] = 2.0 * radius / part.length if part.length is not None else 0.0
-    row["preload"] = part.preload * radius
+    form = row["form"] = FORMS[joint.type]
+    turns = form in (element.TURN, element.BALL)
+    arm = (part.radius or 0.0) if turns else 1.0
+    row["radius"] = part.radius or 0.0
+    row["c_r"] = 0.0 if form == element.PLATE else arm
+    row["c_a"] = 1.0 if form == element.PLATE else part.shoulder_radius
+    if form == element.THREAD:
+        row["lead"] = (joint.lead or 0.0) / (2.0 * math.pi)
+        size = math.hypot(row["radius"], row["lead"])
+        row["c_a"], row["c_t"] = row["radius"] / size, row["lead"] / (row["radius"] * size)
+    row["c_m"] = 2.0 * arm / part.length if part.length is not None else 0.0
+    row["preload"] = part.preload * arm
     row["mu"], row["ratio"] = part.coefficient, part.static_ratio
-    row["v_s"], row["v_eps"] = part.stribeck_speed / radius, part.slip_speed / radius
+    row["v_s"], row["v_eps"] = part.stribeck_speed / arm, part.slip_speed / arm
