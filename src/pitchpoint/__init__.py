@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from pitchpoint.io.results import open_result
     from pitchpoint.io.yaml_model import load_model
     from pitchpoint.model.model import Model
+    from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell_dataset import solve_campbell
     from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
@@ -69,6 +70,7 @@ __all__ = [
     "load_model",
     "open_result",
     "planet_loads",
+    "plot",
     "read_measured",
     "reduce_system",
     "run_cases",
@@ -105,6 +107,7 @@ _HOMES = {
     "io.results": ("open_result",),
     "io.yaml_model": ("load_model",),
     "model.model": ("Model",),
+    "report.pictures": ("plot",),
     "report.write": ("write_report",),
     "solvers.campbell_dataset": ("solve_campbell",),
     "solvers.contact_analysis.on_shafts": ("solve_contacts_on_shafts",),

@@ -23,7 +23,7 @@ from pitchpoint.viz.report.overview import provenance_section, scene_section, su
 from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
-from pitchpoint.viz.report.spectra import spectrum_section
+from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
 from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
 from pitchpoint.viz.scene.content import Scene
 
@@ -295,8 +295,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     """HTML text of the report; the same input gives the same text."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
-    # slightly more than three mesh orders, so that the third one is not on the frame
-    highest = 3.2 * max(teeth) if teeth else 100.0
+    highest = default_highest_order(teeth)
     seen = results.scene.run if results.scene.scene is not None else ""
     sections = [
         summary_section(model.counts, results),

@@ -29,21 +29,32 @@ POLICY = (
 
 @dataclass
 class Section:
-    """Part of a report: anchor, heading and finished HTML; a section without HTML is not shown."""
+    """Part of a report: anchor, heading and finished HTML; a section without HTML is not shown.
+
+    `figures` are its plots by name, for `report.pictures.plot`.
+    """
 
     anchor: str
     heading: str
     parts: list[str] = field(default_factory=list)
+    figures: dict[str, go.Figure] = field(default_factory=dict)
 
     def add(self, html: str) -> None:
         """Append a piece of HTML unless it is empty."""
         if html:
             self.parts.append(html)
 
-    def add_figure(self, figure: go.Figure, caption: str = "", *, beside: go.Figure | None = None) -> None:
-        """Append a plot, or two next to each other; plots without data are omitted."""
+    def add_figure(
+        self, figure: go.Figure, caption: str = "", *, name: str = "", beside: go.Figure | None = None
+    ) -> None:
+        """Append a plot, or two next to each other; plots without data are omitted.
+
+        The name in Python is a kind, or kind and owner: `mesh_stiffness[stage]`.
+        """
         if not any(_has_data(trace) for trace in figure.data):
             return
+        known = (name or self.anchor, *(f"{name or self.anchor} {k}" for k in range(2, 100)))
+        self.figures[next(n for n in known if n not in self.figures)] = figure
         html = figure_html(figure, caption)
         if beside is not None:
             end = figure_html(beside, "The last periods, magnified.")

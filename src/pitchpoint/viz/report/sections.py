@@ -103,10 +103,13 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
         for quantity, statistic in (("deflection", "rms"), ("mesh_force", "max")):
             if any(p.get(quantity) for p in points):
                 caption = _jump_sentence(jumps) if quantity == "deflection" else ""
-                section.add_figure(plot_sweep(points, jumps, quantity=quantity, statistic=statistic), caption)
+                drawn = plot_sweep(points, jumps, quantity=quantity, statistic=statistic)
+                section.add_figure(drawn, caption, name=quantity)
         if any(float(p.get("contact_loss_share") or 0.0) > 0.0 for p in points):
             section.add_figure(
-                plot_contact_shares(points), "Time without contact as a share of the evaluated time."
+                plot_contact_shares(points),
+                "Time without contact as a share of the evaluated time.",
+                name="contact_shares",
             )
         elif any(p.get("contact_loss_share") is not None for p in points):
             section.add("<p>The flanks stay in contact at every point of this sweep.</p>")
@@ -155,6 +158,7 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
             section.add_figure(
                 plot_force_parts(time[part], shown, points=WIDE),
                 f"Components of the tooth force of {mesh}, {where}.",
+                name=f"tooth_force[{mesh}]",
             )
         section.add("</div>" if name == seen else "")
     return section
@@ -175,7 +179,7 @@ def _add_signals(
         end = plot_signals(time[part], last, contact_state=shown, points=HALF, rows=rows)
     points = WIDE if end is None else HALF
     whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows)
-    section.add_figure(whole, _caption(group), beside=end)
+    section.add_figure(whole, _caption(group), name=group[0].quantity, beside=end)
 
 
 def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: Sequence[str]) -> Section:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
@@ -34,7 +34,10 @@ MAX_CHANNELS = 8
 
 
 def spectrum_section(
-    runs: Mapping[str, Any], highest_order: float, shafts: Mapping[str, str] | None = None
+    runs: Mapping[str, Any],
+    highest_order: float,
+    shafts: Mapping[str, str] | None = None,
+    wanted: Sequence[str] = (),
 ) -> Section:
     """Section with spectra and orders of steady runs, and maps of run-ups.
 
@@ -46,11 +49,14 @@ def spectrum_section(
         End of the order axis, if a run does not set it.
     shafts
         Body of gear 1 by name of the mesh: reference of the orders of its channels.
+    wanted
+        Channels; default: deflections and mesh forces.
     """
     section = Section("spectra", "Spectra and orders")
     for name, run in runs.items():
         time, found = channels(run.data)
         picked = [c for q in QUANTITIES for c in found.values() if c.quantity == q]
+        picked = [found[n] for n in wanted if n in found] if wanted else picked
         if time.size < 64 or not picked:
             continue
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
@@ -76,6 +82,11 @@ def spectrum_section(
     return section
 
 
+def default_highest_order(teeth: Sequence[int]) -> float:
+    """End of the order axes: slightly above three mesh orders, so that the third one is not on the frame."""
+    return 3.2 * max(teeth) if teeth else 100.0
+
+
 def _is_one_way(angle: Array) -> bool:
     """Whether a shaft never stops or reverses."""
     try:
@@ -96,7 +107,8 @@ def _mesh_orders(run: Any, time: Array, angle: Array) -> dict[str, float]:
 def _add_spectrum(section: Section, channel: Channel, time: Array, meshes: Mapping[str, float]) -> None:
     values, rate = uniform(time, channel.values)
     spectrum = {channel.label: amplitude_spectrum(values, rate)}
-    section.add_figure(spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes))
+    drawn = spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes)
+    section.add_figure(drawn, name=f"spectrum[{channel.name}]")
 
 
 def _add_order_spectrum(
@@ -111,6 +123,7 @@ def _add_order_spectrum(
         return
     section.add_figure(
         spectrum_plots.plot_spectrum({name: spectrum}, unit=channel.unit, over="order", shafts=shafts),
+        name=f"order_spectrum[{channel.name}]",
     )
 
 
@@ -123,6 +136,7 @@ def _add_maps(
     section.add_figure(
         spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
         "Amplitudes over time and frequency: orders rise with the speed, resonances remain constant.",
+        name=f"time_frequency[{channel.name}]",
     )
     try:
         _long_enough(angle, MAP_TURNS)
@@ -134,6 +148,7 @@ def _add_maps(
     section.add_figure(
         spectrum_plots.plot_order_map(tracked, unit=channel.unit, quantity=channel.label, shafts=shafts),
         "Amplitudes over order and speed: orders are vertical lines, resonances are hyperbolas.",
+        name=f"order_map[{channel.name}]",
     )
 
 

@@ -84,7 +84,7 @@ def case_section(tables: Mapping[str, Any]) -> Section:
             for quantity, statistic in QUANTITIES:
                 figure = _figure(table, numeric[0], quantity, statistic)
                 if figure is not None:
-                    section.add_figure(figure, "")
+                    section.add_figure(figure, name=quantity)
     return section
 
 
