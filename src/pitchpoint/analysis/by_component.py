@@ -20,9 +20,10 @@ if TYPE_CHECKING:
 OF_ELEMENT = {
     "body": "angle speed displacement attitude strain_energy",
     "bearing": "bearing_force cage_angle",
-    "mesh": "transmission_error deflection mesh_force mesh_stiffness mesh_phase contact_state normal_force "
-    "circumferential_force radial_force axial_force radial_force_1 axial_force_1 pair_force penetration "
-    "friction_torque_1 friction_torque_2 friction_power damping_power parametric_power elastic_energy",
+    "mesh": "transmission_error deflection mesh_force mesh_stiffness mesh_phase contact_state backlash "
+    "normal_force circumferential_force radial_force axial_force radial_force_1 axial_force_1 "
+    "pair_force penetration friction_torque_1 friction_torque_2 friction_power damping_power "
+    "parametric_power elastic_energy",
     "load": "torque force",
     "coupling": "coupling_force twist slip_speed",
     "bushing": "bushing_force",
@@ -34,15 +35,16 @@ OF_ELEMENT = {
 }
 """Quantities by the dimension of their elements; the dimension of all others is `element`."""
 _DIMENSION = {quantity: name for name, words in OF_ELEMENT.items() for quantity in words.split()}
+_WORDS = r"[fmr]?[xyz]|w|z[xy]|[ij]|radial|radial\.direction|axial|eta\d+"
 SECOND = {
-    "pair_force": ("tooth_pair", re.compile(r"\d+")),
+    "pair_force": ("tooth_pair", re.compile(r"(.+)\.(\d+)")),
     **dict.fromkeys(
         "displacement attitude bearing_force coupling_force bushing_force beam_force reaction_force "
         "reaction_moment contact_location contact_path".split(),
-        ("component", re.compile(r"[fmr]?[xyz]|w|z[xy]|[ij]|radial|axial|eta\d+")),
+        ("component", re.compile(rf"(.+?)\.({_WORDS})")),
     ),
 }
-"""Quantities with a second dimension, and the form of its names."""
+"""Quantities with a second dimension, and the form of element and component in their names."""
 
 
 class Quantities(Mapping[str, Any]):
@@ -134,8 +136,8 @@ def _place(quantity: str, owner: str) -> tuple[str, ...]:
     """Element of a channel, and its component if the quantity has components."""
     if quantity not in SECOND:
         return (owner,)
-    element, _, word = owner.rpartition(".")
-    return (element, word) if element and SECOND[quantity][1].fullmatch(word) else (owner, "")
+    found = SECOND[quantity][1].fullmatch(owner)
+    return (found[1], found[2]) if found else (owner, "")
 
 
 def _array(result: xr.Dataset, quantity: str, found: Mapping[tuple[str, ...], xr.Variable]) -> xr.DataArray:

@@ -122,29 +122,36 @@ def cases_figures(data: xr.Dataset) -> Figures:
 
 def modes_figures(data: xr.Dataset) -> Figures:
     """Strain energies of the modes."""
-    from pitchpoint.viz.mode_plot import plot_modes
+    from pitchpoint.viz.report.build import ModeData
+    from pitchpoint.viz.report.tables import mode_section
 
-    names = [str(x) for x in data["name"].values]
-    components = [str(x) for x in data["component"].values]
-    share = data["strain_share"].transpose("mode", "component").values
-    return {
-        "modes": plot_modes(names, data["frequency"].values, data["damping_ratio"].values, components, share)
-    }
+    listed = "component" in data.dims  # a system without strain energy has no component
+    modes = ModeData(
+        names=[str(x) for x in data["name"].values],
+        frequency=data["frequency"].values.tolist(),
+        damping_ratio=data["damping_ratio"].values.tolist(),
+        components=[str(x) for x in data["component"].values] if listed else (),
+        strain_share=data["strain_share"].transpose("mode", "component").values if listed else (),
+    )
+    return mode_section(modes).figures
 
 
 def equilibrium_figures(data: xr.Dataset) -> Figures:
     """Forces of meshes and supports; every quantity."""
+    from pitchpoint.report.run_pictures import chosen_channels
     from pitchpoint.viz.quantities import Channel
     from pitchpoint.viz.rest_plot import plot_rest
 
     groups: dict[tuple[str, str], list[Channel]] = {}
     main: list[Channel] = []
+    resultants = chosen_channels(data, [str(name) for name in data.data_vars if "[" in str(name)])
     for name, array in data.data_vars.items():
         if array.dims or "[" not in str(name):
             continue
         channel = Channel(str(name), np.asarray(array.values), str(array.attrs.get("units", "")))
         groups.setdefault((channel.quantity, channel.unit), []).append(channel)
-        if channel.quantity in FORCES and channel.unit == "N" and float(channel.values) != 0.0:
+        shown = channel.quantity in FORCES and channel.unit == "N" and channel.name in resultants
+        if shown and float(channel.values) != 0.0:
             main.append(channel)
     main.sort(key=lambda channel: FORCES.index(channel.quantity))
     found = {"forces": plot_rest(main)} if main else {}

@@ -77,15 +77,22 @@ def _run(data: xr.Dataset, wanted: list[str], names: list[str]) -> TimeRun:
 
 def _main(data: xr.Dataset, names: list[str]) -> go.Figure:
     """Main channels of the model; without one, the first channels."""
-    from pitchpoint.report.main_channels import main_channels
     from pitchpoint.viz.main_plot import plot_main_channels
     from pitchpoint.viz.quantities import channels
 
-    model = _model(data)
-    chosen = names if model is None else main_channels(model, names, str(data.attrs.get("scenario", "")))
+    chosen = chosen_channels(data, names)
     time, found = channels(data[chosen])
-    drawn = [found[n] for n in chosen if n in found and n.partition("[")[0] != "contact_state"]
+    # channels that are zero throughout would take the place of others
+    drawn = [found[n] for n in chosen if not n.startswith("contact_state[") and found[n].values.any()]
     return plot_main_channels(time, drawn or list(found.values()))
+
+
+def chosen_channels(data: xr.Dataset, names: list[str]) -> list[str]:
+    """Main channels by the model of the result; without a model all."""
+    from pitchpoint.report.main_channels import main_channels
+
+    model = _model(data)
+    return names if model is None else main_channels(model, names, str(data.attrs.get("scenario", "")))
 
 
 def _signals(data: xr.Dataset, wanted: list[str]) -> go.Figure:

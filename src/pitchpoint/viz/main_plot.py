@@ -16,7 +16,7 @@ from pitchpoint.viz.signals_plot import arrange_rows
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-MAX_ROWS, MAX_LINES = 6, 8
+MAX_ROWS, MAX_LINES = 6, len(theme.SERIES)
 """Maximum number of rows, and of curves in a row."""
 
 
@@ -44,7 +44,7 @@ def plot_main_channels(time: Array, channels: Sequence[Channel], *, points: int 
         unit = channel_scale(group[0].name, group[0].unit, np.concatenate([c.values for c in group]))
         rows.append([len(figure.data) + n for n in range(len(group))])
         titles.append(f"[{unit.unit}]" if unit.unit else "")
-        for n, channel in enumerate(group):
+        for index, channel in zip(rows[-1], group, strict=True):
             kept = kept_samples(channel.values, points)
             figure.add_scatter(
                 x=(time[kept] * clock.factor).astype(np.float32),
@@ -52,7 +52,7 @@ def plot_main_channels(time: Array, channels: Sequence[Channel], *, points: int 
                 yaxis=f"y{k}" if k > 1 else "y",
                 mode="lines",
                 name=channel.label,
-                line={"color": theme.colour_of(channel.name, n), "width": 1.3, "simplify": False},
+                line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
             )
     arrange_rows(figure, drawn, rows, "")
     for k, title in enumerate(titles, start=1):

@@ -10,15 +10,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import Array, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
 
-MAX_MODES, MAX_PARTS = 20, 7
+MAX_MODES, MAX_PARTS = 20, len(theme.SERIES) - 1
 """Maximum numbers of modes and of components with a colour."""
 LINE, MARGINS = 24, 110
 """Height of a mode and of both margins [pixels]."""
+NAMED = 0.2
+"""Share of the components without colour from which the largest of them is named."""
 
 
 def plot_modes(
@@ -58,20 +60,39 @@ def plot_modes(
     if rest.max(initial=0.0) > 5e-3:
         bars["others"] = rest
     for k, (name, values) in enumerate(bars.items()):
-        colour = theme.GREY if name == "others" else theme.SERIES[k % len(theme.SERIES)]
+        others = name == "others"
+        colour = theme.GREY if others else theme.SERIES[k % len(theme.SERIES)]
+        words = _largest_others(components, share, largest, rest) if others else None
         figure.add_bar(
             y=labels,
             x=100.0 * values,
             orientation="h",
             name=name,
             marker={"color": colour},
+            text=words,
+            textposition="inside",
+            insidetextanchor="middle",
+            insidetextfont={"color": theme.LIGHT["paper"], "size": 11},
             hovertemplate=f"{name}: %{{x:.3g}} %<extra></extra>",
         )
     figure.update_layout(
         barmode="stack",
         bargap=0.3,
         showlegend=True,
+        legend={"traceorder": "normal"},
         xaxis={"range": [0.0, 100.0]},
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "nticks": n, "dtick": 1},
     )
     return figure
+
+
+def _largest_others(
+    components: Sequence[str], share: Array, coloured: Sequence[int], rest: Array
+) -> list[str]:
+    """Name of the largest component without colour per mode, if the others have much of the energy."""
+    left = share.copy()
+    left[:, list(coloured)] = 0.0
+    return [
+        f"{components[int(np.argmax(row))]} {number(100.0 * row.max(), 2)} %" if part >= NAMED else ""
+        for row, part in zip(left, rest, strict=True)
+    ]

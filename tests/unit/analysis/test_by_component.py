@@ -21,6 +21,7 @@ CHANNELS = {
     "bearing_force[left.fx]": "N",
     "bearing_force[left.my]": "N m",
     "bearing_force[right.end.my]": "N m",
+    "bearing_force[left.radial.direction]": "rad",
     "displacement[input.x]": "m",
     "beam_force[shaft.1.i.fx]": "N",
     "own_law[thing.x]": "m",
@@ -58,7 +59,7 @@ def test_flat_channels_by_dimension(stored):
             assert force.dims == ("time", "bearing", "component")
             assert [list(force[name].values) for name in ("bearing", "component")] == [
                 ["left", "right.end"],
-                ["fx", "my"],
+                ["fx", "my", "radial.direction"],
             ]
             one = force.sel(bearing="left", component="my")
             assert np.array_equal(one, run["bearing_force[left.my]"])
@@ -75,11 +76,11 @@ def test_flat_channels_by_dimension(stored):
             assert found.beam_force["beam_end"].values.tolist() == ["shaft.1.i"]
             assert found.own_law.dims == ("time", "element")
             assert found.own_law["element"].values.tolist() == ["thing.x"]
-            assert force.isel(time=2, bearing=[1, 0]).shape == (2, 2)
+            assert force.isel(time=2, bearing=[1, 0]).shape == (2, 3)
             assert force.isel(time=[0, 4], component=1).values == pytest.approx(
                 np.column_stack([run[f"bearing_force[{b}.my]"][[0, 4]] for b in ("left", "right.end")])
             )
-            assert force.mean("time").shape == (2, 2)
+            assert force.mean("time").shape == (2, 3)
 
 
 def test_nothing_is_read_or_copied_before_use(stored, monkeypatch):
@@ -104,6 +105,6 @@ def test_names_that_do_not_exist():
     with pytest.raises(PitchpointError, match="no quantity is called 'torque'"):
         found["torque"]
     assert "bearing_force" in dir(found)
-    assert "bearing_force (time: 7, bearing: 2, component: 2)" in repr(found)
+    assert "bearing_force (time: 7, bearing: 2, component: 3)" in repr(found)
     with pytest.raises(PitchpointError, match="no channel of an element"):
         pp.by_component(xr.Dataset({"power_balance": ("time", TIMES)}))

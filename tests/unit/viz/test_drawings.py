@@ -16,9 +16,9 @@ import pytest
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
+from pitchpoint.report.pictures import plot
 from pitchpoint.viz import notebook
 from pitchpoint.viz.gear_drawing import gear_svg, mesh_zone_svg, pair_svg
-from pitchpoint.report.pictures import plot
 from pitchpoint.viz.svg import clip
 from tests.support.report_data import cycle, pair
 

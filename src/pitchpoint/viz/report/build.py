@@ -185,7 +185,8 @@ class ModeData:
     """Modes about the loaded state: names, frequencies [Hz], damping ratios (nan: none).
 
     `held` lists the bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
-    if only the lowest are given.
+    if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
+    (number of modes, number of components).
     """
 
     names: Sequence[str]
@@ -193,6 +194,8 @@ class ModeData:
     damping_ratio: Sequence[float]
     held: Sequence[str] = ()
     total: int = 0
+    components: Sequence[str] = ()
+    strain_share: ArrayLike = ()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -125,11 +125,11 @@ def page(
         f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul>{alert}</header>\n'
         f'<nav aria-label="Sections">{links}</nav>\n'
         f'<main id="content" tabindex="-1">{body}</main>\n<footer>{escape(footer)}</footer>\n'
-        f"{_scripts(with_plots)}</body></html>\n"
+        f"{plot_scripts(with_plots)}</body></html>\n"
     )
 
 
-def _scripts(with_plots: bool) -> str:
+def plot_scripts(with_plots: bool = True) -> str:
     """Scripts of the page; the plot library only if there are plots."""
     colours = json.dumps({"light": theme.LIGHT, "dark": theme.DARK}, sort_keys=True)
     library = packed_plots() if with_plots else ""
