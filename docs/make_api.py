@@ -31,7 +31,7 @@ GROUPS = {
         "state_space",
     ),
     "Many runs": ("sweep_speed", "run_cases", "cases_dataset"),
-    "Analyse": ("analyse", "by_component"),
+    "Analyse": ("analyse", "by_component", "plot"),
     "Gears": ("CylindricalGear", "GearPair", "BasicRack"),
     "Errors": (
         "PitchpointError",

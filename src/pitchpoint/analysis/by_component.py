@@ -166,7 +166,7 @@ def _array(result: xr.Dataset, quantity: str, found: Mapping[tuple[str, ...], xr
         coords["unit"] = (over[1], [max(column, key=len) for column in units.T])
     else:
         coords["unit"] = (over, units)
-    coords |= {name: result.coords[name] for name in first.dims if name in result.coords}
+    coords |= {str(name): result.coords[name] for name in first.dims if name in result.coords}
     data = LazilyIndexedArray(_stacked()(list(kept.values()), table_of))
     return xr.DataArray(xr.Variable((*first.dims, *over), data), coords, name=quantity, attrs=attrs)
 
