@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError
-from pitchpoint.core.nearest import hint
+from pitchpoint.report.picture_names import pick
 from pitchpoint.report.result_kinds import kind_of
 from pitchpoint.viz import notebook
 from pitchpoint.viz.picture import Picture
@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Figures = Mapping[str, "go.Figure"]
-LISTED = 24
-"""Maximum number of names in a message."""
 
 
 def plot(thing: Any, name: str = "") -> go.Figure | Picture:
@@ -59,31 +57,6 @@ def plot(thing: Any, name: str = "") -> go.Figure | Picture:
             f"{type(thing).__name__}: no picture available; pass a result, a gear, a pair or a model"
         )
     return pick(figures, name, type(thing).__name__)
-
-
-def pick(figures: Figures, name: str, what: str) -> go.Figure:
-    """Figure by name, or the first one of a kind.
-
-    Raises
-    ------
-    PitchpointError
-        If there is none; the message lists the others.
-    """
-    if not figures:
-        raise PitchpointError(f"this {what} has no values to draw")
-    found = next((f for key, f in figures.items() if name in ("", key, key.partition("[")[0])), None)
-    if found is None:
-        raise unknown(name, list(figures), what)
-    return found
-
-
-def unknown(name: str, known: list[str], what: str) -> PitchpointError:
-    """Error about a name without picture; it lists the others."""
-    shown = ", ".join(known[:LISTED]) + (f" and {len(known) - LISTED} more" if len(known) > LISTED else "")
-    near = hint(name, known) if len(known) > LISTED else ""
-    return PitchpointError(
-        f"this {what} has no picture {name!r}; {near + '; ' if near else ''}there are {shown}"
-    )
 
 
 def _of_result(data: xr.Dataset, name: str) -> go.Figure:

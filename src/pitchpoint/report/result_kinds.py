@@ -16,7 +16,7 @@ KINDS = {
     "mesh_response": {"speed", "order", "output"},
     "campbell": {"crossing", "excitation"},
     "relief": {"design", "map_torque"},
-    "contact": {"tooth_pair", "torque"},
+    "contact": {"tooth_pair"},
     "quasi_static": {POSITION},
     "cases": {"case"},
     "sweep": {"direction", "mesh_frequency"},

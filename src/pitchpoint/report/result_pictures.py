@@ -89,7 +89,7 @@ def meshes_figures(analyses: Mapping[str, xr.Dataset]) -> Figures:
     """Line loads of all meshes over the face width, and the plots of each mesh."""
     from pitchpoint.viz.report.contact import contact_result, overview_section
 
-    known = {name: contact_result(one) for name, one in analyses.items() if one.sizes.get("torque", 0)}
+    known = {name: contact_result(one) for name, one in analyses.items() if one["transmission_error"].size}
     found = dict(overview_section(known, {}).figures) if known else {}
     for name in known:
         found |= {f"{key}[{name}]": figure for key, figure in contact_figures(analyses[name]).items()}

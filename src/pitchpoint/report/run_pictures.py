@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import PitchpointError
+from pitchpoint.report.picture_names import pick, unknown
 from pitchpoint.viz.report.build import TimeRun
 
 if TYPE_CHECKING:
@@ -20,8 +21,6 @@ SPECTRA = ("spectrum", "order_spectrum", "order_map", "time_frequency")
 
 def plot_run(data: xr.Dataset, name: str = "") -> go.Figure:
     """Plot of a time response; names as for `plot`, and `main`."""
-    from pitchpoint.report.pictures import pick, unknown
-
     names = channel_names(data)
     if not names or data.sizes["time"] < 2:
         raise PitchpointError("this time response has no channel with two samples or more")

@@ -66,7 +66,7 @@ def case_table(data: xr.Dataset) -> CaseTable:
                 "numbers": {p: float(values[p]) for p in numeric},
                 "status": int(data["status"].values[k]),
                 "sentence": str(sentences[k]) if k < len(sentences) else "",
-                "channels": {n: r for n, r in rows.items() if math.isfinite(r["mean"])},
+                "channels": {n: r for n, r in rows.items() if math.isfinite(float(r["mean"]))},
             }
         )
     return CaseTable(cases=cases, units=units)
