@@ -265,7 +265,7 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         name = _free("slow roll", str(len(found.rolls) + 1), found.rolls)
         found.rolls[name] = given_roll(data)
     else:
-        what = kind.replace("_", " ") if kind else type(data).__name__
+        what = f"a dataset over {', '.join(map(str, data.dims))}" if kind else type(data).__name__
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
             "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief, "
