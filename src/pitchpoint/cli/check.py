@@ -109,6 +109,7 @@ def summary(model: Model) -> dict[str, Any]:
             for name, mesh in model.bevel_meshes.items()
         },
         "shafts": _stations(model),
+        "beam_stations": _beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
@@ -145,6 +146,32 @@ def _stations(model: Model) -> dict[str, dict[str, Any]]:
             what.extend([word] if word not in what else [])
         names = station_names(shaft, len(places))
         found[shaft] = {n: {"place": p, "there": s} for n, p, s in zip(names, places, sits, strict=True)}
+    return found
+
+
+def _beam_stations(model: Model) -> dict[str, dict[str, Any]]:
+    """Stations of the beams: positions from the first end and in the world [m], attached components."""
+    from pitchpoint.model.checks.references import ends_of
+    from pitchpoint.model.frames import beam_length, place_of
+
+    sits: dict[str, list[str]] = {}
+    for _, name, _, given in ends_of(model):
+        for end in (given,) if isinstance(given, str) else given:
+            sits.setdefault(end, []).append(name)
+    for name, load in model.loads.items():
+        sits.setdefault(f"{load.body}.{load.marker}", []).append(name)
+    found: dict[str, dict[str, Any]] = {}
+    for beam, part in model.beams.items():
+        length = beam_length(model, part) or 0.0
+        found[beam] = {}
+        for number, share in part.stations.items():
+            station = f"{beam}.{number}"
+            world = place_of(model, station)
+            found[beam][station] = {
+                "place": share * length,
+                "world": None if world is None else world.tolist(),
+                "there": sits.get(station, []),
+            }
     return found
 
 
@@ -245,6 +272,18 @@ def _print(model: Model, file: str) -> None:
     ]
     if rows:
         table("Stations of shafts", ["station", "position [mm]", "attached"], rows)
+    rows = [
+        [
+            name,
+            f"{round(1e3 * station['place'], 9):.6g}",
+            ", ".join(f"{round(1e3 * x, 9) + 0.0:.6g}" for x in station["world"] or ()),
+            ", ".join(station["there"]),
+        ]
+        for stations in found["beam_stations"].values()
+        for name, station in stations.items()
+    ]
+    if rows:
+        table("Stations of beams", ["station", "from first end [mm]", "in the world [mm]", "attached"], rows)
     _show_joints(found)
     _show_meshes(found)
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.checks.forces import TURNING
 from pitchpoint.model.frames import GROUND, Array, axes_of, body_frame, place_of, split
 from pitchpoint.model.keys import Place
@@ -65,7 +66,7 @@ def check_housings(parts: Parts, report: Reader) -> None:
                 limit="torsion: 0",
                 remedy="use a coupling instead, or remove torsion",
             )
-        if part.body not in parts.bodies or body not in parts.bodies:
+        if part.body not in parts.bodies or (body not in parts.bodies and not is_beam(parts, body)):
             continue
         owner, there = parts.bodies[part.body], place_of(parts, part.housing)
         if owner.origin is None or there is None or not marker:

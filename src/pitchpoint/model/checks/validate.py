@@ -22,6 +22,7 @@ from pitchpoint.model.checks.scenarios import check_scenarios
 from pitchpoint.model.checks.signal_places import check_signal_places
 from pitchpoint.model.checks.signals import check_signals
 from pitchpoint.model.checks.solids import check_directions, check_solids
+from pitchpoint.model.checks.stations import check_stations
 from pitchpoint.model.checks.supports import (
     check_couplings,
     check_housings,
@@ -55,6 +56,7 @@ CHECKS = (
     check_functions,
     check_positions,
     resolve,
+    check_stations,
     check_fault_laws,
     check_flank_contacts,
     check_shaft_places,
