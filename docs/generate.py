@@ -22,7 +22,8 @@ from pitchpoint.cli.main import COMMANDS, EPILOG, pitchpoint
 from pitchpoint.core.nomenclature import markdown_table
 from pitchpoint.core.unit_table import DIMENSIONS, PLAIN_UNITS, WORDS, Unit
 from pitchpoint.core.units import display_unit
-from pitchpoint.model.schema import json_schema, reference_page
+from pitchpoint.model.reference import reference_page, snippets_of
+from pitchpoint.model.schema import json_schema
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent
@@ -82,6 +83,23 @@ def _in_si(unit: Unit) -> str:
     return " ".join([f"{float(unit.factor):.12g}", *base])
 
 
+SNIPPETS = (
+    *sorted((HERE / "reference" / "snippets").glob("*.yaml")),
+    ROOT / "examples" / "bevel-drive" / "spiral.yaml",
+    ROOT / "examples" / "flexible-slider-crank" / "elastic.yaml",
+    ROOT / "examples" / "speed-control" / "model.yaml",
+)
+"""Models whose sections the reference page shows; of several with a section, the first."""
+
+
+def model_file() -> str:
+    """Page of the keys of a model file, with a part of a model for each section."""
+    found: dict[str, str] = {}
+    for path in SNIPPETS:
+        found = snippets_of(path.read_text(encoding="utf-8")) | found
+    return reference_page(found)
+
+
 def commands() -> str:
     """Page of all commands with their options."""
     lines = ["# Commands", "", EPILOG, ""]
@@ -134,7 +152,7 @@ def main(target: Path) -> None:
     """Write all pages below a folder."""
     copy_written(target)
     reference = target / "reference"
-    pages = {"nomenclature": nomenclature, "units": units, "commands": commands, "model-file": reference_page}
+    pages = {"nomenclature": nomenclature, "units": units, "commands": commands, "model-file": model_file}
     for name, page in pages.items():
         write(reference / f"{name}.md", page().rstrip() + "\n")
     schema = json.dumps(json_schema(), indent=2, ensure_ascii=False)

@@ -14,6 +14,7 @@ import pytest
 from pitchpoint.analysis.gear_signals import gear_signals
 from pitchpoint.analysis.indicators import signal_indicators, standardised_moment
 from pitchpoint.analysis.noise import with_white_noise
+from pitchpoint.analysis.rattle import rattle
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
 from pitchpoint.analysis.synchronous_average import synchronous_average
 from pitchpoint.cli.main import run_command
@@ -123,6 +124,19 @@ def test_units_in_a_formula_must_give_what_is_wanted() -> None:
         with pytest.raises(FormulaError):
             Formula.parse(text, names, "torque")
     assert Formula.parse("25 Hz")(0.0) == 25.0
+
+
+def test_a_parameter_retains_its_dimension() -> None:
+    text = "parameters: {gap: VALUE}\nbodies: {a: {inertia: 1 kg m^2, position: [2*gap, 0, 0]}}"
+    model = loads_model(text.replace("VALUE", "3 mm"))
+    assert model.bodies["a"].position[0] == 0.006
+    for given in ("0.003", "3 N", "3 deg"):
+        with pytest.raises(ModelError):
+            loads_model(text.replace("VALUE", given))
+        if given != "0.003":
+            with pytest.raises(ModelError):
+                model.replace("parameters.gap", given)
+    assert model.replace("parameters.gap", 0.004).bodies["a"].position[0] == 0.008  # in Python in SI
 
 
 def test_spin_axis_is_the_third_axis_of_a_right_handed_frame() -> None:
@@ -869,6 +883,27 @@ def test_faults_of_rolling_bearings_are_where_their_angles_say() -> None:
         assert math.degrees(math.atan2(fy, fx)) == pytest.approx(40.0, abs=1e-9)
 
 
+@pytest.mark.filterwarnings("ignore:.*is not used")
+def test_a_ring_on_ground_is_where_the_other_ring_is() -> None:
+    """A rotor along world x away from the origin; only the bearing for +z presses back on a shift to +z."""
+    text = (
+        "bodies: {rotor: {motion: free, position: [0.3, 0.2, 0.1], axes: {z: [1, 0, 0]}, mass: 2 kg, "
+        "inertia: 0.01 kg m^2, transverse_inertia: 0.01 kg m^2, markers: {m: {position: [0, 0, 40 mm]}}}}\n"
+        "rolling_bearings:\n  a: {%s, designation: 30208, axial_force_absorption: %s}\n"
+    )
+    for place in ("ends: [rotor.m, ground]", "body: rotor, position: [0, 0, 40 mm]"):
+        for direction, loaded in (("positive", True), ("negative", False)):
+            system = compile_model(loads_model(text % (place, direction)))
+            record = system.records["rolling_bearing"][0]
+            np.testing.assert_allclose(record["p_j"], [0.34, 0.2, 0.1], atol=1e-15)
+            np.testing.assert_allclose(record["A_j"][:, 2], [1.0, 0.0, 0.0], atol=1e-15)
+            state = system.initial_state()
+            state.q[system.layout.coordinate("rotor.z")] = 20e-6
+            row = evaluate.observe(system, state)
+            axial = row[system.layout.channel("bearing_force[a.axial]")]
+            assert axial < -1.0 if loaded else axial == 0.0
+
+
 def test_friction_acts_against_the_slip_speed() -> None:
     system = two_shafts("friction_clutch", i=1, j=2, value=5.0, ratio=2.0, v_s=0.1, v_eps=0.1)
     get = shown_by(system, v_one__spin=3.0, v_two__spin=1.0)
@@ -985,10 +1020,19 @@ def test_a_run_ends_at_its_duration_samples_lie_at_multiples(method: str) -> Non
         assert np.diff(times) == pytest.approx(times[1], rel=1e-9)
 
 
+def test_an_impact_begins_after_a_state_without_contact() -> None:
+    """On the back flank, then on the front flank; the change of the flank at the end is none."""
+    state, force = [1, 0, -1, -1, 0, 1, -1], [3.0, 0.0, -4.0, -2.0, 0.0, 5.0, -1.0]
+    found = rattle(np.arange(7.0), state, [1.0, 0.5, -1.5, -1.2, 0.0, 3.0, -1.0], force)
+    assert (found.front_impacts, found.back_impacts) == (1, 1)
+    assert (found.closing_speed_max, found.closing_speed_mean) == (3.0, 2.5)
+    assert (found.impulse_max, found.impulse_mean) == (6.0, 5.5)
+
+
 def test_shares_count_separation_and_the_back_flank_alone() -> None:
     sums = new_statistics(1)
     for state in (1.0, 0.0, 0.0, -1.0, 2.0, 1.0, 1.0, 1.0):
-        accumulate(np.array([state]), sums)
+        accumulate(np.array([state]), sums.sums)
     found = read_statistics(sums)
     assert found.share_zero[0] == pytest.approx(2 / 8)
     assert found.share_negative[0] == pytest.approx(1 / 8)

@@ -17,6 +17,10 @@ import { FORCES, STATES, colourOfForce } from "./colours.js";
 import { lerp } from "./frames.js";
 import { Z } from "./poses.js";
 
+const FEW = 6; // more arrows are smaller, and some are omitted
+const SMALLEST = 0.45; // their minimum relative size
+const THIN_OUT = 40; // distance of points of action below which only the largest force is shown [px]
+const SLIGHT = 0.06; // fraction of the largest force below which components are not shown
 const MOST_BEARINGS = 8; // with more bearings, bearing forces are hidden by default
 
 /** Arrow of unit length along z with a head of unit diameter. */
@@ -58,6 +62,9 @@ export class Arrows {
     if (this.arrows.filter((arrow) => arrow.kind === "bearing").length > MOST_BEARINGS)
       this.shown.delete("bearing");
     this.hidden = false;
+    /** Whether there are so many arrows that small components, and arrows close to larger ones, are omitted. */
+    this.many = this.arrows.filter(({ kind }) => kind !== "pair").length > FEW;
+    this.sparse = this.many;
     const shape = arrowShape();
     const ball = new SphereGeometry(0.5, 14, 10);
     const lit = (colour) =>
@@ -93,9 +100,16 @@ export class Arrows {
     this.size = Math.max(0, ...this.arrows.map((arrow) => arrow.size ?? 0));
   }
 
+  /** Relative size of the arrows, which decreases with their number. */
+  get share() {
+    if (!this.sparse) return 1;
+    const count = this.arrows.filter(({ kind }) => this.shown.has(kind) && kind !== "pair").length;
+    return Math.max(SMALLEST, Math.min(1, Math.sqrt(FEW / Math.max(count, 1))));
+  }
+
   /** Length of the arrow of the largest force [m]. */
   get longest() {
-    return 0.55 * this.radius * this.scale;
+    return 0.55 * this.radius * this.scale * this.share;
   }
 
   /** Forces at the current instant. @returns {Force[]} */
@@ -151,17 +165,48 @@ export class Arrows {
     );
   }
 
-  /** @param {number} visible size of a pixel in the scene [m] */
-  update(visible) {
+  /**
+   * Forces that are shown: without those close to a larger one of the same kind on the screen.
+   * @param {(point: Vector3) => {x: number, y: number, removed: boolean}} [onScreen]
+   */
+  #kept(onScreen) {
+    const kept = new Set();
+    const places = [];
+    const order = this.now.map((_, k) => k).filter((k) => this.shown.has(this.now[k].kind));
+    // Sizes over the record, so that arrows do not come and go.
+    order.sort((a, b) => (this.arrows[b].size ?? 0) - (this.arrows[a].size ?? 0));
+    for (const k of order) {
+      const { kind, at } = this.now[k];
+      const place = onScreen?.(at);
+      if (place?.removed) continue;
+      if (place && this.sparse && kind !== "pair") {
+        const near = (other) => other.kind === kind && Math.hypot(other.x - place.x, other.y - place.y) < THIN_OUT;
+        if (places.some(near)) continue;
+        places.push({ ...place, kind });
+      }
+      kept.add(k);
+    }
+    return kept;
+  }
+
+  /**
+   * @param {number} visible size of a pixel in the scene [m]
+   * @param {(point: Vector3) => {x: number, y: number, removed: boolean}} [onScreen] position of a point
+   *   [px], and whether a section has removed it
+   */
+  update(visible, onScreen) {
     this.now = this.forces();
+    const kept = this.hidden ? new Set() : this.#kept(onScreen);
+    const slight = this.sparse ? SLIGHT * this.size : 0;
     this.now.forEach((force, k) => {
-      const on = !this.hidden && this.shown.has(force.kind);
+      const on = kept.has(k);
       const { parts, ball } = this.drawn[k];
-      const thick = Math.min(0.055 * this.radius * Math.sqrt(this.scale), 22 * visible || Infinity);
+      const thick = this.share * Math.min(0.055 * this.radius * Math.sqrt(this.scale), 22 * visible || Infinity);
       for (const [part, mesh] of Object.entries(parts)) {
         const vector = force.vectors[part];
         const length = this.size > 0 ? (this.longest * vector.length()) / this.size : 0;
-        mesh.visible = on && length > 2 * visible && length > 0;
+        const seen = on && (force.kind === "pair" || (this.largest[k][part] ?? 0) > slight);
+        mesh.visible = seen && length > 2 * visible && length > 0;
         if (!mesh.visible) continue;
         const width = Math.min(thick, 0.5 * length);
         DIRECTION.copy(vector).normalize();

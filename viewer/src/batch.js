@@ -56,9 +56,12 @@ export class Batch extends Mesh {
     this.frustumCulled = false;
     this.matrixAutoUpdate = false;
     material.vertexColors = true;
-    const before = material.onBeforeCompile;
+    this.#adapt(material);
+  }
+
+  /** Shader that reads the poses. @param {import("three").Material} material */
+  #adapt(material) {
     material.onBeforeCompile = (shader) => {
-      before(shader);
       shader.uniforms.places = { value: this.places };
       shader.vertexShader = `attribute float member;
         uniform highp sampler2D places;
@@ -71,11 +74,24 @@ export class Batch extends Mesh {
         ${shader.vertexShader}`
         .replace(
           "#include <beginnormal_vertex>",
-          "#include <beginnormal_vertex>\nmat4 place = placeOf();\nobjectNormal = mat3(place) * objectNormal;",
+          "#include <beginnormal_vertex>\nobjectNormal = mat3(placeOf()) * objectNormal;",
         )
-        .replace("#include <begin_vertex>", "vec3 transformed = (place * vec4(position, 1.0)).xyz;");
+        .replace("#include <begin_vertex>", "vec3 transformed = (placeOf() * vec4(position, 1.0)).xyz;");
     };
     material.customProgramCacheKey = () => "batch";
+  }
+
+  /** Another material, with the poses of this batch. @param {import("three").Material} material */
+  adapted(material) {
+    this.others ??= new Map();
+    if (!this.others.has(material)) {
+      const own = material.clone();
+      this.#adapt(own);
+      this.others.set(material, own);
+    }
+    const own = this.others.get(material);
+    own.clippingPlanes = material.clippingPlanes;
+    return own;
   }
 
   /** @param {number} member @param {Matrix4} matrix */

@@ -19,6 +19,7 @@ const GEARS = ["#93a9c1", "#c1ab8b", "#93b5a0", "#ad9fc2", "#c4a0a0", "#8cb0bb"]
 const KINDS = {
   shaft: "#b3b9bf",
   bearing: "#6b7885",
+  element: "#d3d8dc",
   housing: "#9fb3c6",
   carrier: "#b9b39c",
   spring: "#8d97a1",

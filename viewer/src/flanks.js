@@ -104,12 +104,15 @@ export class Flanks {
     return SHADES[this.shade].of(contact.contact, at, loads[s]);
   }
 
-  /** @param {number} visible size of a pixel in the scene [m] */
-  update(visible) {
+  /**
+   * @param {number} visible size of a pixel in the scene [m]
+   * @param {(point: import("three").Vector3) => boolean} removed by a section
+   */
+  update(visible, removed = () => false) {
     this.meshes.forEach(({ contact, rods, pattern, gauge, lines }, k) => {
       const greatest = this.top(contact);
       const shade = (line, s) => this.value(contact, line, s);
-      rods.update(lines, this.showsLines && !this.hidden, visible, greatest, shade);
+      rods.update(lines.filter(({ from }) => !removed(from)), this.showsLines && !this.hidden, visible, greatest, shade);
       pattern.update(contact.greatest > 0 ? this.mode : "off", this.hidden, greatest, SHADES[this.shade]);
       gauge.update(k === this.gauged && !this.hidden);
     });

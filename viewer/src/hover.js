@@ -41,7 +41,12 @@ export class Hover {
     });
     canvas.addEventListener("dblclick", (event) => {
       const found = stage.hit(event.clientX, event.clientY);
-      if (found) follow(stage.pictures[found.picture].data.bodies[found.part.solid.body]?.name);
+      if (!found) return;
+      const { bodies } = stage.pictures[found.picture].data;
+      let body = bodies[found.part.solid.body];
+      // Cages are not in the list of bodies; the ring that they run in is.
+      while (body?.part) body = bodies[body.parent];
+      follow(body?.name);
     });
   }
 
@@ -51,16 +56,17 @@ export class Hover {
     this.label.hidden = !found;
     if (!found) return;
     const { solid } = found.part;
-    this.label.textContent = words(solid);
+    this.label.textContent = words(solid, found.fault);
     const box = this.stage.canvas.getBoundingClientRect();
     const x = Math.min(this.at.x - box.left + 14, box.width - this.label.offsetWidth - 4);
     this.label.style.transform = `translate(${x}px, ${Math.max(0, this.at.y - box.top - 26)}px)`;
   }
 }
 
-/** @param {any} solid */
-export function words(solid) {
+/** @param {any} solid @param {string} fault of the piece */
+export function words(solid, fault = "") {
   const { name } = solid;
+  if (solid.kind === "element" || (fault && !solid.teeth)) return fault ? `${name}, ${fault}` : name;
   return solid.teeth
     ? `${name}, ${solid.kind}, ${solid.teeth} teeth`
     : name === solid.kind

@@ -76,7 +76,8 @@ export class Legend {
     this.fold(false, false);
     const { clientWidth: width, clientHeight: height } = this.element.parentElement;
     const { offsetWidth: wide, offsetHeight: high } = this.element;
-    this.fold(wide > MOST * width || (wide > TALL * width && high > MOST * height), false);
+    const cut = this.element.scrollHeight > this.element.clientHeight + 1;
+    this.fold(cut || wide > MOST * width || (wide > TALL * width && high > MOST * height), false);
   }
 
   /** Fraction of the width covered at the right; zero if the rest would be too narrow. */

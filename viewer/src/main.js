@@ -4,6 +4,7 @@ import uplotStyle from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 import { el } from "./dom.js";
 import { changeFlanks, showGauge } from "./flanks.js";
+import { begin, fromAddress } from "./link.js";
 import { Page } from "./page.js";
 import { movingSolids, png, stl } from "./save.js";
 import { SceneError, readScene } from "./scene_file.js";
@@ -14,10 +15,11 @@ let page = null;
 
 /**
  * @param {HTMLElement} element is filled by the viewer and determines its size
- * @param {{compare?: boolean}} options compare: the page contains two scenes
+ * @param {{compare?: boolean, start?: Record<string, string>}} options compare: the page contains two scenes;
+ *   start: initial view, as in the address of the page (link.js)
  * @returns {Promise<boolean>} whether a scene is shown; otherwise the element shows a message with the reason
  */
-async function mount(element, { compare = false } = {}) {
+async function mount(element, { compare = false, start = {} } = {}) {
   if (!document.getElementById("ppv-style"))
     document.head.append(el("style", { id: "ppv-style" }, uplotStyle + style));
   const root = el("div", { className: "ppv" });
@@ -28,6 +30,7 @@ async function mount(element, { compare = false } = {}) {
     const scenes = [await readScene()];
     if (compare) scenes.push(await readScene("-2"));
     page = new Page(root, scenes);
+    begin(page, { ...start, ...fromAddress() });
     root.dataset.ready = "scene";
     return true;
   } catch (error) {
@@ -68,6 +71,14 @@ window.pitchpointViewer = {
   /** View of a target point [m] from a direction; `height` is the visible height at the target [m]. */
   look: (target, direction, height) => shown().views?.look(target, direction, height),
   view: (name) => shown().views?.named(name, true),
+  /** @param {"parallel"|"central"} projection */
+  project: (projection) => shown().project(projection === "parallel"),
+  /**
+   * Section normal to x, y, z, the axis of the shafts or a direction; none: no section.
+   * @param {"x"|"y"|"z"|"axis"|number[]|null} normal
+   * @param {number} [at] position along the normal [m]; default: the middle
+   */
+  section: (normal, at) => (normal ? shown().section?.set(normal, at) : shown().section?.turn(false)),
   show: (channel, on = true) => shown().curves.plots.show(channel, on),
   /**
    * Show a spectrum instead of curves.
@@ -78,6 +89,8 @@ window.pitchpointViewer = {
   magnify: (times) => shown().magnify(times),
   /** @param {string} kind kind of arrows: mesh, pair or bearing */
   arrows: (kind, on = true) => shown().arrows(kind, on),
+  /** @param {"sparse"|"all"} which arrows */
+  density: (which) => shown().density(which === "sparse"),
   lines: (on = true) => changeFlanks(shown(), (flanks) => (flanks.showsLines = on)),
   /** @param {"off"|"all"|"each"} mode */
   pattern: (mode) => changeFlanks(shown(), (flanks) => (flanks.mode = mode)),

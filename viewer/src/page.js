@@ -65,6 +65,7 @@ export class Page {
       ),
       this.panels.bar,
     );
+    this.transport.row.append(this.curves.bar);
     root.replaceChildren(head, this.area, this.transport.element, this.curves.element);
     this.#scene();
     this.#panels();
@@ -106,7 +107,7 @@ export class Page {
     // On a longer page the wheel scrolls the page until the user clicks the scene.
     this.orbit.takesWheel = (event) => {
       const takes = this.fills || event.ctrlKey || document.activeElement === stage.canvas;
-      if (!takes) this.#hint("click the scene to zoom with the wheel");
+      if (!takes) this.hint("click the scene to zoom with the wheel");
       return takes;
     };
     touches(this);
@@ -262,14 +263,15 @@ export class Page {
     }
     if (!this.modes?.active) this.views.update();
     this.section?.update();
-    for (const picture of stage.pictures) {
+    stage.pictures.forEach((picture, k) => {
       const pixel = picture.factor * orbit.pixel;
       picture.solids.update(0.25 * pixel);
       picture.arrows.hidden = picture.flanks.hidden = Boolean(this.modes?.active);
       picture.flanks.look();
-      picture.flanks.update(pixel);
-      picture.arrows.update(pixel);
-    }
+      const removed = (point) => Boolean(this.section?.on) && this.section.removes(point, k);
+      picture.flanks.update(pixel, removed);
+      picture.arrows.update(pixel, (point) => ({ ...stage.onScreen(point, k), removed: removed(point) }));
+    });
     stage.render(orbit);
     stage.pictures.forEach(({ arrows }, k) =>
       this.legends[k].update(arrows.now, arrows.shown, arrows.hidden),
@@ -304,7 +306,7 @@ export class Page {
   }
 
   /** @param {string} words message, shown temporarily */
-  #hint(words) {
+  hint(words) {
     this.status.textContent = words;
     clearTimeout(this.hinted);
     this.hinted = setTimeout(() => this.changed(), 2500);
@@ -347,6 +349,15 @@ export class Page {
     return wrong;
   }
 
+  /** Parallel or central projection. @param {boolean} parallel */
+  project(parallel) {
+    if (!this.stage) return;
+    this.stage.parallel = parallel;
+    this.parallel.input.checked = parallel;
+    if (!this.orbit.chosen) this.views.fit(true);
+    this.changed();
+  }
+
   /** @param {number} body index in the list of bodies to follow, -1 none */
   follow(body) {
     if (!this.stage || body >= this.views.names.length) return;
@@ -366,6 +377,13 @@ export class Page {
   arrows(kind, on) {
     for (const { arrows } of this.stage.pictures) on ? arrows.shown.add(kind) : arrows.shown.delete(kind);
     if (this.kinds?.[kind]) this.kinds[kind].input.checked = on;
+    this.changed();
+  }
+
+  /** All arrows, or only those that do not clutter the picture. @param {boolean} sparse */
+  density(sparse) {
+    for (const { arrows } of this.stage.pictures) arrows.sparse = sparse;
+    if (this.sparse) this.sparse.input.checked = sparse;
     this.changed();
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The toolbar and its panels. One panel is open at a time, over a corner of the scene.
 import { button, choice, el, logSlider, tick } from "./dom.js";
+import { addressOf } from "./link.js";
 import { number } from "./numbers.js";
 import { download, fileName, film, movingSolids, png, stl } from "./save.js";
 
@@ -73,11 +74,12 @@ export class Panels {
 export function viewRows(page) {
   const { stage } = page;
   const views = [
-    ["axis", "Along the axis"],
-    ["front", "From the side"],
-    ["top", "From above"],
-    ["iso", "Oblique"],
+    ["axis", "Along the axis of the shafts (a)"],
+    ["side", "From the side (e)"],
+    ["top", "From above (t)"],
+    ["iso", "Oblique (i)"],
   ];
+  page.parallel = tick("parallel projection (o)", false, (on) => page.project(on));
   page.followed = choice(
     "follow",
     [["-1", "none"], ...page.views.names.map((name, k) => [String(k), name])],
@@ -125,6 +127,7 @@ export function viewRows(page) {
     ),
     page.followed.row,
     turning.row,
+    page.parallel.row,
     covers,
     schematics,
     looks.length
@@ -167,7 +170,21 @@ export function forceRows(page) {
       tick(NAMES[kind] ?? kind, all.some((arrows) => arrows.shown.has(kind)), (on) => page.arrows(kind, on)),
     ]),
   );
-  return [...Object.values(page.kinds).map(({ row }) => row), scale.row];
+  page.sparse = tick("sparse", true, (on) => page.density(on));
+  page.sparse.row.title = "Omit small components and arrows close to larger ones; smaller arrows where there are many";
+  const many = all.some((arrows) => arrows.many);
+  return [...Object.values(page.kinds).map(({ row }) => row), many ? page.sparse.row : null, scale.row].filter(Boolean);
+}
+
+/** Copy a text, which is also the new address of the page. @param {string} text @returns {Promise<string>} */
+async function copied(text) {
+  history.replaceState(null, "", text);
+  try {
+    await navigator.clipboard.writeText(text);
+    return "link copied";
+  } catch {
+    return "the link is in the address bar";
+  }
 }
 
 /** Rows of the panel "Save". @param {import("./page.js").Page} page */
@@ -210,6 +227,15 @@ export function saveRows(page) {
       button("picture × 2", "PNG with twice the resolution", () => picture(2)),
       record,
     ),
+    /^(file|https?):/.test(location.protocol)
+      ? el(
+          "div",
+          { className: "ppv-buttons" },
+          button("copy link", "Copy the address of this page with view, section and time", async () =>
+            page.hint(await copied(addressOf(page))),
+          ),
+        )
+      : null,
     el(
       "div",
       { className: "ppv-buttons" },
@@ -218,7 +244,7 @@ export function saveRows(page) {
       ),
       button("STL", "Solids at the current time, in metres", () => download(stl(page), fileName(page, "stl"))),
     ),
-  ];
+  ].filter(Boolean);
 }
 
 /** Rows of the panel "Vibration". @param {import("./page.js").Page} page */

@@ -6,6 +6,13 @@ import { colourOfChannel, colourOfMark, isForce } from "./colours.js";
 import { fixed, timeUnit } from "./numbers.js";
 
 const LOW = 84; // minimum height of a plot [px]
+const HIGH = 260; // maximum height of a plot [px]
+const NARROW = 340; // minimum width of plots that are next to each other [px]
+const COLUMNS = 3;
+/** Minimum distance of marks of one kind [px]; all are in the list of marks. */
+export const SPARSE = 4;
+const AROUND = 8; // margins and borders of a row [px]
+const LINE = 20; // height of a caption of one line [px]
 /**
  * Distance of the centres of two curves, in spans, above which a common plot would show both as straight
  * lines.
@@ -72,6 +79,8 @@ function apart(a, b) {
   return gap > APART * span && span > 1e-9 * gap;
 }
 
+const PARTING = { className: "ppv-parting" };
+
 export class Plots {
   /**
    * @param {any[][]} channels of each result
@@ -90,7 +99,13 @@ export class Plots {
     this.seek = seek;
     this.time = range[0];
     this.drawn = [];
-    this.element = el("div", { className: "ppv-plots" });
+    this.element = el("div", { className: "ppv-plots", tabindex: "-1" });
+    /** Number of plots below the visible ones; scrolls to them. */
+    this.more = button("", "Scroll to the next plots", () => this.element.scrollBy({ top: this.element.clientHeight }), {
+      className: "ppv-more",
+    });
+    this.more.hidden = true;
+    this.element.addEventListener("scroll", () => this.#count());
     this.names = new Set(
       channels
         .flat()
@@ -99,6 +114,8 @@ export class Plots {
     );
     this.order = [...new Set(channels.flat().map((channel) => channel.name))];
     this.onRemove = () => {};
+    /** Set the minimum height of all around the plots. @type {(height: number) => void} */
+    this.needs = () => {};
   }
 
   /** @param {string} name @param {boolean} on */
@@ -134,8 +151,8 @@ export class Plots {
     // Force components have fixed colours; the other curves use a palette in turn.
     this.turns = groups
       .flatMap(({ members }) => members)
-      .map(({ name }) => name)
-      .filter((name) => !isForce(name));
+      .filter(({ name, found }) => !isForce(name) || found.find(Boolean).whole)
+      .map(({ name }) => name);
     for (const { unit, members } of groups) {
       const holder = el("div", { className: "ppv-plot" });
       const caption = el("div", { className: "ppv-caption" });
@@ -157,14 +174,35 @@ export class Plots {
     this.cursor(this.time);
   }
 
+  /** Show the members of a group instead of it, or the group instead of its members. @param {string} name */
+  part(name) {
+    const all = this.channels.flat();
+    const { members, whole } = all.find((channel) => channel.name === name) ?? {};
+    const [from, to] = members ? [[name], members] : [all.find((channel) => channel.name === whole).members, [whole]];
+    for (const each of from) this.names.delete(each);
+    for (const each of to) this.names.add(each);
+    this.build();
+    this.onRemove();
+  }
+
+  /** Button that shows a group apart or together, for a group and the first of its members. */
+  #parting(channel, shown) {
+    const { name, members, whole } = channel;
+    if (members) return button("apart", `Show the ${members.length} planets apart`, () => this.part(name), PARTING);
+    if (!whole || shown.has(whole)) return null;
+    shown.add(whole);
+    return button("together", "Show the range of all planets", () => this.part(name), PARTING);
+  }
+
   #plot(unit, members, box, caption) {
     const tables = [],
       series = [{}],
       bands = [],
       shows = [];
     const ink = getComputedStyle(this.element);
+    const parted = new Set();
     members.forEach(({ name, found }) => {
-      const colour = colourOfChannel(this.element, name, this.turns.indexOf(name));
+      const colour = colourOfChannel(this.element, found.find(Boolean).whole ? "" : name, this.turns.indexOf(name));
       const tints = [colour, secondTint(this.element, colour)];
       const values = el("output", {});
       const first = found.find(Boolean);
@@ -178,6 +216,7 @@ export class Plots {
           el("span", {}, first.label ?? name),
           values,
           el("small", {}, unit === "1" ? "" : unit),
+          this.#parting(first, parted),
           button("×", `Remove ${first.label ?? name}`, () => {
             this.show(name, false);
             this.onRemove();
@@ -241,7 +280,7 @@ export class Plots {
         scales: { x: { time: false, range: () => this.x }, y: { range: (_, low, high) => range(low, high) } },
         axes: [
           { ...axis, size: 22, gap: 3, values: (_, splits) => timeLabels(splits) },
-          { ...axis, size: 62, gap: 4, space: ticks, values: (_, splits) => labels(splits) },
+          { ...axis, size: room, gap: 4, space: ticks, values: (self, splits) => clear(self, splits, labels(splits)) },
         ],
         hooks: { draw: [(self) => this.#drawMarks(self)] },
       },
@@ -256,11 +295,11 @@ export class Plots {
 
   #drawMarks(plot) {
     const { left, top, width } = plot.bbox;
-    let last = -9;
+    const last = {};
     for (const mark of this.marks) {
       const x = plot.valToPos(mark.time, "x", true);
-      if (x < left || x > left + width || x - last < 1) continue;
-      last = x;
+      if (x < left || x > left + width || x - (last[mark.kind] ?? -9) < SPARSE * this.ratio) continue;
+      last[mark.kind] = x;
       plot.ctx.fillStyle = colourOfMark(this.kinds, mark.kind);
       plot.ctx.fillRect(x - this.ratio / 2, top, 1.2 * this.ratio, 6 * this.ratio);
     }
@@ -302,13 +341,44 @@ export class Plots {
     this.cursor(this.time);
   }
 
+  /** Show how many plots are below. */
+  #count() {
+    const { scrollTop, clientHeight } = this.element;
+    const below = this.drawn.filter(({ box }) => box.offsetTop > scrollTop + clientHeight - LOW / 2).length;
+    this.more.hidden = !below;
+    this.more.textContent = `▾ ${below} more`;
+    this.more.setAttribute("aria-label", `Scroll to ${below} more plot${below === 1 ? "" : "s"}`);
+  }
+
+  /** Plots are next to each other where they fit, and rows are as high as makes whole ones visible. */
   resize() {
+    const count = Math.max(1, this.drawn.length);
+    const { clientWidth: width } = this.element;
+    const columns = Math.max(1, Math.min(count, COLUMNS, Math.floor(width / NARROW)));
+    const most = Math.max(1, Math.floor(this.element.clientHeight / (LOW + LINE)));
+    const used = Math.max(1, Math.min(columns, Math.ceil(count / most)));
+    this.element.style.gridTemplateColumns = `repeat(${used}, minmax(0, 1fr))`;
     // Captions of many curves take several lines on narrow pages.
-    const captions = this.drawn.reduce((sum, { caption }) => sum + caption.offsetHeight, 0);
-    const height = this.element.clientHeight - captions - 4;
-    const each = Math.max(LOW, Math.min(260, Math.floor(height / Math.max(1, this.drawn.length)) - 4));
-    for (const { plot, box } of this.drawn)
+    const rows = [];
+    this.drawn.forEach(({ caption }, k) => {
+      const row = Math.floor(k / used);
+      rows[row] = Math.max(rows[row] ?? 0, caption.offsetHeight);
+    });
+    // The first row is always whole, at the expense of the scene.
+    this.needs(this.drawn.length ? rows[0] + LOW + AROUND : 0);
+    const room = this.element.clientHeight - 4;
+    const seen = rows.findIndex((_, n) => rows.slice(0, n + 1).reduce((sum, high) => sum + high + LOW, 0) > room);
+    const whole = seen < 0 ? rows.length : Math.max(1, seen);
+    const captions = rows.slice(0, whole).reduce((sum, high) => sum + high, 0);
+    const each = Math.max(LOW, Math.min(HIGH, Math.floor((room - captions) / whole)));
+    this.drawn.forEach(({ plot, box, caption }, k) => {
+      caption.style.minHeight = used > 1 ? `${rows[Math.floor(k / used)]}px` : "";
       plot.setSize({ width: Math.max(120, box.clientWidth), height: each });
+    });
+    // Scrolled to the end, the plots at the top are whole as well.
+    const last = rows.slice(-whole).reduce((sum, high) => sum + high + each, 0);
+    this.element.style.paddingBottom = whole < rows.length ? `${Math.max(0, this.element.clientHeight - last - 3)}px` : "";
+    this.#count();
     this.cursor(this.time);
   }
 
@@ -355,10 +425,23 @@ export function secondTint(element, colour) {
  */
 const ticks = (_, __, ___, ____, size) => Math.max(9, Math.min(24, size / 4));
 
+/** Labels without those next to the labels of the time axis. */
+function clear(plot, splits, texts) {
+  const { min, max } = plot.scales.y;
+  return texts.map((text, k) => (splits[k] - min < 0.02 * (max - min) ? "" : text));
+}
+
+/** Width of an axis for its labels [px]. @param {any} _ @param {string[]|null} values */
+function room(_, values) {
+  return Math.max(56, 12 + 6.6 * Math.max(0, ...(values ?? []).map((text) => text?.length ?? 0)));
+}
+
 /** A non-empty axis range with a margin. */
 function range(low, high) {
   if (!(high >= low)) return [0, 1];
-  const air = 0.06 * (high - low || Math.abs(high) || 1);
+  // Round-off is not magnified.
+  const least = 1e-7 * Math.max(Math.abs(low), Math.abs(high));
+  const air = high - low > least ? 0.06 * (high - low) : 0.06 * (Math.abs(high) || 1);
   return [low - air, high + air];
 }
 

@@ -166,7 +166,7 @@ export class Repeated extends Group {
         SPHERE.center.copy(centre).applyMatrix4(WORLD);
         SPHERE.radius = piece.radius;
         if (!FRUSTUM.intersectsSphere(SPHERE)) return;
-        const away = Math.max(-POINT.copy(centre).applyMatrix4(VIEW).z - piece.radius, camera.near);
+        const away = camera.parallel ? camera.distance : Math.max(-POINT.copy(centre).applyMatrix4(VIEW).z - piece.radius, camera.near);
         const allowed = UNSEEN * pixel * away;
         let level = piece.levels.findIndex(({ error }) => error <= allowed);
         if (level < 0) level = piece.levels.length - 1;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Section plane through all solids, normal to x, y, z or the axis of a mesh.
+// Section plane through all solids, normal to x, y, z, the axis of a mesh or any other direction.
 import { Plane, Vector3 } from "three";
-import { choice, el, tick } from "./dom.js";
+import { button, choice, el, tick } from "./dom.js";
 import { fixed } from "./numbers.js";
 
+const SMALL = 2e-6;
 const AXES = { x: new Vector3(1, 0, 0), y: new Vector3(0, 1, 0), z: new Vector3(0, 0, 1) };
 
 export class SectionView {
@@ -13,6 +14,8 @@ export class SectionView {
     this.changed = changed;
     this.on = false;
     this.normal = new Vector3(0, 0, 1);
+    /** Direction from which turn and tilt count. */
+    this.base = new Vector3(0, 0, 1);
     this.flipped = false;
     /** Position along the normal in each viewport. */
     this.places = stage.pictures.map(() => 0);
@@ -27,10 +30,10 @@ export class SectionView {
     this.enable = tick("section (s)", false, (on) => this.turn(on));
     this.axis = choice(
       "normal to",
-      [...Object.keys(AXES).map((name) => [name, name]), ["mesh", "axis of the mesh"]],
+      [...Object.keys(AXES).map((name) => [name, name]), ["mesh", "axis of the mesh"], ["free", "other"]],
       (name) => this.along(name),
     );
-    this.axis.select.lastChild.hidden = true;
+    for (const name of ["mesh", "free"]) this.#option(name).hidden = true;
     this.place = el("input", {
       type: "range",
       min: "0",
@@ -40,6 +43,20 @@ export class SectionView {
     });
     this.place.addEventListener("input", () => this.#moved());
     this.output = el("output", {});
+    this.angles = Object.fromEntries(
+      ["turn", "tilt"].map((word) => {
+        const input = el("input", {
+          type: "range",
+          min: "-90",
+          max: "90",
+          value: "0",
+          title: `${word[0].toUpperCase()}${word.slice(1)} of the section plane`,
+          "aria-label": `${word[0].toUpperCase()}${word.slice(1)} of the section plane`,
+        });
+        input.addEventListener("input", () => this.#turned());
+        return [word, { input, output: el("output", {}) }];
+      }),
+    );
     this.flip = tick("flip side", false, (on) => {
       this.flipped = on;
       this.update();
@@ -49,17 +66,119 @@ export class SectionView {
       this.enable.row,
       this.axis.row,
       el("label", { className: "ppv-slider" }, el("span", {}, "position"), this.place, this.output),
+      ...Object.entries(this.angles).map(([word, { input, output }]) =>
+        el("label", { className: "ppv-slider" }, el("span", {}, word), input, output),
+      ),
+      el(
+        "div",
+        { className: "ppv-buttons" },
+        button("parallel to the screen", "Section plane parallel to the screen (S)", () => this.facing()),
+      ),
       this.flip.row,
     ];
+    stage.section = this;
     this.along(axis);
   }
 
-  /** Section normal to a world axis, through the centre. @param {string} name */
+  /** Section normal to a world axis, through the middle. @param {string} name */
   along(name) {
-    if (name in AXES) this.normal.copy(AXES[name]);
-    this.axis.select.value = name;
-    this.#share(0.5);
+    if (name in AXES) this.#direct(AXES[name], name);
+    this.#share(this.#middle());
     this.#face();
+  }
+
+  /** Middle as a share of the range; of planes along the shafts, the axis of rotation that is next to it. */
+  #middle() {
+    const [{ poses, data }] = this.stage.pictures;
+    const [low, high] = this.#ends();
+    if (Math.abs(this.normal.dot(poses.axis())) > 0.1 || !(high > low)) return 0.5;
+    const still = !data.bodies.some(({ gross }) => gross);
+    const shares = data.bodies
+      .map((body, k) => (this.normal.dot(new Vector3().setFromMatrixPosition(poses.rest[k])) - low) / (high - low))
+      .filter((_, k) => !data.bodies[k].part && (data.bodies[k].gross || still))
+      .filter((share) => share > 0.05 && share < 0.95);
+    return shares.reduce((best, share) => (Math.abs(share - 0.5) < Math.abs(best - 0.5) ? share : best), shares[0] ?? 0.5);
+  }
+
+  /** Section parallel to the screen through the target of the camera. */
+  facing() {
+    const { camera, pictures } = this.stage;
+    const world = pictures[0].seen.clone().invert();
+    const toward = new Vector3(0, 0, 1).applyQuaternion(camera.quaternion);
+    const normal = toward.clone().transformDirection(world);
+    this.#direct(normal, "free");
+    const target = camera.position.clone().addScaledVector(toward, -camera.distance).applyMatrix4(world);
+    const [low, high] = this.#ends();
+    this.#share(Math.max(0, Math.min(1, (normal.dot(target) - low) / (high - low || 1))));
+    this.#face();
+    this.#cut(true);
+  }
+
+  #option(name) {
+    return [...this.axis.select.options].find(({ value }) => value === name);
+  }
+
+  /** Set the normal; turn and tilt then count from it. @param {Vector3} normal @param {string} name */
+  #direct(normal, name) {
+    this.normal.copy(normal).normalize();
+    this.base.copy(this.normal);
+    this.#named(name);
+    for (const { input } of Object.values(this.angles)) input.value = "0";
+    this.#showAngles();
+  }
+
+  #named(name) {
+    for (const other of ["mesh", "free"]) this.#option(other).hidden = other !== name;
+    this.axis.select.value = name;
+  }
+
+  #showAngles() {
+    for (const { input, output } of Object.values(this.angles))
+      output.textContent = `${input.value.replace("-", "\u2212")}°`;
+  }
+
+  /** Rotate the plane about its middle: turn about the vertical on the screen, tilt about the horizontal. */
+  #turned() {
+    const [turn, tilt] = ["turn", "tilt"].map((word) => (Number(this.angles[word].input.value) * Math.PI) / 180);
+    const up = Math.abs(this.base.y) < 0.9 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
+    up.addScaledVector(this.base, -up.dot(this.base)).normalize();
+    const side = new Vector3().crossVectors(up, this.base);
+    const before = this.normal.clone();
+    this.normal.copy(this.base).applyAxisAngle(side, tilt).applyAxisAngle(up, turn);
+    this.places = this.places.map((at, k) => {
+      const { pictures, alike } = this.stage;
+      const { low, high } = alike ? this.stage.bounds() : pictures[k].bounds;
+      const middle = low.clone().add(high).multiplyScalar(0.5);
+      return this.normal.dot(middle.addScaledVector(before, at - before.dot(middle)));
+    });
+    if (turn || tilt) this.#named("free");
+    const [low, high] = this.#ends();
+    this.place.value = String((1000 * (this.at - low)) / (high - low || 1));
+    this.#showAngles();
+    this.#showPlace();
+    this.update();
+    this.changed();
+  }
+
+  /** Move the plane by a share of its range. @param {number} share */
+  move(share) {
+    this.#share(Math.max(0, Math.min(1, Number(this.place.value) / 1000 + share)));
+  }
+
+  /**
+   * Section by name or by its normal, at a position along it.
+   * @param {string|number[]} normal x, y, z, axis, or components
+   * @param {number} [at] [m]
+   */
+  set(normal, at) {
+    const axis = this.stage.pictures[0].poses.axis();
+    const wanted = Array.isArray(normal) ? new Vector3(...normal) : (AXES[normal] ?? axis);
+    const near = Object.entries(AXES).find(([, each]) => each.dot(wanted) > 1 - 1e-9);
+    this.#direct(wanted, near ? near[0] : "free");
+    const [low, high] = this.#ends();
+    this.#share(at === undefined ? this.#middle() : (at - low) / (high - low || 1));
+    this.#face();
+    this.#cut(true);
   }
 
   get at() {
@@ -74,10 +193,7 @@ export class SectionView {
    */
   through(points, normal) {
     const near = Object.entries(AXES).find(([, axis]) => Math.abs(axis.dot(normal)) > 1 - 1e-9);
-    this.normal.copy(normal).normalize();
-    if (near) this.normal.copy(near[1]);
-    this.axis.select.lastChild.hidden = Boolean(near);
-    this.axis.select.value = near ? near[0] : "mesh";
+    this.#direct(near ? near[1] : normal, near ? near[0] : "mesh");
     // The half between the camera and the section is removed.
     this.flipped = this.normal.dot(normal) < 0;
     this.flip.input.checked = this.flipped;
@@ -129,8 +245,21 @@ export class SectionView {
 
   /** Remove the half on the camera side, so that the section faces the camera. */
   #face() {
-    const camera = this.stage.camera.position.clone().applyMatrix4(this.stage.pictures[0].seen.clone().invert());
-    this.flipped = this.normal.dot(camera) < this.at;
+    const { camera, pictures } = this.stage;
+    this.face(new Vector3(0, 0, 1).applyQuaternion(camera.quaternion), camera.position, pictures[0].seen);
+  }
+
+  /**
+   * Remove the half towards a direction; edge-on, the half of a point.
+   * @param {Vector3} toward the camera
+   * @param {Vector3} [point] in the camera's world
+   * @param {import("three").Matrix4} [seen]
+   */
+  face(toward, point, seen = this.stage.pictures[0].seen) {
+    const world = seen.clone().invert();
+    const side = this.normal.dot(toward.clone().transformDirection(world));
+    if (Math.abs(side) > 1e-3) this.flipped = side < 0;
+    else if (point) this.flipped = this.normal.dot(point.clone().applyMatrix4(world)) < this.at;
     this.flip.input.checked = this.flipped;
     this.update();
   }
@@ -152,13 +281,20 @@ export class SectionView {
     this.changed();
   }
 
+  /** Whether a point is in the half that the section has removed. @param {Vector3} point @param {number} picture */
+  removes(point, picture) {
+    const above = this.normal.dot(point) - this.places[picture];
+    return (this.flipped ? -above : above) > 1e-3 * this.stage.pictures[picture].bounds.whole.radius;
+  }
+
   /** Transform the planes to the camera's world. */
   update() {
     // Clipping keeps the half-space towards which the normal of a plane points.
     const sign = this.flipped ? 1 : -1;
     this.planes.forEach((plane, k) => {
       plane.normal.copy(this.normal).multiplyScalar(sign);
-      plane.constant = -sign * this.places[k];
+      // Faces of solids in the plane are slightly in front of it, so that they do not flicker.
+      plane.constant = -sign * this.places[k] - SMALL * this.stage.pictures[k].bounds.whole.radius;
       plane.applyMatrix4(this.stage.pictures[k].seen);
     });
   }

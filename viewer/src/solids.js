@@ -15,56 +15,12 @@ const MOST_MESHES = 300;
 // Covers larger than this factor times their contents are not included in the fitted view.
 const LARGE_COVER = 2.5;
 
-// Depth offset of section faces: a fraction of the viewing distance, for the resolution of the depth buffer,
-// and a fraction of the distance from the axis of the solid, for the different facets of a bore and the part
-// seated in it. The second one is smaller than the tooth thickness.
-const NEARER = 4e-4;
-const FACETS = 3e-3;
-
 // Pose of hidden members of a batch: triangles without area are not drawn.
 const NOWHERE = new Matrix4().multiplyScalar(0);
-
-/**
- * Draw back faces visible through a section as hatched section faces, independent of the light. A shaft and
- * the bore around it share a surface, which is a section face of one and an outer face of the other. Section
- * faces are therefore drawn slightly nearer, also in close views, where the facets of the two are visibly
- * apart.
- */
-function drawCut(material) {
-  material.onBeforeCompile = (shader) => {
-    shader.vertexShader = `varying float fromAxis;
-      ${shader.vertexShader}`.replace(
-      "#include <begin_vertex>",
-      `#include <begin_vertex>
-        fromAxis = length(position.xy);`,
-    );
-    shader.fragmentShader = `varying float fromAxis;
-      #ifdef DOUBLE_SIDED
-        uniform mat4 projectionMatrix;
-      #endif
-      ${shader.fragmentShader}`.replace(
-      "#include <opaque_fragment>",
-      `#ifdef DOUBLE_SIDED
-        gl_FragDepth = gl_FragCoord.z;
-        if (!gl_FrontFacing) {
-          float away = 1.0 / gl_FragCoord.w;
-          // At oblique incidence the difference in depth is larger.
-          float facing = abs(dot(normalize(vNormal), normalize(vViewPosition)));
-          float nearer = away - max(${NEARER} * away, ${FACETS} * fromAxis / max(facing, 0.15));
-          gl_FragDepth = clamp(0.5 + 0.5 * (projectionMatrix[3][2] / nearer - projectionMatrix[2][2]), 0.0, 1.0);
-          float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 9.0);
-          outgoingLight = diffuseColor.rgb * (stripe < 1.1 ? 0.66 : 0.86);
-        }
-      #endif
-      #include <opaque_fragment>`,
-    );
-  };
-}
 
 function material(colour, seeThrough) {
   const made = new MeshLambertMaterial({ color: colour });
   if (seeThrough) Object.assign(made, { transparent: true, opacity: 0.22, depthWrite: false });
-  drawCut(made);
   return made;
 }
 

@@ -7,7 +7,6 @@ import {
   Group,
   HemisphereLight,
   Matrix4,
-  PerspectiveCamera,
   Raycaster,
   Scene,
   Vector2,
@@ -15,6 +14,8 @@ import {
   WebGLRenderer,
 } from "three";
 import { Arrows } from "./arrows.js";
+import { Camera } from "./camera.js";
+import { Caps } from "./caps.js";
 import { Flanks } from "./flanks.js";
 import { Poses } from "./poses.js";
 import { Solids } from "./solids.js";
@@ -39,7 +40,7 @@ export function graphics() {
 const ALIKE = { size: 1.5, away: 0.5 };
 
 class Picture {
-  /** @param {any} data one scene @param {Element} element @param {PerspectiveCamera} camera */
+  /** @param {any} data one scene @param {Element} element @param {Camera} camera */
   constructor(data, element, camera) {
     this.data = data;
     this.camera = camera;
@@ -70,6 +71,7 @@ class Picture {
     this.poses = new Poses(data);
     this.solids = new Solids(data, this.root, this.poses);
     this.bounds = this.solids.bounds();
+    this.caps = new Caps(this.solids, this.bounds);
     this.flanks = new Flanks(data, this.root, this.overRoot, this.poses);
     this.arrows = new Arrows({ arrows: [...data.arrows, ...this.flanks.pairs()] }, this.overRoot, this.poses, element, this.bounds.size);
   }
@@ -83,13 +85,13 @@ export class Stage {
     this.host = host;
     this.software = software;
     // Antialiasing slows a software renderer from 12 to 3 frames per second.
-    this.renderer = new WebGLRenderer({ antialias: !software, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({ antialias: !software, stencil: true, powerPreference: "high-performance" });
     this.renderer.autoClear = false;
     this.renderer.localClippingEnabled = true;
     this.canvas = this.renderer.domElement;
     this.canvas.className = "ppv-canvas";
     host.append(this.canvas);
-    this.camera = new PerspectiveCamera(28, 1, 0.01, 100);
+    this.camera = new Camera(28, 1, 0.01, 100);
     this.pictures = scenes.map((scene, k) => new Picture(scene, host, k ? this.camera.clone() : this.camera));
     this.alike = alike(this.pictures);
     const [{ bounds }] = this.pictures;
@@ -141,6 +143,15 @@ export class Stage {
     }
   }
 
+  get parallel() {
+    return this.camera.parallel;
+  }
+
+  /** Parallel instead of central projection. @param {boolean} on */
+  set parallel(on) {
+    for (const { camera } of this.pictures) camera.parallel = on;
+  }
+
   /** Bounds of all viewports that share a target; the centre is in the camera's world. */
   bounds() {
     const each = (this.alike ? this.pictures : this.pictures.slice(0, 1)).map(({ bounds }) => bounds);
@@ -189,7 +200,9 @@ export class Stage {
       camera.quaternion.copy(this.camera.quaternion);
     }
     const away = target.distanceTo(whole.centre.clone().applyMatrix4(seen));
-    camera.near = Math.max(0.01 * distance, distance - away - 1.3 * whole.radius);
+    camera.distance = distance;
+    // In parallel projection, parts behind the camera are visible too.
+    camera.near = Math.max(camera.parallel ? -Infinity : 0.01 * distance, distance - away - 1.3 * whole.radius);
     camera.far = distance + away + 2.5 * whole.radius;
     const part = this.size.width / this.pictures.length;
     camera.setViewOffset(part, this.size.height, this.shift * part, -this.drop * this.size.height, part, this.size.height);
@@ -216,6 +229,14 @@ export class Stage {
       picture.overRoot.matrix.copy(seen);
       picture.solids.choose(seen, camera, pixel);
       renderer.render(picture.scene, camera);
+      if (this.section?.on) {
+        const size = (2 * camera.distance * Math.tan((camera.fov * Math.PI) / 360)) / this.size.height;
+        picture.caps.render(renderer, camera, this.section.planes[k], seen, size, {
+          left: k * width,
+          width,
+          height: this.size.height,
+        });
+      }
       if ((picture.arrows.hidden || !picture.arrows.shown.size) && !picture.flanks.over) return;
       renderer.clearDepth();
       renderer.render(picture.over, camera);
@@ -247,6 +268,7 @@ export class Stage {
     );
     const ray = new Raycaster();
     ray.setFromCamera(at, picture.camera);
+    if (picture.camera.parallel) ray.ray.origin.addScaledVector(ray.ray.direction, Math.min(0, picture.camera.near));
     const found = picture.solids.hit(ray);
     return found && { ...found, picture: k };
   }

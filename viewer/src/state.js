@@ -23,6 +23,7 @@ export function stateOf(page) {
     message: page.area.querySelector(".ppv-message")?.textContent ?? null,
     drawn: stage?.drawn ?? 0,
     ratio: stage?.ratio ?? 0,
+    projection: stage?.parallel ? "parallel" : "central",
     section: page.section
       ? { on: page.section.on, normal: triple(page.section.normal), at: page.section.at }
       : null,
@@ -46,6 +47,7 @@ export function stateOf(page) {
       triangles: picture.solids.triangles,
       drawnTriangles: picture.solids.drawn,
       batches: picture.solids.batches.length,
+      hatches: page.section?.on ? picture.caps.state() : {},
       contacts: picture.flanks.state(),
       arrows: (picture.arrows.now ?? []).map((force, k) => ({
         name: force.name,

@@ -5,6 +5,7 @@ import { button, choice, el, logSlider } from "./dom.js";
 import { nameOfMark } from "./marks_panel.js";
 import { duration, instant, speedWords } from "./numbers.js";
 import { SLOWEST } from "./player.js";
+import { SPARSE } from "./plots.js";
 
 const FINE = 1e6;
 
@@ -80,23 +81,24 @@ export class Transport {
           button("⟩", "Next mark (])", () => this.toMark(1)),
         ]
       : [];
+    this.row = el(
+      "div",
+      { className: "ppv-transport" },
+      this.play,
+      button("|◂", "To the start (Home)", () => does.seek(player.window[0])),
+      button("◂", `One frame back (left arrow)${step}`, () => does.step(-1)),
+      button("▸", `One frame forward (right arrow)${step}`, () => does.step(1)),
+      ...this.jump,
+      this.read,
+      this.speed.row,
+      this.loop.row,
+      this.status,
+    );
     this.element = el(
       "div",
       { className: "ppv-time" },
       el("div", { className: "ppv-track" }, this.strip, this.range, this.tip),
-      el(
-        "div",
-        { className: "ppv-transport" },
-        this.play,
-        button("|◂", "To the start (Home)", () => does.seek(player.window[0])),
-        button("◂", `One frame back (left arrow)${step}`, () => does.step(-1)),
-        button("▸", `One frame forward (right arrow)${step}`, () => does.step(1)),
-        ...this.jump,
-        this.read,
-        this.speed.row,
-        this.loop.row,
-        this.status,
-      ),
+      this.row,
     );
     if (player.times.length < 2) this.element.classList.add("ppv-still");
   }
@@ -173,13 +175,17 @@ export class Transport {
       );
       pen.globalAlpha = 1;
     }
+    const last = {};
     for (const mark of this.marks) {
       pen.fillStyle = colourOfMark(this.kinds, mark.kind);
       pen.globalAlpha = 0.3;
       if (mark.until > mark.time) pen.fillRect(x(mark.time), 3, x(mark.until) - x(mark.time), height - 9);
+      if (x(mark.time) - (last[mark.kind] ?? -9) < SPARSE) continue;
+      last[mark.kind] = x(mark.time);
       pen.globalAlpha = 1;
       pen.fillRect(x(mark.time) - 0.75, 1, 1.5, height - 5);
     }
+    pen.globalAlpha = 1;
   }
 
   update() {

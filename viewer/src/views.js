@@ -15,7 +15,7 @@ export class Views {
     this.legends = legends;
     this.panel = panel;
     /** Names of the bodies that can be followed; those of the first result come first, in their order. */
-    this.names = [...new Set(stage.pictures.flatMap(({ data }) => data.bodies.map(({ name }) => name)))];
+    this.names = [...new Set(stage.pictures.flatMap(({ data }) => data.bodies.filter(({ part }) => !part).map(({ name }) => name)))];
     this.body = -1;
     this.turning = false;
     this.anchors = stage.pictures.map(() => new Matrix4());
@@ -52,7 +52,7 @@ export class Views {
     const [along, across, over] = upright ? [0.55 * Math.sign(axis.dot(up)), 1, 0.7] : [1, 0.75, 0.55];
     return {
       axis,
-      front: side,
+      side,
       top: upright ? axis : third,
       iso: axis.clone().multiplyScalar(along).addScaledVector(side, across).addScaledVector(third, over),
     };
@@ -146,12 +146,13 @@ export class Views {
       for (const point of points) {
         const from = point.clone().sub(target);
         const [x, y, z] = [from.dot(right), from.dot(above), from.dot(toward)];
-        const depth = Math.max(distance - z, 1e-3 * radius);
+        const depth = camera.parallel ? distance : Math.max(distance - z, 1e-3 * radius);
         ends[0] = Math.min(ends[0], x / depth);
         ends[1] = Math.max(ends[1], x / depth);
         ends[2] = Math.min(ends[2], y / depth);
         ends[3] = Math.max(ends[3], y / depth);
-        least = Math.max(least, z + Math.abs(x) / wide, z + Math.abs(y) / tall);
+        const nearer = camera.parallel ? 0 : z;
+        least = Math.max(least, nearer + Math.abs(x) / wide, nearer + Math.abs(y) / tall);
       }
       if (round === 2) {
         distance = least;
@@ -164,18 +165,24 @@ export class Views {
     /** Whether a point lies in the upper right corner given by fractions of width and height. */
     const under = (point, share, drop) => {
       const from = point.clone().sub(target);
-      const tip = half * (distance - from.dot(toward));
+      const tip = half * (camera.parallel ? distance : distance - from.dot(toward));
       return from.dot(right) > tip * camera.aspect * (1 - 2 * share) && from.dot(above) > tip * (1 - 2 * drop);
     };
     return { target, distance, under };
   }
 
-  /** @param {"axis"|"front"|"top"|"iso"} name @param {boolean} atOnce */
+  /**
+   * Standard view.
+   * @param {"axis"|"side"|"front"|"top"|"iso"} name front: another name of the view from the side
+   * @param {boolean} atOnce
+   */
   named(name, atOnce = false) {
     const directions = this.directions();
+    const direction = directions[name === "front" ? "side" : name];
     // In the view from above, the axis is horizontal as in the side view.
-    if (name === "top") this.orbit.look({ direction: directions.front });
-    this.orbit.look({ direction: directions[name] }, atOnce);
+    if (name === "top") this.orbit.look({ direction: directions.side });
+    this.orbit.look({ direction }, atOnce);
+    this.stage.section?.face(direction);
     this.fit(atOnce);
   }
 

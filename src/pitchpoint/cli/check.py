@@ -9,6 +9,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.settings import set_option
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 DETAILED = (
     *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
+    *("bevel_meshes", "planetary_stages", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
 )
 """Sections that are not shown by the names of their components alone."""
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
@@ -31,6 +32,7 @@ FREEDOMS = {
 
 @click.command()
 @model_file
+@set_option
 @common
 def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """Check FILE and list bodies with degrees of freedom and positions, meshes, loads, scenarios, defaults.
@@ -39,10 +41,10 @@ def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """
     from pitchpoint.cli.failure import say
     from pitchpoint.cli.reading import read_model
-    from pitchpoint.model.remarks.collect import odd_shapes, remarks_of
+    from pitchpoint.model.remarks.collect import odd_shapes, remarks_of, remarks_of_file
 
     model = read_model(file, allow_code, quiet)
-    messages = (*remarks_of(model), *odd_shapes(model))
+    messages = (*remarks_of_file(model), *remarks_of(model), *odd_shapes(model))
     for message in messages:
         say(f"warning: {message}")
     if as_json:
@@ -55,8 +57,10 @@ def summary(model: Model) -> dict[str, Any]:
     """Data of the simulated model."""
     from pitchpoint.model.mechanism import seat_frame
     from pitchpoint.model.signals import HEAD, signal_lines
+    from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.masses import masses
+    from pitchpoint.report.planets import stages_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
 
     facts = elastic_facts(model) if model.elastic_bodies else {}
@@ -79,6 +83,8 @@ def summary(model: Model) -> dict[str, Any]:
     return {
         "ok": True,
         "title": model.title,
+        "parameters": _parameters(model),
+        "included": list(model.origin.files),
         "degrees_of_freedom": sum(
             len(_freedoms(model, name)) * len(model.stations.get(name, (0.0,))) for name in model.bodies
         ),
@@ -108,6 +114,7 @@ def summary(model: Model) -> dict[str, Any]:
             }
             for name, mesh in model.bevel_meshes.items()
         },
+        "planetary_stages": stages_of_model(model),
         "shafts": _stations(model),
         "beam_stations": _beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
@@ -117,12 +124,28 @@ def summary(model: Model) -> dict[str, Any]:
         "ratios": list(model.ratios),
         "mobility": _mobility(model),
         "bearings": list(model.bearings),
+        "bearing_data": bearing_data(model),
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in (*FORCES, *model.others)},
         "loads": list(model.loads),
         "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
+    }
+
+
+def _parameters(model: Model) -> dict[str, dict[str, Any]]:
+    """Parameters as written, with SI value and unit."""
+    from pitchpoint.core.formula.dimension import readable
+
+    return {
+        name: {
+            "written": part.value,
+            "value": model.amounts[name].value,
+            "unit": readable(model.amounts[name].unit),
+            "text": part.text,
+        }
+        for name, part in model.parameters.items()
     }
 
 
@@ -256,7 +279,13 @@ def _direction(axis: list[float]) -> str:
 def _print(model: Model, file: str) -> None:
     """Print the data as tables."""
     found = summary(model)
+    from pitchpoint.report.parameters import HEAD, parameter_lines
+
     show(f"{file}: no problems" + (f" – {model.title}" if model.title else ""))
+    if found["included"]:
+        show(f"included files: {', '.join(found['included'])}")
+    if model.parameters:
+        table("Parameters", HEAD, parameter_lines(model))
     _show_bodies(found)
     if found["masses"]:
         from pitchpoint.cli.mass import show_masses
@@ -286,9 +315,15 @@ def _print(model: Model, file: str) -> None:
         table("Stations of beams", ["station", "from first end [mm]", "in the world [mm]", "attached"], rows)
     _show_joints(found)
     _show_meshes(found)
+    if found["planetary_stages"]:
+        from pitchpoint.cli.planets import show_stages
+
+        show_stages(found["planetary_stages"])
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
-        if found[group]:
+        if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
+    if model.rolling_bearings:
+        _show_bearings(model)
     if found["signals"]:
         table("Signals", list(found["signals"][0]), [list(line.values()) for line in found["signals"]])
     if found["scenarios"]:
@@ -297,6 +332,16 @@ def _print(model: Model, file: str) -> None:
     if assumed:
         rows = [[entry["key"], entry["value"]] for entry in assumed]
         table("Defaults in effect", ["key", "value"], rows)
+
+
+def _show_bearings(model: Model) -> None:
+    """Print the data of rolling bearings, given or estimated."""
+    from pitchpoint.report.bearing_data import HEAD, bearing_lines
+
+    rows, notes = bearing_lines(model)
+    table("Rolling bearings", list(HEAD), rows)
+    for note in notes:
+        show(note)
 
 
 def _show_bodies(found: dict[str, Any]) -> None:

@@ -21,6 +21,7 @@ import click
 from pitchpoint.cli.interrupt import end_at_the_second_interrupt
 
 COMMANDS = {
+    "new": "Write a commented model to start from.",
     "check": "Check a model file; list its parts and defaults.",
     "gears": "Geometry of gears and pairs; drawings.",
     "clearance": "Clearances between assembled gears, with pictures.",
@@ -44,6 +45,7 @@ COMMANDS = {
     "view": "3-D scene of a model or result in one HTML file.",
     "report": "Report of a model and its results in one HTML file.",
     "examples": "List or copy the examples.",
+    "schema": "JSON schema of model files, for editors.",
     "warmup": "Compile all kernels in advance.",
 }
 

@@ -172,7 +172,7 @@ def _write(
     from pitchpoint.io.dataset_tables import write_dataset
     from pitchpoint.io.target import write_file
     from pitchpoint.io.yaml_edit import changed_text
-    from pitchpoint.io.yaml_model import text_of
+    from pitchpoint.io.yaml_tree import text_of
     from pitchpoint.model.write import quantity_text
     from pitchpoint.solvers.contact_analysis.relief.variables import with_values
     from pitchpoint.viz.relief_plot import plot_relief

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import set_option, vary_option, with_settings
+from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, quantity, scenario
 from pitchpoint.cli.output import emit_json, show, show_notes, shown
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -76,15 +77,17 @@ def run(
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
+        rattle_table,
         refuse_without_effect,
         result_path,
+        show_planets,
         statistics_table,
         unless_it_cannot_begin,
     )
     from pitchpoint.report.main_channels import main_channels
     from pitchpoint.viz.quantities import window_words
 
-    model = with_settings(read_model(file, allow_code, quiet), how["settings"])
+    model = read_model(file, allow_code, quiet)
     step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
     stored = {"--channels": how["channels"] or None}
     name = choose_scenario(model, scenario, "time", "quasi_static")
@@ -124,9 +127,11 @@ def run(
             chosen = None if how["everything"] else main_channels(model, rows, name)
             window = f", {window_words(*summary['window'])}" if summary["window"] else ""
             statistics_table(f"{title}{window}", rows, chosen)
+            rattle_table(rows)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
+        show_planets(summary["planet_loads"])
         show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
         show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
@@ -135,7 +140,7 @@ def run(
 def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
     """Compute the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.cli.results import result_path, unless_it_cannot_begin
+    from pitchpoint.cli.results import result_path, show_planets, unless_it_cannot_begin
     from pitchpoint.cli.roll import NOT_BEGUN, compute, show_roll
 
     target = result_path(output, file, name)
@@ -146,6 +151,7 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
         emit_json(summary)
     elif summary["steps"] and not quiet:
         show_roll(f"{model.title or file}: {name}", summary)
+        show_planets(summary["planet_loads"])
         show(f"{summary['steps']} points in {summary['wall_s']:.3g} s, written to {target}")
         show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
@@ -174,6 +180,7 @@ def compute(
     from pitchpoint.solvers.time import loop_of, run_time
     from pitchpoint.system.channel_choice import chosen_channels
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import loads_in
 
     chosen = model.scenarios[name]
     expect(loop_of(chosen.method))
@@ -218,6 +225,7 @@ def compute(
         "notes": notes,
         "events": len(done.events),
         "channels": statistics,
+        "planet_loads": loads_in(model, statistics),
         **({"contact_solver": done.contact_solver} if done.contact_solver else {}),
         **inner,
     }

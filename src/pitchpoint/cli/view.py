@@ -24,6 +24,20 @@ if TYPE_CHECKING:
     metavar="N",
     help="Also compute and show the lowest N mode shapes; default: none.",
 )
+@click.option(
+    "--view",
+    "direction",
+    type=click.Choice(["axis", "side", "top", "iso"]),
+    default="iso",
+    show_default=True,
+    help="Initial view: along the axis of the shafts, from the side, from above, or oblique.",
+)
+@click.option("--parallel", is_flag=True, help="Parallel projection, as in a drawing; default: central.")
+@click.option(
+    "--section",
+    type=click.Choice(["x", "y", "z", "axis"]),
+    help="Cut the parts in the middle, normal to x, y, z or the axis of the shafts; default: no section.",
+)
 @writes(
     "--film",
     help="Also write a video (mp4, webm or gif); requires Chromium, ffmpeg and Playwright.",
@@ -36,6 +50,9 @@ def view(
     file: str,
     other: str | None,
     modes: int | None,
+    direction: str,
+    parallel: bool,
+    section: str | None,
     film: str | None,
     output: str | None,
     allow_code: bool,
@@ -47,6 +64,7 @@ def view(
     """
     from pitchpoint.report.film import film_maker
     from pitchpoint.report.view import write_view
+    from pitchpoint.viz.scene.page import SceneStart
 
     # missing programs are reported before anything is computed
     maker = None if film is None else film_maker(film)
@@ -54,7 +72,8 @@ def view(
     if modes and other is not None:
         raise click.BadParameter("modes can only be shown for one result or model", param_hint="--modes")
     sources = [file] if other is None else [file, other]
-    written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0)
+    start = SceneStart(view=direction, parallel=parallel, section=section or "")
+    written, notes = write_view(target, *sources, allow_code=allow_code, modes=modes or 0, start=start)
     if not quiet:
         show(f"scene written to {written}, {written.stat().st_size / 1e6:.1f} MB; open it in a browser")
         show_notes(notes)

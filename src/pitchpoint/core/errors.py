@@ -18,6 +18,28 @@ class PitchpointError(Exception):
     """Base class of all errors that the package raises deliberately."""
 
 
+class FileLine(int):
+    """Line of a file that another file includes: its number, and the name of the file.
+
+    Examples
+    --------
+    >>> line = FileLine(4, "gears.yaml")
+    >>> line + 1, line.file
+    (5, 'gears.yaml')
+    """
+
+    file: str
+
+    def __new__(cls, number: int, file: str) -> FileLine:
+        """Create the number with its file."""
+        self = super().__new__(cls, number)
+        self.file = file
+        return self
+
+    def __reduce__(self) -> tuple[type[FileLine], tuple[int, str]]:
+        return FileLine, (int(self), self.file)
+
+
 class Message(str):
     """Message to the user: a sentence that also provides its parts as attributes.
 
@@ -34,10 +56,12 @@ class Message(str):
     remedy
         Corrective action.
     line
-        Line of the file, from 1.
+        Line of the file, from 1; a `FileLine` also names the file.
     kind
         "problem": computation impossible; "warning": outside a usual or stated range; "remark": valid, but
         probably not intended; "note": an assumption or limitation of a result.
+    file
+        Included file that contains the line; None for the file itself.
 
     Examples
     --------
@@ -55,6 +79,7 @@ class Message(str):
     remedy: str | None
     line: int | None
     kind: str
+    file: str | None
 
     def __new__(
         cls,
@@ -65,22 +90,26 @@ class Message(str):
         remedy: str | None = None,
         line: int | None = None,
         kind: str = "problem",
+        file: str | None = None,
     ) -> Message:
         """Compose the sentence."""
-        place = where if line is None else f"{where} (line {line})"
+        file = getattr(line, "file", file)
+        at = f"{file}, line {line}" if file else f"line {line}"
+        place = where if line is None else f"{where} ({at})".lstrip()
         sentence = f"{place}: " if place else ""
         sentence += text if value is None else f"{value} {text}"
         sentence += "" if limit is None else f" (limit {limit})"
         sentence += "" if remedy is None else f"; {remedy}"
         self = super().__new__(cls, sentence)
         self.where, self.text, self.value, self.limit = where, text, value, limit
-        self.remedy, self.line, self.kind = remedy, line, kind
+        self.remedy, self.line, self.kind = remedy, None if line is None else int(line), kind
+        self.file = file
         return self
 
     @property
     def parts(self) -> dict[str, Any]:
-        """Parts by name, in the order of the arguments."""
-        return dict(vars(self))
+        """Parts by name, in the order of the arguments; `file` only for a line of an included file."""
+        return {name: part for name, part in vars(self).items() if name != "file" or part}
 
     def changed(self, **parts: Any) -> Message:
         """Copy with some parts changed."""

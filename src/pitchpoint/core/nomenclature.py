@@ -17,7 +17,12 @@ from pitchpoint.core.errors import PitchpointError
 _PARTS = {
     "beam_force": {"mx": "beam_moment", "my": "beam_moment", "mz": "beam_moment"},
     "displacement": {"rx": "tilt", "ry": "tilt", "rz": "angle"},
-    "bearing_force": {"mx": "bearing_moment", "my": "bearing_moment", "mz": "bearing_moment"},
+    "bearing_force": {
+        "mx": "bearing_moment",
+        "my": "bearing_moment",
+        "mz": "bearing_moment",
+        "direction": "bearing_direction",
+    },
     "coupling_force": {"mx": "coupling_moment", "my": "coupling_moment", "mz": "coupling_moment"},
     "bushing_force": {"mx": "bushing_moment", "my": "bushing_moment", "mz": "bushing_moment"},
 }

@@ -172,6 +172,31 @@ def in_unit(value: float, dimension: str, unit: str) -> float:
     return value / (1.0 if unit == "" else float(_factor(unit, dimension)))
 
 
+def natural_quantity(text: str) -> tuple[float, str]:
+    """SI value of a quantity of any dimension, and its unit as written.
+
+    Cycles and radians are kept apart as in `natural_si`. Text that is not a number with a unit is an error.
+
+    Examples
+    --------
+    >>> natural_quantity("25 um"), natural_quantity("3")
+    ((2.5e-05, 'um'), (3.0, ''))
+    """
+    match = _QUANTITY.fullmatch(text.replace("−", "-")) if len(text) <= _MAX_TEXT else None
+    if match is None:
+        raise UnitError(
+            f"{text[:_MAX_TEXT]!r} does not begin with a number; expected a quantity such as 3 mm"
+        )
+    number, unit = _split(text, DIMENSIONS["length"])
+    if not unit:
+        return float(number), ""
+    resolved = parse_unit(unit)
+    value = _product_of(number, _scaled(resolved.factor, resolved.rev))
+    if not math.isfinite(value):
+        raise UnitError(f"{text.strip()} is not a finite number")
+    return value, unit
+
+
 def natural_si(unit: str) -> float:
     """Factor of a unit to its SI unit, without an expected dimension.
 

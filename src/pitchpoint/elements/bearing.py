@@ -26,6 +26,7 @@ import numpy as np
 from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import ACROSS, FRAME, HOLDS, NOTHING, TOGETHER, Kind, Power
+from pitchpoint.elements.ring import RESULTANT_OUTPUTS, put_resultants
 from pitchpoint.multibody.channels import frame_args, observations
 from pitchpoint.multibody.vectors import add, cross, dot, times, unit
 
@@ -64,11 +65,9 @@ OUTPUTS = (
 def outputs(record: np.void) -> tuple[tuple[str, str, str], ...]:
     """Observations of one record, named as bearing (on ground, in a housing) or as coupling."""
     if record["j"] == 0 or record["housed"]:
-        return OUTPUTS
-    return tuple(
-        (name.replace("bearing", "coupling"), unit, words.replace("the body", "the first body"))
-        for name, unit, words in OUTPUTS
-    )
+        return OUTPUTS + RESULTANT_OUTPUTS
+    first = ("the body", "the first body")
+    return tuple((n.replace("bearing", "coupling"), u, words.replace(*first)) for n, u, words in OUTPUTS)
 
 
 @kernel
@@ -339,6 +338,8 @@ def bearing(rec, ctl, fr, kk):
             out = observations(ctl)
             for r in range(6):
                 out[b["out"] + r] = u[r]
+            if b["j"] == 0 or b["housed"] == 1:
+                put_resultants(out, b["out"])
     return OK
 
 

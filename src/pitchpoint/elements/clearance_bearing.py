@@ -19,7 +19,14 @@ from pitchpoint.core.kernel import kernel, view
 from pitchpoint.core.status import OK
 from pitchpoint.elements.kind import FRAME, FREE, Kind
 from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
-from pitchpoint.elements.ring import RING, ring_forces, ring_motion, ring_observations, ring_tangents
+from pitchpoint.elements.ring import (
+    RESULTANTS,
+    RING,
+    ring_forces,
+    ring_motion,
+    ring_observations,
+    ring_tangents,
+)
 from pitchpoint.multibody.channels import events, frame_args, observations
 
 RECORD = np.dtype(
@@ -96,7 +103,7 @@ def clearance_bearing(rec, ctl, fr, kk):
         if c["out"] != 0:
             out = observations(ctl)
             ring_observations(b, line, out)
-            out[b["out"] + 6] = d
+            out[b["out"] + RESULTANTS] = d
         if d > 0.0:
             ring_forces(b, f, g, line)
             if c["jac"] != 0:

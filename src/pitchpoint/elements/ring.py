@@ -41,6 +41,11 @@ RING: list[tuple[Any, ...]] = [
     ("g", "f8", 6),  # scratch: change of force
 ]
 
+RESULTANT_OUTPUTS = (
+    ("bearing_force[{}.radial]", "N", "radial force on the body or inner ring"),
+    ("bearing_force[{}.axial]", "N", "axial force on the body or inner ring"),
+    ("bearing_force[{}.direction]", "rad", "direction of the radial force, from the x axis"),
+)
 OUTPUTS = (
     ("bearing_force[{}.fx]", "N", "force on the inner ring, axes of the outer ring, x"),
     ("bearing_force[{}.fy]", "N", "force on the inner ring, y"),
@@ -48,7 +53,10 @@ OUTPUTS = (
     ("bearing_force[{}.mx]", "N m", "moment on the inner ring about its centre, x"),
     ("bearing_force[{}.my]", "N m", "moment on the inner ring, y"),
     ("bearing_force[{}.mz]", "N m", "moment on the inner ring about the axis"),
+    *RESULTANT_OUTPUTS,
 )
+RESULTANTS = len(OUTPUTS)
+"""Number of these observations; those of a kind follow."""
 
 
 @kernel
@@ -142,6 +150,17 @@ def ring_observations(b, line, out):
     for r in range(3):
         out[first + r] = b["f"][r]
         out[first + 3 + r] = dot(axes[r], couple)
+    put_resultants(out, first)
+
+
+@kernel
+def put_resultants(out, first):
+    """Write radial force, axial force and direction of the radial force after the six components."""
+    x = out[first]
+    y = out[first + 1]
+    out[first + 6] = math.sqrt(x * x + y * y)
+    out[first + 7] = out[first + 2]
+    out[first + 8] = math.atan2(y, x)
 
 
 @kernel

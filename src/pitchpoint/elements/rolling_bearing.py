@@ -18,6 +18,11 @@ angle: d = sqrt((A cos(alpha) + a_r)^2 + (A sin(alpha) + a_z)^2) - A. The load o
 never pulls). Forces are conjugate to d, including the rotation: an element that lifts the shaft also has a
 torque on it. T. A. Harris, *Rolling Bearing Analysis*; centrifugal forces of the elements are neglected.
 
+The rows of a double-row bearing are half a spacing apart and have opposite contact angles. Self-aligning
+bearings (spherical raceway) have no lever d_m/2 in a_z: their rings tilt without resistance. Rollers with an
+effective length are divided into slices (`rolling_slices`). Z includes `shift`, an axial preload. A floating
+bearing follows the shaft along the axis: a_z = 0.
+
 Over a spall the approach of an element is reduced by the depth that it drops (`bearing_fault`); with uneven
 spacing in the cage each element has an additional angle in psi_k.
 """
@@ -34,6 +39,7 @@ from pitchpoint.elements.bearing_fault import lost_approach, shifted
 from pitchpoint.elements.kind import FRAME, FREE, Kind
 from pitchpoint.elements.ring import OUTPUTS as RING_OUTPUTS
 from pitchpoint.elements.ring import (
+    RESULTANTS,
     RING,
     ring_forces,
     ring_motion,
@@ -42,6 +48,7 @@ from pitchpoint.elements.ring import (
     whole_turns,
 )
 from pitchpoint.elements.rolling_bearing_forces import push_elements
+from pitchpoint.elements.rolling_slices import add_slices, push_slices, slice_sums, tilt_gradient, tilt_of
 from pitchpoint.multibody.channels import frame_args, observations
 
 TWO_PI = 6.283185307179586
@@ -63,17 +70,24 @@ RECORD = np.dtype(
         ("exponent", "f8"),  # p
         ("chi", "f8"),  # damping factor [s/m]
         ("azimuth", "f8"),  # psi_0 [rad]
+        ("rows", "i8"),  # 0, 1: single-row; 2: double-row
+        ("aligns", "i8"),  # 1: self-aligning, one raceway is a sphere about the centre
+        ("floats", "i8"),  # 1: no axial force
+        ("shift", "f8"),  # axial displacement of the inner ring to the outer one as assembled [m]
+        ("n_slices", "i8"),  # number of slices of a roller, 0: one point
+        ("slices", "i8"),  # their rows, offset in the pool; see `rolling_slices`
         ("n_faults", "i8"),  # number of spalls
         ("faults", "i8"),  # their rows, offset in the pool; see `bearing_fault`
         ("uneven", "i8"),  # 1: uneven spacing of the elements
         ("spacing", "i8"),  # additional azimuth of every element [rad], offset in the pool
         ("pool", "i8"),  # address of the float array that holds all tables
-        ("known_n", "i8"),  # n and angle for which the next four fields were computed
+        ("known_n", "i8"),  # n and angle for which the next five fields were computed
         ("known_angle", "f8"),
         ("ca", "f8"),
         ("sa", "f8"),  # cosine and sine of the contact angle
         ("step_c", "f8"),
         ("step_s", "f8"),  # and of the angle from one element to the next
+        ("half", "f8"),  # lever of the tilt in the axial approach: d_m/2, or 0 if self-aligning [m]
         ("G", "f8", (4, 6)),  # scratch: gradients of radial and axial approach, of d, and normal to d
         ("H", "f8", (6, 6)),  # scratch: second derivative of d
         ("out", "i8"),
@@ -113,7 +127,8 @@ def _remember_angles(b):
         b["known_n"] = b["n"]
         b["known_angle"] = b["angle"]
         b["ca"] = math.cos(b["angle"])
-        b["sa"] = math.sin(b["angle"])
+        b["sa"] = math.sin(b["angle"]) if b["floats"] == 0 else 0.0
+        b["half"] = 0.5 * b["pitch"] if b["aligns"] == 0 and b["floats"] == 0 else 0.0
         b["step_c"] = math.cos(TWO_PI / b["n"])
         b["step_s"] = math.sin(TWO_PI / b["n"])
 
@@ -123,7 +138,7 @@ def _gradients(b, c, s, share):
     """Write the gradients of radial and axial approach to G[0] and G[1]."""
     x = b["x"]
     G = b["G"]
-    half = 0.5 * b["pitch"]
+    half = b["half"]
     for r in range(6):
         G[0, r] = 0.0
         G[1, r] = 0.0
@@ -142,7 +157,7 @@ def _curvatures(b, c, s, share, ca, sa, bend):
     x = b["x"]
     G = b["G"]
     H = b["H"]
-    half = 0.5 * b["pitch"]
+    half = b["half"]
     for r in range(6):
         G[3, r] = ca * G[1, r] - sa * G[0, r]
     for r in range(6):
@@ -177,15 +192,17 @@ def _slopes(b, by_approach, by_rate, force):
 
 
 @kernel
-def _approach(b, c, s):
-    """Approach of the raceways at an element, cosine and sine of its contact angle, curvature of the path."""
+def _approach(b, c, s, sa):
+    """Approach of the raceways at an element, cosine and sine of its contact angle, curvature of the path.
+
+    `sa` is the sine of the initial contact angle, opposite in the second row.
+    """
     x = b["x"]
     radial = x[0] * c + x[1] * s - b["gap"]
-    axial = x[2] - 0.5 * b["pitch"] * (x[3] * c + x[4] * s)
+    axial = x[2] + b["shift"] - b["half"] * (x[3] * c + x[4] * s)
     ca = b["ca"]
-    sa = b["sa"]
     A = b["grooves"]
-    if A > 0.0:
+    if A > 0.0 and b["floats"] == 0:
         p = A * ca + radial
         q = A * sa + axial
         length = math.sqrt(p * p + q * q)
@@ -195,15 +212,17 @@ def _approach(b, c, s):
 
 
 @kernel
-def _element(b, c, s, share, jac, loss):
+def _element(b, c, s, share, jac, loss, sa):
     """Add force and slopes of one element at an azimuth with cosine c and sine s.
 
-    `loss`: loss of approach over spalls, with first and second derivative by the rotation.
+    `loss`: loss of approach over spalls, with first and second derivative by the rotation. `sa`: as of
+    `_approach`.
     """
-    d, ca, sa, bend = _approach(b, c, s)
+    d, ca, sa, bend = _approach(b, c, s, sa)
     lost, lost_slope, lost_bend = loss
     d -= lost
-    if not d > 0.0:
+    sliced = b["n_slices"] > 0
+    if not (d > 0.0 or sliced):
         return
     _gradients(b, c, s, share)
     G = b["G"]
@@ -213,6 +232,13 @@ def _element(b, c, s, share, jac, loss):
     G[2, 5] -= lost_slope
     for r in range(6):
         rate += G[2, r] * b["w"][r]
+    if sliced:
+        if jac != 0:
+            _curvatures(b, c, s, share, ca, sa, bend)
+            b["H"][5, 5] -= lost_bend
+        tilt_rate = tilt_gradient(b, c, s, share)
+        add_slices(b, c, s, share, slice_sums(b, d, rate, tilt_of(b, c, s), tilt_rate), jac)
+        return
     damped = 1.0 + b["chi"] * rate
     if damped <= 0.0:
         return
@@ -237,9 +263,10 @@ def _spun(b, turns):
 def _faulty_element(b, k, place, cage, spun, jac):
     """Add element k of a bearing with faults.
 
-    `place`: cosine and sine of its azimuth with even spacing; `cage`: ratio and angle of the cage.
+    `place`: cosine and sine of its azimuth with even spacing, sine of its contact angle; `cage`: ratio and
+    angle of the cage.
     """
-    c, s = place
+    c, s, sa = place
     share, turned = cage
     psi = b["azimuth"] + turned + TWO_PI * k / b["n"]
     if b["uneven"] == 1:
@@ -248,7 +275,30 @@ def _faulty_element(b, k, place, cage, spun, jac):
     loss = (0.0, 0.0, 0.0)
     if b["n_faults"] > 0:
         loss = lost_approach(b, k, psi, share, spun)
-    _element(b, c, s, share, jac, loss)
+    _element(b, c, s, share, jac, loss, sa)
+
+
+@kernel
+def _row(b, start, cage, spun, sa, jac):
+    """Add all elements of one row, the first at the azimuth `start`; other arguments as of `_element`."""
+    share = cage[0]
+    c = math.cos(start)
+    s = math.sin(start)
+    whole = b["n_faults"] == 0 and b["uneven"] == 0
+    if jac == 0 and whole:
+        if b["n_slices"] > 0:
+            push_slices(b, c, s, share, sa)
+        else:
+            push_elements(b, c, s, share, sa)
+        return
+    for k in range(b["n"]):
+        if whole:
+            _element(b, c, s, share, jac, (0.0, 0.0, 0.0), sa)
+        else:
+            _faulty_element(b, k, (c, s, sa), cage, spun, jac)
+        turned = c * b["step_c"] - s * b["step_s"]
+        s = s * b["step_c"] + c * b["step_s"]
+        c = turned
 
 
 @kernel
@@ -271,29 +321,17 @@ def rolling_bearing(rec, ctl, fr, kk):
                 for h in range(6):
                     b["K"][r, h] = 0.0
                     b["D"][r, h] = 0.0
-        c = math.cos(b["azimuth"] + cage)
-        s = math.sin(b["azimuth"] + cage)
-        step_c = b["step_c"]
-        step_s = b["step_s"]
-        whole = b["n_faults"] == 0 and b["uneven"] == 0
-        forces_only = jac == 0 and whole
-        if forces_only:
-            push_elements(b, c, s, share)
         spun = (0.0, 0.0)
         if b["n_faults"] > 0:
             spun = _spun(b, turns)
-        for k in range(0 if forces_only else b["n"]):
-            if whole:
-                _element(b, c, s, share, jac, (0.0, 0.0, 0.0))
-            else:
-                _faulty_element(b, k, (c, s), (share, cage), spun, jac)
-            turned = c * step_c - s * step_s
-            s = s * step_c + c * step_s
-            c = turned
+        start = b["azimuth"] + cage
+        _row(b, start, (share, cage), spun, b["sa"], jac)
+        if b["rows"] == 2:
+            _row(b, start + math.pi / b["n"], (share, cage), spun, -b["sa"], jac)
         if ctl0["out"] != 0:
             out = observations(ctl)
             ring_observations(b, line, out)
-            out[b["out"] + 6] = cage - TWO_PI * math.floor(cage / TWO_PI)
+            out[b["out"] + RESULTANTS] = cage - TWO_PI * math.floor(cage / TWO_PI)
         ring_forces(b, f, g, line)
         if jac != 0:
             ring_tangents(b, f, g, kk, ctl, line)

@@ -13,20 +13,20 @@ from pitchpoint.core.kernel import kernel
 
 
 @kernel
-def push_elements(b, c, s, share):
-    """Subtract the loads of all elements from the forces in the scratch f.
+def push_elements(b, c, s, share, sa0):
+    """Subtract the loads of all elements of a row from the forces in the scratch f.
 
-    c and s are cosine and sine of the azimuth of the first element, `share` is the cage ratio.
+    c and s are cosine and sine of the azimuth of the first element, `share` is the cage ratio, `sa0` the sine
+    of the initial contact angle.
     """
-    x0, x1, x2, x3, x4 = b["x"][0], b["x"][1], b["x"][2], b["x"][3], b["x"][4]
+    x0, x1, x2, x3, x4 = b["x"][0], b["x"][1], b["x"][2] + b["shift"], b["x"][3], b["x"][4]
     w0, w1, w2, w3, w4, w5 = b["w"][0], b["w"][1], b["w"][2], b["w"][3], b["w"][4], b["w"][5]
     stiffness = b["stiffness"]
-    half = 0.5 * b["pitch"]
+    half = b["half"]
     ca0 = b["ca"]
-    sa0 = b["sa"]
     step_c = b["step_c"]
     step_s = b["step_s"]
-    A = b["grooves"]
+    A = b["grooves"] if b["floats"] == 0 else 0.0
     gap = b["gap"]
     power = b["exponent"]
     chi = b["chi"]

@@ -91,6 +91,7 @@ DXF_MARK = "999\npitchpoint\n"
 STEP_MARK = "pitchpoint"
 PNG_MARK = b"Software\x00pitchpoint"
 ANALYSIS_MARK = "# pitchpoint analysis\n"
+SCHEMA_TITLE = '"title": "pitchpoint model file"'
 MODEL_MARK = "# model written by pitchpoint\n"
 """Marks of the writer in pages, drawings and tables; in DXF the group 999 is a comment."""
 
@@ -117,6 +118,7 @@ KINDS: dict[str, tuple[str, Callable[[Path, bytes], bool]]] = {
     "png": ("a picture of pitchpoint (PNG)", _is_png),
     "index": ("a table of cases of pitchpoint (CSV)", _begins(INDEX_HEAD.encode())),
     "animation": ("an animation of modes of pitchpoint (JSON, NPZ)", _is_animation),
+    "schema": ("a schema of pitchpoint (JSON)", _marked(b"{", SCHEMA_TITLE)),
     "stl": ("a solid of pitchpoint (STL)", _begins(b"pitchpoint ")),
     "step": ("a solid of pitchpoint (STEP)", _marked(b"ISO-10303-21;", f"'{STEP_MARK}'")),
 }

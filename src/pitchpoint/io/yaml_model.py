@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.errors import ModelError
 from pitchpoint.core.progress import Progress, silent
+from pitchpoint.io.includes import with_included
 from pitchpoint.io.model_tables import read_tables
-from pitchpoint.io.yaml_tree import Tree, TreeError
+from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.build import build_model
 from pitchpoint.model.model import Model
 from pitchpoint.model.reading.reader import Reader
@@ -43,27 +44,6 @@ def load_model(path: str | Path, allow_code: bool = False, progress: Progress = 
     return loads_model(text, allow_code=allow_code, file=str(path), progress=progress)
 
 
-def text_of(path: str | Path) -> str:
-    """Text of a YAML file; raises a `ModelError` if it cannot be read."""
-    file = Path(path)
-    try:
-        data = file.read_bytes()
-    except (OSError, ValueError) as error:
-        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise ModelError([Message("", f"cannot be read: {reason}", value=str(path))]) from None
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line: int | None = data[: error.start].count(b"\n") + 1
-        remedy = "save the file as UTF-8"
-        if b"\0" in data[:1024]:
-            binary = "an HDF5 file, such as a result" if data.startswith(b"\x89HDF") else "a binary file"
-            line, remedy = None, f"name the model file; this is {binary}"
-        problem = Message("YAML syntax", "is not UTF-8 text", remedy=remedy, line=line)
-        raise ModelError([problem], str(path)) from None
-    return text
-
-
 def loads_model(
     text: str, allow_code: bool = False, file: str | None = None, progress: Progress = silent
 ) -> Model:
@@ -93,9 +73,12 @@ def loads_model(
         tree = Tree(text, progress)
     except TreeError as error:
         raise ModelError([error.problem], file) from None
-    directory = str(Path(file).parent) if file is not None else "."
-    reader = Reader(lines=tree.lines, allow_code=allow_code, directory=directory, problems=tree.problems)
-    return read_tables(build_model(tree.data, reader, file))
+    directory = Path(file).parent if file is not None else Path()
+    whole = with_included(tree, directory, Path(file).name if file is not None else "")
+    reader = Reader(
+        lines=whole.lines, allow_code=allow_code, directory=str(directory), problems=whole.problems
+    )
+    return read_tables(build_model(whole.data, reader, file, tuple(whole.files)))
 
 
 def dump_model(model: Model) -> str:

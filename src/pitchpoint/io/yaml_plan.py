@@ -6,8 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from pitchpoint.core.errors import ModelError
-from pitchpoint.io.yaml_model import text_of
-from pitchpoint.io.yaml_tree import Tree, TreeError
+from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
 from pitchpoint.model.dataset_plan import DatasetPlan
 from pitchpoint.model.reading.dataset_plan import read_plan
 from pitchpoint.model.reading.reader import Reader

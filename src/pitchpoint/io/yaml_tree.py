@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from io import StringIO
+from pathlib import Path
 from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
@@ -22,6 +23,27 @@ _TAG = "tag:yaml.org,2002:"
 _COMPOSED = 0.75
 """Share of the time for composing the nodes; the remainder converts them."""
 _EVERY = 5000
+
+
+def text_of(path: str | Path) -> str:
+    """Text of a YAML file; raises a `ModelError` if it cannot be read."""
+    file = Path(path)
+    try:
+        data = file.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
+        raise ModelError([Message("", f"cannot be read: {reason}", value=str(path))]) from None
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line: int | None = data[: error.start].count(b"\n") + 1
+        remedy = "save the file as UTF-8"
+        if b"\0" in data[:1024]:
+            binary = "an HDF5 file, such as a result" if data.startswith(b"\x89HDF") else "a binary file"
+            line, remedy = None, f"name the model file; this is {binary}"
+        problem = Message("YAML syntax", "is not UTF-8 text", remedy=remedy, line=line)
+        raise ModelError([problem], str(path)) from None
+    return text
 
 
 class TreeError(Exception):

@@ -11,12 +11,13 @@ from pitchpoint.model import sections
 from pitchpoint.model.checks.validate import check
 from pitchpoint.model.keys import BAD, keys_of
 from pitchpoint.model.model import Model
+from pitchpoint.model.origin import Origin
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.sections import GROUPS
 
 
-def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
+def build_model(data: Any, reader: Reader, file: str | None = None, files: tuple[str, ...] = ()) -> Model:
     """Create a model from the nested mappings of a file.
 
     Parameters
@@ -27,6 +28,8 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
         Reader with the line numbers of the file, if any; its previous problems are reported too.
     file
         Name of the file for messages.
+    files
+        Names of the included files.
 
     Raises
     ------
@@ -43,7 +46,7 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
     values = {}
     for name, key in keys.items():
         if data.get(name) is not None:
-            value = reader.value(key, data[name], (name,))
+            value = reader.keyed(key, data[name], (name,))
             if value is not BAD:
                 values[name] = value
     moving = ("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies")
@@ -55,6 +58,9 @@ def build_model(data: Any, reader: Reader, file: str | None = None) -> Model:
     }
     check(parts, reader)
     if reader.problems:
-        ordered = sorted(reader.problems, key=lambda p: p.line if p.line is not None else 10**9)
+        ordered = sorted(
+            reader.problems, key=lambda p: (p.file or "", p.line if p.line is not None else 10**9)
+        )
         raise ModelError(ordered, file)
-    return Model.from_parts(parts, values, file, reader.lines, allow_code=reader.allow_code)
+    origin = Origin(reader.sources, tuple(reader.bare), files)
+    return Model.from_parts(parts, values, file, reader.lines, allow_code=reader.allow_code, origin=origin)

@@ -24,17 +24,21 @@ from pitchpoint.model.keys import (
     keys_of,
 )
 from pitchpoint.model.mechanism import Mechanism
+from pitchpoint.model.origin import Origin
+from pitchpoint.model.parameters import resolve
 from pitchpoint.model.parts import Parts, carriers_of
 from pitchpoint.model.phasing import Phasing, assemble
 from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.replace import replace_at
+from pitchpoint.model.replace import changed_parts
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.sections import GROUPS, Contents
-from pitchpoint.model.shafts import own_bodies, station_names, stations_of
+from pitchpoint.model.shafts import station_names, stations_of
 from pitchpoint.model.show import dotted
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
+    from pitchpoint.core.formula.formula import Amount
     from pitchpoint.geometry.bevel.pair import BevelPair
     from pitchpoint.geometry.gear_pair import GearPair
     from pitchpoint.model.components.bevel_gear import BevelGear
@@ -79,15 +83,16 @@ class Model(Contents):
     """Whether values were replaced after reading: the file no longer describes the model."""
     allow_code: bool = derived(False)
     """Whether Python functions were permitted when the model was read; `replace` then permits them too."""
+    origin: Origin = derived(Origin())
+    """Formulas with parameters and numbers without unit as written, included files."""
     pairs: Mapping[str, GearPair] = derived()
     """Gear pair of every mesh at its centre distance, with the common face width."""
     mechanism: Mechanism = derived()
     """Kinematic tree of the bodies and the cut joints."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "bodies", own_bodies(self.bodies))
         for group in GROUPS:
-            object.__setattr__(self, group, Frozen(getattr(self, group)))
+            object.__setattr__(self, group, Frozen(own_parts(getattr(self, group))))
         self._set_others(self.others)
         report = Reader()
         for name in self.others:
@@ -111,6 +116,7 @@ class Model(Contents):
         lines: Mapping[Place, int] | None = None,
         *,
         allow_code: bool = False,
+        origin: Origin | None = None,
     ) -> Model:
         """Create a model from parts that `validate.check` has completed without problems.
 
@@ -120,7 +126,7 @@ class Model(Contents):
             The parts.
         keys
             Values of the keys that are not sections; defaults if omitted.
-        file, lines, allow_code
+        file, lines, allow_code, origin
             As in the class.
         """
         model = object.__new__(cls)
@@ -132,6 +138,7 @@ class Model(Contents):
             "changed": None,
             "damping": parts.damping,
             "allow_code": allow_code,
+            "origin": origin or Origin(),
         }
         for name, value in {**plain, **own}.items():
             object.__setattr__(model, name, value)
@@ -142,6 +149,7 @@ class Model(Contents):
         for group in (*GROUPS, "pairs"):
             object.__setattr__(self, group, Frozen(getattr(parts, group)))
         self._set_others(parts.others)
+        object.__setattr__(self, "parameters", Frozen(self.parameters))
         object.__setattr__(self, "mechanism", parts.mechanism)
 
     def _set_others(self, others: Mapping[str, Mapping[str, Any]]) -> None:
@@ -169,7 +177,8 @@ class Model(Contents):
         Parameters
         ----------
         path
-            Dotted path of the keys of a file, such as "gears.pinion.profile_shift_coefficient".
+            Dotted path of the keys of a file, such as "gears.pinion.profile_shift_coefficient", or
+            "parameters.NAME": all values with this parameter are then read again.
         value
             A value as in a file (number in SI, text with unit, mapping), or a component; None removes an
             optional key, or a component such as "loads.input".
@@ -200,25 +209,18 @@ class Model(Contents):
             changed model.
         """
         code = self.allow_code if allow_code is None else allow_code
-        report = Reader(allow_code=code, directory=str(Path(self.file).parent) if self.file else ".")
-        tops: dict[str, Any] = {}
-        problems: list[Message] = []
-        for path, value in changes.items():
-            name, *rest = path.split(".")
-            if rest and name in keys_of(Model):
-                part = tops.get(name, getattr(self, name))
-                part = own_bodies(part) if name == "bodies" else part
-                tops[name] = replace_at(part, tuple(rest), value, report, (name,), keys_of(Model)[name])
-            else:
-                whole = replace_at(self, (name, *rest), value, report)
-                if not report.problems:
-                    tops[name] = getattr(whole, name)
-            problems += report.problems
-            report.problems.clear()
-        if problems:
-            raise ModelError(problems)
+        report = Reader(
+            allow_code=code,
+            directory=str(Path(self.file).parent) if self.file else ".",
+            parameters=self.amounts,
+            sources=dict(self.origin.sources),
+        )
+        tops = changed_parts(self, changes, report)
         others = {name: tops.pop(name) for name in list(tops) if sections.is_other(name)}
-        return dataclasses.replace(self, **tops, others={**self.others, **others}, changed=True)
+        origin = dataclasses.replace(self.origin, sources=report.sources, bare=())
+        return dataclasses.replace(
+            self, **tops, others={**self.others, **others}, changed=True, origin=origin
+        )
 
     # --- derived data ----------------------------------------------------------------------------------
     def line(self, place: Place) -> int | None:
@@ -244,6 +246,11 @@ class Model(Contents):
         if mesh in self.bevel_meshes:
             return bevel_gap(self.bevel_pairs[mesh], self.bevel_meshes[mesh])
         return gap(self.pairs[mesh], self.meshes[mesh])
+
+    @cached_property
+    def amounts(self) -> dict[str, Amount]:
+        """SI value and unit of every parameter."""
+        return resolve(self.parameters, Reader())
 
     @cached_property
     def phasing(self) -> Phasing:

@@ -7,8 +7,10 @@ from collections.abc import Mapping
 from dataclasses import is_dataclass
 from typing import Any
 
+from pitchpoint.core.formula.dimension import readable
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.model.components.law import Constant
+from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.keys import keys_of
 from pitchpoint.model.model import Model
 
@@ -19,6 +21,9 @@ def number_at(model: Model, path: str) -> tuple[float, str] | None:
     if found is None:
         return None
     part, unit = found
+    if isinstance(part, Parameter):
+        part, unit = model.amounts[path.split(".")[1]]
+        unit = readable(unit)
     if isinstance(part, Constant):
         part = part.value
     known = isinstance(part, int | float) and not isinstance(part, bool)

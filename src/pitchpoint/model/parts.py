@@ -16,7 +16,7 @@ from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.mechanism import Mechanism
 from pitchpoint.model.scenario import Scenario
-from pitchpoint.model.sections import SECTIONS
+from pitchpoint.model.sections import SECTIONS, is_other
 
 if TYPE_CHECKING:
     from pitchpoint.geometry.gear_pair import GearPair
@@ -67,7 +67,7 @@ class Parts:
             sections={
                 name: group(name)
                 for name, found in groups.items()
-                if isinstance(found, Mapping) and name not in cls.__dataclass_fields__
+                if (name in SECTIONS or is_other(name)) and name not in cls.__dataclass_fields__
             },
         )
 
@@ -76,6 +76,11 @@ class Parts:
         if name.startswith("__"):
             raise AttributeError(name)
         return self.__dict__.get("sections", {}).get(name, {})
+
+    def section(self, name: str) -> dict[str, Any]:
+        """Section by name, for adding components to it."""
+        own = self.__dict__.get(name)
+        return own if own is not None else self.sections.setdefault(name, {})
 
     @property
     def others(self) -> dict[str, dict[str, Any]]:

@@ -5,12 +5,95 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.model.components.law import Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, TYPE, Key, defaults_of, keys_of
+from pitchpoint.model.origin import drop
+from pitchpoint.model.parameters import SECTION, check_units, replaced, resolve
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import shown
+from pitchpoint.model.stand_ins import own_parts
+
+if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
+
+
+def changed_parts(model: Model, changes: Mapping[str, Any], report: Reader) -> dict[str, Any]:
+    """Keys of a model with new values; values with a changed parameter are read again.
+
+    Parameters
+    ----------
+    model
+        The model.
+    changes
+        New values by path.
+    report
+        Reader with the parameters and sources of the model; both are updated.
+
+    Raises
+    ------
+    ModelError
+        With all paths that do not exist and values that cannot be read.
+    """
+    tops: dict[str, Any] = {}
+    problems: list[Message] = []
+    paths = {path: tuple(path.split(".")) for path in changes}
+    before = report.parameters
+    for path, value in changes.items():
+        if paths[path][0] == SECTION:
+            tops[SECTION] = replaced(tops.get(SECTION, model.parameters), paths[path][1:], value, report)
+    if SECTION in tops:
+        report.parameters = resolve(tops[SECTION], report)
+        check_units(before, report.parameters, report)
+        if report.problems:
+            raise ModelError(report.problems)
+    for path, value in changes.items():
+        if paths[path][0] != SECTION:
+            problems += _change(model, paths[path], value, tops, report)
+    if not problems:  # all values with changed parameters, unless they were replaced
+        new = {n for n, amount in report.parameters.items() if before.get(n) != amount} | {
+            n for n in before if n not in report.parameters
+        }
+        for place, source in list(report.sources.items()):
+            if source.names & new:
+                problems += _change(model, place, source.data, tops, report)
+    if problems:
+        raise ModelError(problems)
+    return tops
+
+
+def _change(
+    model: Model, path: tuple[Any, ...], value: Any, tops: dict[str, Any], report: Reader
+) -> list[Message]:
+    """Replace one value in the keys of a model; the problems."""
+    name, *rest = path
+    keys = keys_of(type(model))
+    if rest and name in keys:
+        part = tops.get(name, getattr(model, name))
+        if isinstance(part, Mapping):
+            part = _own(part, name, str(rest[0]), report)
+        tops[name] = replace_at(part, tuple(rest), value, report, (name,), keys[name])
+    else:
+        whole = replace_at(model, (name, *rest), value, report)
+        if not report.problems:
+            tops[name] = getattr(whole, name)
+    problems = list(report.problems)
+    report.problems.clear()
+    return problems
+
+
+def _own(parts: Mapping[str, Any], section: str, name: str, report: Reader) -> dict[str, Any]:
+    """Components of a section that can be replaced; reports one that belongs to a planetary stage."""
+    stage = getattr(parts.get(name), "stage", None)
+    if stage is not None:
+        report.problem(
+            (section, name),
+            f"belongs to the planetary stage {stage}",
+            remedy=f"replace keys of planetary_stages.{stage}",
+        )
+    return own_parts(parts)
 
 
 def replace_at(
@@ -45,16 +128,21 @@ def replace_at(
     old = getattr(part, name)
     if len(path) == 2 and isinstance(old, Mapping) and keys[name].kind != "components":
         # numbers by name, such as speeds
-        kept = {k: v for k, v in old.items() if k != path[1]}
-        new = report.value(keys[name], kept if value is None else {**old, path[1]: value}, here)
+        written = report.sources[here].data if here in report.sources else old
+        kept = {k: v for k, v in written.items() if k != path[1]}
+        drop(report.sources, here)
+        new = report.keyed(keys[name], kept if value is None else {**written, path[1]: value}, here)
     elif len(path) > 1:
         new = replace_at(old, path[1:], value, report, here, keys[name])
     elif value is None and defaults_of(type(part)).get(name, ...) is None:
         new = None
+        drop(report.sources, here)
     elif _is_component(keys[name], value):
         new = value
+        drop(report.sources, here)
     else:
-        new = report.value(keys[name], value, here)
+        drop(report.sources, here)
+        new = report.keyed(keys[name], value, here)
     if report.problems:
         return part
     if name in part.__dataclass_fields__:
@@ -84,6 +172,8 @@ def _replace_named(
             here, "does not exist", remedy=f"there are {', '.join(map(str, part)) or 'none'}{more}"
         )
         return part
+    if len(path) == 1:
+        drop(report.sources, here)
     if len(path) == 1 and value is None:
         return {k: v for k, v in part.items() if k != name}
     if len(path) > 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""JSON schema and reference page of the model file, generated from the keys of the components."""
+"""JSON schema of the model file, generated from the keys of the components."""
 
 from __future__ import annotations
 
@@ -13,6 +13,8 @@ from pitchpoint.model.model import Model
 from pitchpoint.model.sections import load_others
 from pitchpoint.model.write import quantity_text
 
+INCLUDE = "include"
+FILES = Key("names", "files below the folder of the model file, whose sections are added")
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 
@@ -29,6 +31,8 @@ def json_schema() -> dict[str, Any]:
     load_others()
     definitions: dict[str, Any] = {}
     top = _object(Model, definitions)
+    top["properties"] = {INCLUDE: _property(FILES, None, definitions), **top["properties"]}
+    top["properties"][INCLUDE]["type"] = ["string", "array"]
     return {"$schema": DRAFT, "title": "pitchpoint model file", **top, "$defs": definitions}
 
 
@@ -75,6 +79,12 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         return {"type": "array", "items": inner} if key.kind == "list" else inner
     if key.kind == "variant":
         return {"oneOf": [_reference(cls, definitions, word, key.tag) for word, cls in key.of.items()]}
+    if key.kind == "parameters":
+        of_text = {"type": ["number", "string"]}
+        return {
+            "type": "object",
+            "additionalProperties": {"anyOf": [of_text, _reference(key.of, definitions)]},
+        }
     row = {"type": "array", "items": number}
     # a list of any length may also be read from a text file
     file = {"type": "string"}
@@ -90,13 +100,13 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         return {"type": "array", "items": words, **_length(key)}
     plain: dict[str, dict[str, Any]] = {
         "quantity": number,
-        "integer": {"type": "integer", **_bounds(key)},
+        "integer": {"type": ["integer", "string"], **_bounds(key)},
         "choice": {"enum": list(key.choices)},
         "text": {"type": "string"},
         "boolean": {"type": "boolean"},
         "speeds": {"type": "object", "additionalProperties": number},
         "gears": {"type": ["array", "object"]},
-        "matrix": {"type": "array", "items": {"type": "array", "items": {"type": "number"}}},
+        "matrix": {"type": "array", "items": {"type": "array", "items": {"type": ["number", "string"]}}},
         "orders": {"type": "object"},
         "material": {"type": ["string", "object"]},
         "law": {"type": ["number", "string", "object"]},
@@ -116,6 +126,8 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "gains": {"type": "object", "additionalProperties": number},
         "curve": {"anyOf": [{"type": "array", "items": row}, file]},
         "code": {"type": "string"},
+        "formula": {"type": "string"},
+        "parameter": {"type": ["number", "string"]},
     }
     return plain[key.kind]
 
@@ -151,63 +163,3 @@ def default_text(key: Key, default: Any) -> str:
     if dataclasses.is_dataclass(default):
         return "its defaults"
     return str(default).lower() if isinstance(default, bool) else str(default)
-
-
-# --- reference page ---------------------------------------------------------------------------------------
-def reference_page() -> str:
-    """Markdown page with all keys of a model file: unit, default, range, meaning."""
-    out = [
-        "# Keys of a model file",
-        "",
-        "Quantities are written with a unit (`3 mm`, `1500 rpm`, `14 N/(mm um)`); bare numbers are SI.",
-        "Unknown keys are errors. NaN, infinity and booleans are rejected where a number is expected.",
-        "",
-    ]
-    seen: set[type] = set()
-    _section(Model, "file", "", seen, out)
-    return "\n".join(out)
-
-
-def _section(cls: type, title: str, word: str, seen: set[type], out: list[str], tag: str = "law") -> None:
-    if cls in seen:
-        return
-    seen.add(cls)
-    out += [f"## {title}", "", _first_paragraph(cls), ""]
-    if word:
-        out += [f"`{tag}: {word}`", ""]
-    keys, defaults = keys_of(cls), defaults_of(cls)
-    if keys:
-        out += ["| key | unit | default | range | meaning |", "|---|---|---|---|---|"]
-    for name, key in keys.items():
-        default = default_text(key, defaults[name]) if name in defaults else "**required**"
-        out.append(f"| `{name}` | {_unit(key)} | {default} | {_range(key)} | {_escape(key.meaning)} |")
-    out.append("")
-    for name, key in keys.items():
-        if isinstance(key.of, dict):
-            for form, variant in key.of.items():
-                tag = TYPE if key.kind == "components" else key.tag
-                _section(variant, f"{name}: {form}", form, seen, out, tag)
-        elif key.of is not None:
-            _section(key.of, key.of.__name__, "", seen, out)
-
-
-def _first_paragraph(cls: type) -> str:
-    return " ".join((cls.__doc__ or "").strip().split("\n\n")[0].split())
-
-
-def _unit(key: Key) -> str:
-    if key.kind in ("value", "values", "gains", "curve"):
-        return "SI"
-    return DIMENSIONS[key.dimension].si or "-" if key.dimension else ""
-
-
-def _range(key: Key) -> str:
-    from pitchpoint.model.show import limit_text
-
-    if key.choices:
-        return ", ".join(key.choices)
-    return limit_text(key) if key.kind in ("quantity", "quantities") else key.limit
-
-
-def _escape(text: str) -> str:
-    return text.replace("|", "\\|")

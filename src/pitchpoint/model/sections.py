@@ -33,6 +33,8 @@ from pitchpoint.model.components.joint import Joint
 from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
+from pitchpoint.model.components.parameter import Parameter
+from pitchpoint.model.components.planetary_stage import PlanetaryStage
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
@@ -41,7 +43,7 @@ from pitchpoint.model.components.shaft import Shaft
 from pitchpoint.model.components.spring import Maxwell, Spring
 from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
 from pitchpoint.model.components.unbalance import Unbalance
-from pitchpoint.model.keys import Key, component, defaults_of, keys_of, quantities, text
+from pitchpoint.model.keys import Key, component, defaults_of, key, keys_of, quantities, text
 from pitchpoint.model.scenario import Scenario
 
 
@@ -78,6 +80,9 @@ class Contents:
     """All keys of a model file, in their order."""
 
     title: str = text("title of the model", "")
+    parameters: Mapping[str, Parameter] = key(
+        "parameters", "named values for all keys and formulas", {}, of=Parameter, later=True
+    )
     gravity: Triple | None = quantities(
         "acceleration",
         "acceleration of gravity in world axes; no weight if omitted",
@@ -94,6 +99,9 @@ class Contents:
         ElasticBody,
         "elastic_body:elastic_bank",
         "guide:guide_bank",
+    )
+    planetary_stages: Mapping[str, PlanetaryStage] = section(
+        "planetary stages: planets with their pins and meshes", PlanetaryStage, later=True
     )
     joints: Mapping[str, Joint] = section(
         "joints between bodies",
@@ -160,9 +168,9 @@ class Contents:
 
 
 SECTIONS: dict[str, Section] = {
-    f.name: Section(f.name, key.meaning, key.of, f.metadata["rules"], f.metadata["needs"])
+    f.name: Section(f.name, held.meaning, held.of, f.metadata["rules"], f.metadata["needs"])
     for f in dataclasses.fields(Contents)
-    if (key := f.metadata["key"]).kind == "components"
+    if (held := f.metadata["key"]).kind == "components"
 }
 """Sections of this package by name."""
 GROUPS = tuple(SECTIONS)

@@ -8,7 +8,7 @@ the rules of the system divide it into stations.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 SAME = 1e-6
 """Positions that differ by less than this fraction of the length coincide."""
+SEATED = ("bearings", "rolling_bearings", "plain_bearings")
+"""Sections with `body`, `position` and `housing`."""
 MAX_PIECES = 2000
 """Maximum number of beam elements of one shaft; typical shafts have ten to a hundred."""
 
@@ -42,11 +44,6 @@ def stand_in(shaft: Shaft) -> Body:
         markers=shaft.markers,
         shaft=shaft,
     )
-
-
-def own_bodies(bodies: Mapping[str, Body]) -> dict[str, Body]:
-    """Bodies without those that represent elastic shafts and bodies."""
-    return {name: body for name, body in bodies.items() if not body.stands_in}
 
 
 def add_shafts(parts: Parts, report: Reader) -> None:
@@ -151,15 +148,16 @@ def seats_on_shafts(machine: Any) -> dict[str, list[tuple[Place, float]]]:
         seats += bevel_seats(machine, shaft)
         for name, marker in body.markers.items():
             seats.append((("shafts", shaft, "markers", name, "position"), marker.position[2]))
-    for group in ("bearings", "unbalances"):
+    for group in (*SEATED, "unbalances"):
         for name, part in getattr(machine, group).items():
             if part.body in found:
                 found[part.body].append(((group, name, "position"), part.position[2]))
-    for name, part in machine.bearings.items():
-        shaft = "" if part.housing is None else split(part.housing)[0]
-        if shaft in found and part.body in machine.bodies:
-            place = along(shaft, _place_on_axis(machine, part.body, part))
-            found[shaft].append((("bearings", name, "housing"), place))
+    for group in SEATED:
+        for name, part in getattr(machine, group).items():
+            shaft = "" if part.housing is None else split(part.housing)[0]
+            if shaft in found and part.body in machine.bodies:
+                place = along(shaft, _place_on_axis(machine, part.body, part))
+                found[shaft].append(((group, name, "housing"), place))
     for name, coupling in machine.couplings.items():
         for shaft in {*coupling.bodies} & found.keys():
             place = along(shaft, _place_on_axis(machine, coupling.bodies[0], coupling))

@@ -14,8 +14,9 @@ from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
-from pitchpoint.model.keys import TYPE, Key, defaults_of, keys_of
-from pitchpoint.model.shafts import own_bodies
+from pitchpoint.model.keys import TYPE, Key, Place, defaults_of, keys_of
+from pitchpoint.model.origin import Source
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.tooth_profile import Points
@@ -50,7 +51,9 @@ def plain(model: Model) -> dict[str, Any]:
         The model. Paths of Python files become relative to the model file.
     """
     base = Path(model.file).parent if model.file else Path()
-    out: dict[str, Any] = _Writer(base).component(model)
+    writer = _Writer(base)
+    writer.sources = model.origin.sources
+    out: dict[str, Any] = writer.component(model)
     return out
 
 
@@ -69,20 +72,27 @@ class _Writer:
         self.base = base
         self.within: Any = None
         """Component being written."""
+        self.sources: Mapping[Place, Source] = {}
+        """Values with parameters, as written."""
+        self.at: Place = ()
+        """Path of the component being written."""
 
     def component(self, part: Any) -> dict[str, Any]:
         """Keys and values that differ from the defaults."""
         defaults = defaults_of(type(part))
         out: dict[str, Any] = {}
+        at = self.at
         for name, key in keys_of(type(part)).items():
-            self.within = part
+            self.within, self.at = part, (*at, name)
             value = getattr(part, name)
-            if name == "bodies" and isinstance(value, Mapping):
-                value = own_bodies(value)  # without the bodies that represent shafts
+            if key.kind == "components" and isinstance(value, Mapping):
+                value = own_parts(value)  # without those that represent shafts and planets
             # the stiffness law is always written: its default should not need looking up
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue
-            out[name] = self.value(key, value)
+            source = self.sources.get(self.at)
+            out[name] = self.value(key, value) if source is None else source.data
+        self.at = at
         return out
 
     def value(self, key: Key, value: Any) -> Any:
@@ -132,10 +142,16 @@ class _Writer:
 
     def nested_names(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
         """Components by name, with their type if there are several."""
-        return {
-            name: {**({TYPE: v.form} if isinstance(key.of, dict) else {}), **self.component(v)}
-            for name, v in value.items()
-        }
+        at, out = self.at, {}
+        for name, v in value.items():
+            self.at = (*at, name)
+            out[name] = {**({TYPE: v.form} if isinstance(key.of, dict) else {}), **self.component(v)}
+        self.at = at
+        return out
+
+    def parameters(self, key: Key, value: Mapping[str, Any]) -> dict[str, Any]:
+        """Parameters by name: their value, and the description if there is one."""
+        return {name: self.component(p) if p.text else p.value for name, p in value.items()}
 
     def variant(self, key: Key, value: Any) -> dict[str, Any]:
         """Component that is identified by its law or level."""
@@ -267,5 +283,6 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "displacements": _Writer.displacements,
     "rates": _Writer.rates,
     "motions": _Writer.motions,
+    "parameters": _Writer.parameters,
     "terms": _Writer.terms,
 }

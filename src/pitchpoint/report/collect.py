@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
-from pitchpoint.io.sweep_store import QUANTITIES, SHARES
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
@@ -50,6 +50,7 @@ def describe(model: Model) -> ReportModel:
     from pitchpoint.report.flanks import flank_lines, inactive_faults
     from pitchpoint.report.numbers import geometry_of_model
     from pitchpoint.report.overview import counts_of
+    from pitchpoint.report.parameters import parameter_lines
 
     numbers = geometry_of_model(model)
     bodies = {name: model.body_of(mesh.gears[0]) for name, mesh in model.every_mesh.items()}
@@ -66,6 +67,7 @@ def describe(model: Model) -> ReportModel:
         shafts={mesh: body for mesh, body in bodies.items() if body},
         counts=counts_of(model),
         signals=signal_lines(model),
+        parameters=parameter_lines(model),
         assumptions=[f"{key}: {value}" for key, value in defaults(model)],
         sources=_sources(model),
     )
@@ -217,10 +219,11 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
 
 
 def _time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str = "") -> TimeRun:
-    """Time response with its window of statistics and its mesh frequencies."""
+    """Time response with its window of statistics, its notes and its mesh frequencies."""
     settle = settle_time_of(attrs)
     meshes = mean_mesh_frequencies(model, data, settle)
-    return TimeRun(data=data, settle_time=settle, note=note, mesh_frequencies=meshes)
+    notes = split_notes(str(data.attrs.get("notes", "")))
+    return TimeRun(data=data, settle_time=settle, note=note, remarks=notes, mesh_frequencies=meshes)
 
 
 def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:
@@ -280,7 +283,8 @@ def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
         frequencies = one["mesh_frequency"].values
         order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
         for i in order:
-            values = {name: float(one[name].values[i]) for name in ("speed", *(share for share, _ in SHARES))}
+            known = ("speed", *(name for name, _, _ in CONTACTS))
+            values = {name: float(one[name].values[i]) for name in known if name in one}
             if not np.isfinite(values["speed"]):
                 continue
             point: dict[str, Any] = {"direction": str(direction), "mesh_frequency": float(frequencies[i])}

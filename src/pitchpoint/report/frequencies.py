@@ -41,6 +41,8 @@ def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str
     speeds, remarks = dict(scenario.speed), []
     for body, drive in scenario.drive.items():
         end = scenario.duration or 0.0
+        if drive.rate is None and drive.value is None:
+            continue  # a ripple about the speed of a sweep
         if isinstance(drive.speed, Constant):
             speeds[body] = drive.speed.value
             continue
@@ -278,19 +280,20 @@ def _rolling_bearings(model: Model, spins: Mapping[str, float]) -> dict[str, dic
     from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
     from pitchpoint.model.carried_trains import line_carrier, speed_in_space
     from pitchpoint.model.frames import carrying_end, split
+    from pitchpoint.model.rings import ring_ends
 
     machine: Any = model
     found = {}
     for name, part in model.rolling_bearings.items():
-        inner, outer = (split(carrying_end(model, end))[0] for end in part.ends)
+        inner, outer = (split(carrying_end(model, end))[0] for end in ring_ends(part))
         axis = inner if inner != GROUND else outer
         base = line_carrier(machine, inner, outer)
         rings = [speed_in_space(machine, spins, body, axis, against=base) for body in (inner, outer)]
         rates = bearing_frequencies(
-            elements=part.elements,
-            element_diameter=part.element_diameter,
-            pitch_diameter=part.pitch_diameter,
-            contact_angle=part.contact_angle,
+            elements=part.geometry.elements,
+            element_diameter=part.geometry.element_diameter,
+            pitch_diameter=part.geometry.pitch_diameter,
+            contact_angle=part.geometry.contact_angle,
             speed_inner=rings[0],
             speed_outer=rings[1],
         )

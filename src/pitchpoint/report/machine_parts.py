@@ -115,14 +115,14 @@ def _bearings(
     """Rolling bearings with the orders of their parts and the shaft that rotates in them."""
     import math
 
-    from pitchpoint.model.frames import split
+    from pitchpoint.model.rings import ring_bodies
 
     found = []
     for name, row in rows["rolling_bearings"].items():
         rates = {part: row[key] * math.tau / base for part, key in BEARING_PARTS.items()}  # type: ignore[index]
         orders = {part: float(rate) for part, rate in rates.items() if rate > 0.0}
         if orders:
-            bodies = [split(end)[0] for end in model.rolling_bearings[name].ends]
+            bodies = ring_bodies(model.rolling_bearings[name])
             shaft = next((names[body] for body in bodies if body in names), "")
             found.append(Bearing(name, orders, shaft))
     return tuple(found)

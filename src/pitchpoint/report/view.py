@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.model import Model
     from pitchpoint.viz.scene.content import Scene
+    from pitchpoint.viz.scene.page import SceneStart
 
 RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 
@@ -26,6 +27,7 @@ def write_view(
     *sources: Model | str | os.PathLike[str] | xr.Dataset,
     allow_code: bool = False,
     modes: int = 0,
+    start: SceneStart | None = None,
 ) -> tuple[Path, tuple[str, ...]]:
     """Write one self-contained HTML page with the scene of a model or a result.
 
@@ -40,6 +42,8 @@ def write_view(
         Allow model files to run the Python functions that they name.
     modes
         Number of lowest modes that are computed and shown, for a single source.
+    start
+        Initial view: direction, projection, section.
 
     Returns
     -------
@@ -64,7 +68,7 @@ def write_view(
     if len(scenes) > 1:
         names = file_labels([_name(source) for source in sources])
         scenes = [replace(scene, label=name) for scene, name in zip(scenes, names, strict=True)]
-    written = write_file(path, scene_page(*scenes))
+    written = write_file(path, scene_page(*scenes, start=start))
     return written, tuple(dict.fromkeys(note for s in scenes for note in s.notes))
 
 

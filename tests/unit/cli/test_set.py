@@ -87,3 +87,46 @@ def test_names_with_an_equals_sign(run, monkeypatch):
     force = 50.0 / (40 * 3e-3 / 2.0 * np.cos(np.radians(20.0)))
     assert mean_force(out) == pytest.approx(force, rel=1e-3)
     assert values_of("loads.a=b.torque=1,2", loads_model(named)) == ("loads.a=b.torque", [1, 2])
+
+
+PARAMETERS = """parameters: {load: {value: 100 N m, text: torque of the drum}, start: 600 rpm}
+"""
+
+
+@pytest.fixture
+def with_parameters(tmp_path):
+    file = tmp_path / "parameters.yaml"
+    text = MODEL.replace("torque: 100 N m", "torque: load").replace("motor: 600 rpm", "motor: start")
+    file.write_text(PARAMETERS + text)
+    return file
+
+
+def test_a_parameter_is_set_and_kept_in_the_result(with_parameters, tmp_path, capsys):
+    out = str(tmp_path / "out.h5")
+    forces = []
+    for more in ((), ("--set", "parameters.load=200 N m")):
+        assert run_command(["run", str(with_parameters), "-o", out, "--json", *more]) == 0
+        forces.append(mean_force(capsys.readouterr().out))
+    assert forces[1] == pytest.approx(2.0 * forces[0], rel=1e-9)
+    kept = stored_model(out)
+    assert kept.parameters["load"].value == "200 N m"
+    assert kept.parameters["load"].text == "torque of the drum"
+    assert kept.replace("parameters.load", 50.0).loads["drum"].torque.value == 50.0
+    assert run_command(["run", str(with_parameters), "-o", out, "--set", "parameters.lod=200 N m"]) == 2
+    assert "did you mean load?" in capsys.readouterr().err
+
+
+def test_parameters_are_varied_tabled_and_reported(with_parameters, tmp_path, capsys):
+    out = str(tmp_path / "cases.h5")
+    vary = ["--vary", "parameters.load=50 N m,100 N m", "--vary", "parameters.start=300 rpm,600 rpm"]
+    assert run_command(["run", str(with_parameters), "-o", out, "--json", *vary]) == 0
+    found = json.loads(capsys.readouterr().out)["cases"]
+    assert [case["numbers"]["parameters.load"] for case in found] == [50.0, 50.0, 100.0, 100.0]
+    assert found[1]["numbers"]["parameters.start"] == pytest.approx(20.0 * np.pi)
+    forces = [case["channels"]["mesh_force[stage]"]["mean"] for case in found]
+    assert forces[2] == pytest.approx(2.0 * forces[0], rel=1e-9)
+    page = tmp_path / "report.html"
+    assert run_command(["report", str(with_parameters), out, "-o", str(page)]) == 0
+    text = page.read_text(encoding="utf-8")
+    assert "<td>torque of the drum</td>" in text and "<td>600 rpm</td>" in text
+    assert "parameters.load" in text

@@ -172,7 +172,8 @@ def test_replace(file: Path) -> None:
 
 
 def test_json_schema_knows_the_forms() -> None:
-    from pitchpoint.model.schema import json_schema, reference_page
+    from pitchpoint.model.reference import reference_page
+    from pitchpoint.model.schema import json_schema
 
     found = json_schema()
     forms = found["properties"]["blocks"]["additionalProperties"]["oneOf"]

@@ -118,7 +118,7 @@ def test_the_stack_is_as_deep_as_it_must_be():
     assert formula.depth > 18
 
 
-EDGES = (0.0, -0.0, 1.0, -1.0, 0.5, -2.5, 3.0, 1e3, -1e3, 1e300, math.inf, -math.inf, math.nan)
+EDGES = (0.0, -0.0, 1.0, 710.4, -710.6, -1.0, 0.5, -2.5, 3.0, 1e3, -1e3, 1e300, math.inf, -math.inf, math.nan)
 
 
 @pytest.mark.parametrize("name", [n for n, (_, k) in FUNCTIONS.items() if k == 1])
@@ -163,6 +163,10 @@ def test_binary_operations_agree_at_the_edges(text):
         ("ramp(1, t, 4)", 0.0, -3.0 / 16.0),
         ("abs(-t)", 2.0, 1.0),
         ("max(t, 3*t)", 1.0, 3.0),
+        ("sinh(t)", 0.7, math.cosh(0.7)),
+        ("cosh(2*t)", 0.7, 2.0 * math.sinh(1.4)),
+        ("tanh(t/2)", 0.6, 0.5 * (1.0 - math.tanh(0.3) ** 2)),
+        ("tanh(1000*t)", 2.0, 0.0),
     ],
 )
 def test_slopes(text, x, slope):

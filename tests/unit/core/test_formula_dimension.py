@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from pitchpoint.core.formula.dimension import of_number, of_variable, unit_text
-from pitchpoint.core.formula.formula import Formula, FormulaError
+from pitchpoint.core.formula.dimension import of_number, of_variable, readable, unit_text
+from pitchpoint.core.formula.formula import Amount, Formula, FormulaError, constant
 from pitchpoint.core.unit_table import DIMENSIONS
 
 NAMES = ("t", "angle", "speed")
@@ -155,3 +155,57 @@ def test_units_in_messages_are_short() -> None:
     shown = [unit_text(of_number(1.0, unit)) for unit in units]
     assert shown == ["N m", "N/m^2", "kg m^2", "1/s", "kg/m^3", "K", "kg/s", "s/kg"]
     assert unit_text(of_variable("t")) == "s"
+
+
+CONSTANTS = {
+    "gap": Amount(4e-5, "m"),
+    "z": Amount(20.0, ""),
+    "n": Amount(50.0, "s^-1 rad"),
+    "f": Amount(25.0, "Hz"),
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "value"),
+    [
+        ("302.585 mm * cos(120 deg)", "length", -0.1512925),
+        ("2*gap + 1 um", "length", 8.1e-5),
+        ("z*1 mm", "length", 0.02),
+        ("z/3 + 1", "dimensionless", 23.0 / 3.0),
+        ("2*pi*5 Hz", "angular_speed", 31.41592653589793),
+        ("2*pi*f", "angular_speed", 157.07963267948966),
+        ("n/2", "angular_speed", 25.0),
+        ("z*n/(1 rev)", "frequency", 159.15494309189535),
+        ("z*f", "frequency", 500.0),
+        ("tanh(gap/(40 um))", "dimensionless", 0.7615941559557649),
+        ("sqrt(9 mm^2)", "length", 0.003),
+    ],
+)
+def test_constants_keep_their_dimension(text: str, dimension: str, value: float) -> None:
+    assert constant(text, dimension, CONSTANTS)[0].value == pytest.approx(value, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension", "message"),
+    [
+        ("2*z", "length", "its units give a plain number"),
+        ("z + 1 mm", "length", "'\\+' joins a plain number or an angle and m"),
+        ("gap*z", "angle", "its units give m, not rad"),
+        ("2*n", "frequency", "its units give rad/s, not Hz"),
+        ("3000 rpm / 2", "frequency", "its units give rad/s, not Hz"),
+        ("2*f", "angular_speed", "its units give cycles"),
+        ("sinh(gap)", "", "'sinh' needs a plain number or an angle, not m"),
+        ("gpa", "length", "unknown name 'gpa'; did you mean gap\\?"),
+    ],
+)
+def test_constants_of_another_dimension_are_refused(text: str, dimension: str, message: str) -> None:
+    with pytest.raises(FormulaError, match=message):
+        constant(text, dimension, CONSTANTS)
+
+
+def test_the_unit_of_a_constant_reads_back() -> None:
+    for text in ("3 N m/rad", "1500 rpm", "25 Hz", "2 kg m^2/s^3", "20 deg", "2*pi*25 Hz", "5 K", "7"):
+        amount = constant(text)[0]
+        again = constant(f"{amount.value!r} {amount.unit}")[0]
+        assert again == amount
+        assert readable(again.unit) == readable(amount.unit)

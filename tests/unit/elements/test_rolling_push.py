@@ -21,14 +21,30 @@ KINDS = {
     "grooves, angle": "grooves: [0.52, 0.53], contact_angle: 15 deg, clearance: 4 um",
     "constant angle": "stiffness: 1e10, contact_angle: -20 deg",
     "rollers": "type: roller, stiffness: 1e9, clearance: -2 um",
+    "rollers in slices": "type: roller, effective_length: 9 mm, contact_angle: 15 deg, clearance: -2 um",
+    "floating": "type: roller, effective_length: 9 mm, contact_angle: 15 deg, "
+    "axial_force_absorption: no_direction",
+    "preload": "grooves: [0.52, 0.53], contact_angle: 15 deg, preload_distance: 5 um",
 }
 
 
 @pytest.mark.nojit
 @pytest.mark.parametrize("kind", KINDS)
 def test_with_and_without_slopes(kind: str) -> None:
+    check(MODEL.replace("KIND", KINDS[kind]))
+
+
+@pytest.mark.nojit
+def test_two_rows_with_and_without_slopes() -> None:
+    check(
+        MODEL.partition("  one")[0]
+        + "  one: {body: shaft, designation: 22208, damping: 0.7, clearance: -5 um, slices: 5}\n"
+    )
+
+
+def check(text: str) -> None:
     """Ten states, displacements of 10 um, tilts of 1 mrad, all azimuths; rounding is all that differs."""
-    system = compile_model(loads_model(MODEL.replace("KIND", KINDS[kind])))
+    system = compile_model(loads_model(text))
     state = system.initial_state()
     rng = np.random.default_rng(7)
     evaluate.prepare(system)

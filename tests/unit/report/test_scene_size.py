@@ -94,7 +94,10 @@ def test_ten_gears_with_2000_frames_take_less_than_3_megabytes(long):
     header = read.header
     assert sum(solid["kind"] == "gear" for solid in header["solids"]) == 2 * PAIRS
     assert len(read.times) == 2000
-    assert len(header["contacts"]) == PAIRS and len(header["bodies"]) == 2 * PAIRS
+    # besides the bodies of the model there are the cages of their bearings
+    bodies = [body for body in header["bodies"] if not body.get("part")]
+    assert len(header["contacts"]) == PAIRS and len(bodies) == 2 * PAIRS
+    assert len(header["bodies"]) == 6 * PAIRS
     assert sum(arrow["kind"] == "bearing" for arrow in header["arrows"]) == 4 * PAIRS
     for contact in header["contacts"]:
         assert np.any(read.array(contact["flanks"][0]["forces"]))
@@ -113,6 +116,8 @@ def unseen(track: np.ndarray, error: float) -> float:
 def test_motions_are_as_exact_as_the_format_says(long):
     scene, read, _ = long
     for body, entry in zip(scene.bodies, read.header["bodies"], strict=True):
+        if body.part:
+            continue
         near(read.array(entry["position"]), body.position, unseen(body.position, 25e-9))
         # an angle moves nothing on the body by more than that: a gear of 2 to 6 mm modules and 23 or 41 teeth
         reach = np.hypot(*read.mesh(body.name.replace("in", "a").replace("out", "b"))[0].T[:2]).max()

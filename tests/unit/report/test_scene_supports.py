@@ -85,7 +85,7 @@ def test_rings_of_a_bearing_turn_with_their_body_or_stand_still():
         assert abs(place[0] - middle[0]) > 15e-3
         assert points[:, 2].max() < 15e-3
     notes = " ".join(scene.header["notes"])
-    assert "rings of linear bearings" in notes and "frames around gears" in notes
+    assert "linear bearings are drawn in catalogue sizes" in notes and "frames around gears" in notes
 
 
 def test_a_frame_for_the_housing_holds_all_gears():

@@ -254,10 +254,9 @@ loads: {weight: {body: rotor, force: [0, 0, -1000]}}
 """
 
 
-@pytest.mark.parametrize("outer", ["housing.seat", "ground"])
-def test_rings_stand_about_one_axis(outer):
+def test_rings_stand_about_one_axis():
     with pytest.raises(ModelError) as caught:
-        loads_model(RINGS.replace("OUTER", outer).replace("HERE", ""))
+        loads_model(RINGS.replace("OUTER", "housing.seat").replace("HERE", ""))
     assert [p.where for p in caught.value.problems] == [
         "rolling_bearings.groove.ends",
         "plain_bearings.bush.ends",
@@ -273,10 +272,16 @@ def test_bearings_along_another_axis_carry_the_same():
         RINGS.replace("OUTER", "housing.seat").replace("HERE", "").replace("axes: {z: [1, 0, 0]}", "axes: {}")
     )
     here = here.replace("[0, 0, -1000]", "[0, -1000, 0]")
+    ground = RINGS.replace("OUTER", "ground").replace("HERE", "axes: {z: [1, 0, 0], x: [0, 1, 0]}")
     rests = [solve_equilibrium(compile_model(loads_model(text))) for text in (there, here)]
     for name in rests[0]:
         if "[" in name:
             np.testing.assert_allclose(rests[0][name].item(), rests[1][name].item(), rtol=1e-9, atol=1e-9)
+    with pytest.warns(match="is not used"):  # on ground the rings have the axes of the rotor
+        grounded = solve_equilibrium(compile_model(loads_model(ground)))
+    for name in ("groove", "bush"):
+        radial = f"bearing_force[{name}.radial]"
+        assert grounded[radial].item() == pytest.approx(rests[0][radial].item(), rel=1e-9)
 
 
 def test_turned_frames_agree_with_turned_places():

@@ -30,7 +30,7 @@ def test_page_and_fragment_hold_the_scene_once() -> None:
         assert text.count(elements) == 1
         assert text.count('id="pp-view"') == 1
     assert "height:300px" in scene_fragment(scene(), height="300px")
-    assert "{compare:true}" in scene_fragment(scene(), scene())
+    assert '{"compare":true}' in scene_fragment(scene(), scene())
     for wrong in ((), (scene(), scene(), scene())):
         with pytest.raises(ValueError, match="scenes in a page"):
             scene_fragment(*wrong)

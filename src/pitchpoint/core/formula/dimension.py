@@ -14,6 +14,7 @@ factor 2*pi for an angle or an angular speed.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from pitchpoint.core.errors import UnitError
@@ -60,6 +61,10 @@ class CycleError(UnitError):
     """Cycles in place of radians."""
 
 
+class RadianError(UnitError):
+    """Radians in place of cycles."""
+
+
 class Kind(NamedTuple):
     """Known dimension of a part of a formula.
 
@@ -76,6 +81,8 @@ class Kind(NamedTuple):
     loose: bool = False  # a number without unit may compensate the seconds of variables
     cycles: float = 0.0  # exponent of the cycle (Hz)
     turned: bool = False  # has a factor that converts cycles to radians: pi, an angle
+    rad: float = 0.0  # exponent of the radian from written units
+    named: bool = False  # contains a named constant, next to which a number without unit is a plain number
 
     @property
     def seconds(self) -> tuple[float, float]:
@@ -93,7 +100,7 @@ class Kind(NamedTuple):
     @property
     def anything(self) -> bool:
         """Whether the dimension is arbitrary because of a number without unit."""
-        return self.bare and (not self.written or self.fits(PLAIN))
+        return self.bare and not self.named and (not self.written or self.fits(PLAIN))
 
     def fits(self, other: Kind) -> bool:
         """Whether both can have the same dimension."""
@@ -135,6 +142,7 @@ def of_number(value: float, unit: str) -> Kind:
         written=True,
         cycles=float(u.cycle),
         turned=u.rad + u.rev != 0,
+        rad=float(u.rad + u.rev),
     )
 
 
@@ -212,6 +220,8 @@ def check_result(kind: Kind, dimension: str) -> None:
         )
     if dimension in ("angle", "angular_speed") and kind.open_cycles:
         raise CycleError(f"its units give cycles, not {wanted.si}: Hz needs the factor 2*pi")
+    if dimension == "frequency" and kind.rad - kind.cycles > 0.5:
+        raise RadianError("its units give rad/s, not Hz: an angular speed is divided by 1 rev")
 
 
 def unit_text(kind: Kind) -> str:
@@ -228,11 +238,65 @@ def unit_text(kind: Kind) -> str:
     with_kg = {"kg": kg, "m": m, "s": s, "K": kelvin}
     with_newton = {"N": kg, "m": m - kg, "s": s + 2.0 * kg, "K": kelvin}
     powers = min(with_kg, with_newton, key=lambda p: sum(abs(v) for v in p.values()))
+    return _quotient(powers) or _NUMBER
+
+
+def readable(unit: str) -> str:
+    """Unit of an amount as it is usually written.
+
+    Examples
+    --------
+    >>> readable("kg m^2 s^-2 rad^-1"), readable("s^-1 rad"), readable("")
+    ('N m/rad', 'rad/s', '')
+    """
+    if not unit:
+        return ""
+    kind = of_number(1.0, unit)
+    kg, m, s = kind.base[1], kind.base[0], kind.s + kind.cycles
+    rest = {"K": kind.base[2], "Hz": kind.cycles, "rad": kind.rad}
+    with_kg = {"kg": kg, "m": m, "s": s, **rest}
+    with_newton = {"N": kg, "m": m - kg, "s": s + 2.0 * kg, **rest}
+    return _quotient(min(with_kg, with_newton, key=lambda p: sum(abs(v) for v in p.values())))
+
+
+def _quotient(powers: Mapping[str, float]) -> str:
+    """Product of the units with positive powers over that of the others."""
     above = " ".join(_powered(n, p) for n, p in powers.items() if p > _CLOSE)
     below = " ".join(_powered(n, -p) for n, p in powers.items() if p < -_CLOSE)
     if not below:
-        return above or _NUMBER
+        return above
     return f"{above or '1'}/{f'({below})' if ' ' in below else below}"
+
+
+def of_amount(value: float, unit: str) -> Kind:
+    """Kind of a named constant; without unit it is a plain number, in contrast to a number in a formula.
+
+    Parameters
+    ----------
+    value
+        Value in SI units.
+    unit
+        SI unit, as `si_unit` writes it.
+    """
+    kind = of_number(value, unit)
+    return (kind if unit else PLAIN._replace(written=True, turned=kind.turned))._replace(named=True)
+
+
+def si_unit(kind: Kind) -> str:
+    """SI unit of the result of a formula without variables, with radians and cycles.
+
+    A factor pi or an angle makes radians of cycles.
+
+    Examples
+    --------
+    >>> si_unit(of_number(1.0, "rpm")), si_unit(of_number(1.0, "N/mm")), si_unit(of_number(25.0, "Hz"))
+    ('s^-1 rad', 'kg s^-2', 'Hz')
+    """
+    m, kg, kelvin = kind.base
+    cycles = kind.open_cycles
+    rad = kind.rad + kind.cycles - cycles
+    powers = {"kg": kg, "m": m, "s": kind.s + cycles, "K": kelvin, "Hz": cycles, "rad": rad}
+    return " ".join(_powered(n, p) for n, p in powers.items() if abs(p) > _CLOSE)
 
 
 def _powered(name: str, power: float) -> str:
@@ -250,6 +314,8 @@ def _product(a: Kind, b: Kind) -> Kind:
         a.loose or b.loose,
         a.cycles + b.cycles,
         a.turned or b.turned,
+        a.rad + b.rad,
+        a.named or b.named,
     )
 
 
@@ -262,6 +328,7 @@ def _raised(a: Kind, power: float) -> Kind:
         rising=rising,
         falling=falling,
         cycles=a.cycles * power,
+        rad=a.rad * power,
     )
 
 
@@ -284,7 +351,8 @@ def _same(op: int, a: Kind, b: Kind) -> Kind:
     """Common kind of two operands of the same dimension, as in a sum."""
     cycles = a.open_cycles or b.open_cycles
     kind = _firm(op, a, b)
-    return kind._replace(cycles=cycles, turned=a.turned and b.turned and not cycles)
+    named = a.named or b.named
+    return kind._replace(cycles=cycles, turned=a.turned and b.turned and not cycles, named=named)
 
 
 def _firm(op: int, a: Kind, b: Kind) -> Kind:

@@ -9,12 +9,14 @@ variables.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.formula.dimension import si_unit
 from pitchpoint.core.formula.language import (
     ARITY,
     CONST,
@@ -24,12 +26,13 @@ from pitchpoint.core.formula.language import (
     MAX_TEXT,
     MAX_VARIABLES,
     VAR,
+    Amount,
     FormulaError,
     apply,
 )
 from pitchpoint.core.formula.parser import Parser
 
-__all__ = ["CONSTANTS", "FUNCTIONS", "MAX_DEPTH", "Formula", "FormulaError"]
+__all__ = ["CONSTANTS", "FUNCTIONS", "MAX_DEPTH", "Amount", "Formula", "FormulaError", "constant"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,14 +83,7 @@ class Formula:
         >>> Formula.parse("2 kN m * step(t - 1 ms) + 1 N m")(np.array([0.0, 1.0]))
         array([1.000e+00, 2.001e+03])
         """
-        if not isinstance(text, str):
-            raise FormulaError(f"{text!r} is not a formula")
-        if len(text) > MAX_TEXT:
-            raise FormulaError(f"the formula has {len(text)} characters (limit {MAX_TEXT})")
-        if len(variables) > MAX_VARIABLES:
-            raise FormulaError(f"a formula has at most {MAX_VARIABLES} variables")
-        parser = Parser(text, tuple(variables), dimension)
-        parser.run()
+        parser = parsed(text, tuple(variables), dimension)
         consts = np.array(parser.consts, dtype=np.float64)
         ops = np.array([consts.size, *(op | arg << 8 for op, arg in parser.code)], dtype=np.int64)
         ops.flags.writeable = consts.flags.writeable = False
@@ -134,3 +130,56 @@ class Formula:
         """
         code = VAR | self.variables.index(name) << 8
         return bool(np.any(self.ops[1:] == code))
+
+
+def parsed(
+    text: str, variables: tuple[str, ...], dimension: str = "", names: Mapping[str, Amount] | None = None
+) -> Parser:
+    """Run the parser over a formula.
+
+    Parameters
+    ----------
+    text, variables, dimension
+        As in `Formula.parse`.
+    names
+        As in `constant`.
+    """
+    if not isinstance(text, str):
+        raise FormulaError(f"{text!r} is not a formula")
+    if len(text) > MAX_TEXT:
+        raise FormulaError(f"the formula has {len(text)} characters (limit {MAX_TEXT})")
+    if len(variables) > MAX_VARIABLES:
+        raise FormulaError(f"a formula has at most {MAX_VARIABLES} variables")
+    parser = Parser(text, variables, dimension, names or {})
+    parser.run()
+    return parser
+
+
+def constant(
+    text: str, dimension: str = "", names: Mapping[str, Amount] | None = None
+) -> tuple[Amount, frozenset[str]]:
+    """Value of a formula without variables, and the names that it uses.
+
+    Parameters
+    ----------
+    text
+        Formula; numbers may have units.
+    dimension
+        Required dimension of the result, a row of `DIMENSIONS`; empty for any.
+    names
+        Constants that the formula may use.
+
+    Raises
+    ------
+    FormulaError
+        As in `Formula.parse`.
+
+    Examples
+    --------
+    >>> constant("302.585 mm * cos(120 deg)", "length")[0]
+    Amount(value=-0.15129249999999994, unit='m')
+    >>> constant("n/(1 rev)", "frequency", {"n": Amount(50.0, "rad s^-1")})[0].unit
+    's^-1'
+    """
+    parser = parsed(text, (), dimension, names)
+    return Amount(parser.consts[0], si_unit(parser.kind)), frozenset(parser.used)

@@ -18,6 +18,7 @@ from pitchpoint.core.formula.language import (
     ATAN2,
     CONST,
     COS,
+    COSH,
     DIV,
     EXP,
     FLOOR,
@@ -32,16 +33,20 @@ from pitchpoint.core.formula.language import (
     RAMP,
     SIGN,
     SIN,
+    SINH,
     SQRT,
     STEP,
     SUB,
     TAN,
+    TANH,
     VAR,
 )
 from pitchpoint.core.kernel import kernel
 
 NAN = math.nan
 INF = math.inf
+LARGEST = 710.475860073944
+"""Greatest argument at which cosh and sinh are finite: acosh of the largest number."""
 
 
 @kernel
@@ -61,7 +66,11 @@ def unary(op, a, da):
             return (0.0, 0.0) if a < 0.0 else (a, a)
         if op == ATAN:
             return math.atan(a), 0.0
-        if op == FLOOR or ((op == SQRT or op == LOG) and a > 0.0):
+        if op == TANH:
+            return (NAN, NAN) if math.isnan(a) else (math.copysign(1.0, a), 0.0)
+        if op == COSH:
+            return abs(a), 0.0
+        if op == FLOOR or op == SINH or ((op == SQRT or op == LOG) and a > 0.0):
             return a, 0.0
         return NAN, NAN
     if op == SIN:
@@ -93,6 +102,15 @@ def unary_rare(op, a, da):
         return math.atan(a), da / (1.0 + a * a)
     if op == FLOOR:
         return a - a % 1.0, 0.0
+    if op == SINH or op == COSH:
+        if abs(a) > LARGEST:
+            up, down = INF, math.copysign(INF, a)
+        else:
+            up, down = math.cosh(a), math.sinh(a)
+        return (down, up * da) if op == SINH else (up, down * da)
+    if op == TANH:
+        v = math.tanh(a)
+        return v, (1.0 - v * v) * da
     if abs(a) > 1.0:
         return NAN, NAN
     s = math.sqrt(1.0 - a * a)

@@ -7,16 +7,16 @@ The compiled equivalent of `apply` is `pitchpoint.core.formula.kernel`; a test c
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from pitchpoint.core.errors import UnitError
 
 CONST, VAR, NEG, ADD, SUB, MUL, DIV, POW = range(8)
-SIN, COS, TAN, ASIN, ACOS, ATAN, EXP, LOG, SQRT, ABS, FLOOR, SIGN, STEP = range(8, 21)
-ATAN2, MIN, MAX, MOD = range(21, 25)
-RAMP, SMOOTHSTEP, PULSE = range(25, 28)
+SIN, COS, TAN, ASIN, ACOS, ATAN, SINH, COSH, TANH, EXP, LOG, SQRT, ABS, FLOOR, SIGN, STEP = range(8, 24)
+ATAN2, MIN, MAX, MOD = range(24, 28)
+RAMP, SMOOTHSTEP, PULSE = range(28, 31)
 
 #: name: (operation, number of arguments); min and max also accept more than two
 FUNCTIONS: dict[str, tuple[int, int]] = {
@@ -27,6 +27,9 @@ FUNCTIONS: dict[str, tuple[int, int]] = {
     "acos": (ACOS, 1),
     "atan": (ATAN, 1),
     "atan2": (ATAN2, 2),
+    "sinh": (SINH, 1),
+    "cosh": (COSH, 1),
+    "tanh": (TANH, 1),
     "exp": (EXP, 1),
     "log": (LOG, 1),
     "sqrt": (SQRT, 1),
@@ -50,7 +53,15 @@ MAX_TOKENS = 500
 MAX_DEPTH = 40
 MAX_VARIABLES = 3
 UNIT_REMEDY = "give every number its unit, or none a unit: then all are SI"
+RADIAN_REMEDY = "write n/(1 rev) for the frequency of a speed n"
 CYCLE_REMEDY = "write 2*pi*50 Hz, or 50 rev/s, for an angular speed"
+
+
+class Amount(NamedTuple):
+    """Named constant of formulas: a value and its SI unit, as `dimension.si_unit` writes it."""
+
+    value: float
+    unit: str
 
 
 class FormulaError(UnitError):
@@ -100,6 +111,9 @@ _NUMPY: dict[int, Any] = {
     ASIN: np.arcsin,
     ACOS: np.arccos,
     ATAN: np.arctan,
+    SINH: np.sinh,
+    COSH: np.cosh,
+    TANH: np.tanh,
     EXP: np.exp,
     LOG: np.log,
     SQRT: np.sqrt,

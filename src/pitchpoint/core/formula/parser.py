@@ -9,13 +9,23 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple, NoReturn
 
 import numpy as np
 
 from pitchpoint.core.errors import UnitError
-from pitchpoint.core.formula.dimension import CycleError, Kind, check_result, combine, of_number, of_variable
+from pitchpoint.core.formula.dimension import (
+    CycleError,
+    Kind,
+    RadianError,
+    check_result,
+    combine,
+    of_amount,
+    of_number,
+    of_variable,
+)
 from pitchpoint.core.formula.language import (
     ADD,
     ARITY,
@@ -31,13 +41,16 @@ from pitchpoint.core.formula.language import (
     MUL,
     NEG,
     POW,
+    RADIAN_REMEDY,
     STEP,
     SUB,
     UNIT_REMEDY,
     VAR,
+    Amount,
     FormulaError,
     apply,
 )
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.core.unit_table import UNITS
 from pitchpoint.core.units import natural_si
 
@@ -108,6 +121,8 @@ def tokenize(text: str, variables: tuple[str, ...]) -> list[Token]:
 
 
 def _remedy(error: UnitError) -> str:
+    if isinstance(error, RadianError):
+        return RADIAN_REMEDY
     return CYCLE_REMEDY if isinstance(error, CycleError) else UNIT_REMEDY
 
 
@@ -155,11 +170,15 @@ def _unit_end(text: str, at: int, variables: tuple[str, ...]) -> int:
 
 @dataclass
 class Parser:
-    """Precedence-climbing parser that emits postfix code, folds constants and checks units."""
+    """Precedence-climbing parser that emits postfix code, folds constants and checks units.
+
+    `names` are constants with units that the formula may use, in addition to its variables.
+    """
 
     text: str
     variables: tuple[str, ...]
     dimension: str = ""
+    names: Mapping[str, Amount] = field(default_factory=dict)
     code: list[tuple[int, int]] = field(default_factory=list)
     consts: list[float] = field(default_factory=list)
     at: int = 0
@@ -172,12 +191,18 @@ class Parser:
         for name in self.variables:
             if name in FUNCTIONS or name in CONSTANTS or not name.isidentifier():
                 raise FormulaError(f"'{name}' cannot be a variable")
+        self.used: set[str] = set()
         self.tokens = tokenize(self.text, self.variables)
         self._sum(0)
         if self._peek.kind != "end":
             self._fail(self._unexpected(self._peek))
         self._check_result()
         self._compact()
+
+    @property
+    def kind(self) -> Kind:
+        """Kind of the result."""
+        return self._kinds[0]
 
     @property
     def _peek(self) -> Token:
@@ -256,9 +281,15 @@ class Parser:
             self._push(CONSTANTS[word])
         elif word in FUNCTIONS:
             self._call(token, level)
+        elif word in self.names:
+            value, unit = self.names[word]
+            self.used.add(word)
+            self.consts.append(value)
+            self._put(CONST, len(self.consts) - 1, of_amount(value, unit))
         else:
-            known = ", ".join([*self.variables, *CONSTANTS, *FUNCTIONS])
-            self._fail(f"unknown name '{word}'; known are {known}", token)
+            known = [*self.variables, *self.names, *CONSTANTS, *FUNCTIONS]
+            guess = did_you_mean(word, known)
+            self._fail(f"unknown name '{word}'; {guess}known are {', '.join(known)}", token)
 
     def _call(self, token: Token, level: int) -> None:
         op, wanted = FUNCTIONS[token.word]
@@ -318,8 +349,17 @@ class Parser:
         try:
             check_result(self._kinds[0], self.dimension)
         except UnitError as error:
-            first = next(t for t in self.tokens if t.kind == "number" and t.word)
+            first = next(t for t in self.tokens if (t.kind == "number" and t.word) or t.word in self.names)
             raise FormulaError(str(error), self.text, first.at, _remedy(error)) from None
+
+    def expanded(self) -> str:
+        """The text with the names replaced by their values in SI units."""
+        out, end = [], 0
+        for token in self.tokens:
+            if token.kind == "name" and token.word in self.used:
+                out += [self.text[end : token.at], f"({self.names[token.word].value!r})"]
+                end = token.at + len(token.word)
+        return "".join([*out, self.text[end:]])
 
     def _compact(self) -> None:
         """Remove constants that are unused after folding."""

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 
 def track_radius(part: RollingBearing, inner: bool) -> float:
     """Radius of the contact circle of the elements on a race [m]."""
-    reach = 0.5 * part.element_diameter * math.cos(part.contact_angle)
-    return 0.5 * part.pitch_diameter + (-reach if inner else reach)
+    reach = 0.5 * part.geometry.element_diameter * math.cos(part.geometry.contact_angle)
+    return 0.5 * part.geometry.pitch_diameter + (-reach if inner else reach)
 
 
 def element_angles(part: RollingBearing, severity: float | None = None) -> NDArray[np.float64]:
@@ -31,7 +31,7 @@ def element_angles(part: RollingBearing, severity: float | None = None) -> NDArr
 
     `severity` replaces the severity of every fault.
     """
-    n = part.elements
+    n = part.geometry.elements
     found: NDArray[np.float64] = 2.0 * math.pi / n * np.arange(n, dtype=np.float64)
     for fault in part.faults.values():
         if isinstance(fault, CageFault):
@@ -46,13 +46,13 @@ def check_bearing_faults(name: str, bearing: RollingBearing, report: Reader) -> 
     numbered = True
     for label, fault in bearing.faults.items():
         at: Place = ("rolling_bearings", name, "faults", label)
-        if isinstance(fault, ElementFault | CageFault) and fault.element >= bearing.elements:
+        if isinstance(fault, ElementFault | CageFault) and fault.element >= bearing.geometry.elements:
             numbered = False
             report.problem(
                 (*at, "element"),
-                f"does not exist in a bearing of {bearing.elements} elements",
+                f"does not exist in a bearing of {bearing.geometry.elements} elements",
                 value=str(fault.element),
-                limit=f"0 to {bearing.elements - 1}",
+                limit=f"0 to {bearing.geometry.elements - 1}",
                 remedy="elements are numbered from 0",
             )
         if not isinstance(fault, CageFault | LooseBearing):
@@ -90,7 +90,7 @@ def check_seat(name: str, bearing: Bearing, report: Reader) -> None:
 
 
 def _spall(bearing: RollingBearing, fault: SpallFault, at: Place, report: Reader) -> None:
-    own = 0.5 * bearing.element_diameter
+    own = 0.5 * bearing.geometry.element_diameter
     of_element = isinstance(fault, ElementFault)
     track = own if of_element else track_radius(bearing, fault.form == "inner_race")
     most = {"length": min(2.0 * own, math.pi * track), "depth": own}
@@ -98,7 +98,7 @@ def _spall(bearing: RollingBearing, fault: SpallFault, at: Place, report: Reader
         if getattr(fault, key) >= limit:
             report.problem(
                 (*at, key),
-                f"is more than a rolling element of {bearing.element_diameter * 1e3:.6g} mm can roll over",
+                f"is more than a rolling element of {2e3 * own:.6g} mm can roll over",
                 value=f"{getattr(fault, key) * 1e3:.6g} mm",
                 limit=f"< {limit * 1e3:.6g} mm",
                 remedy="give it with a unit, such as 2 mm or 50 um",
@@ -109,12 +109,12 @@ def _room(bearing: RollingBearing, at: Place, report: Reader) -> None:
     """Check that the elements of a worn cage do not overlap."""
     angles = element_angles(bearing, 1.0)
     gaps = np.diff(np.append(angles, angles[0] + 2.0 * math.pi))
-    ratio = bearing.element_diameter / bearing.pitch_diameter
-    if ratio >= 1.0 or 2.0 * math.pi / bearing.elements < 2.0 * math.asin(ratio):
+    ratio = bearing.geometry.element_diameter / bearing.geometry.pitch_diameter
+    if ratio >= 1.0 or 2.0 * math.pi / bearing.geometry.elements < 2.0 * math.asin(ratio):
         return  # reported elsewhere, or elements without spacing
     least = 2.0 * math.asin(ratio)
     if gaps.min() < least:
-        most = (2.0 * math.pi / bearing.elements - least) * (bearing.elements - 1)
+        most = (2.0 * math.pi / bearing.geometry.elements - least) * (bearing.geometry.elements - 1)
         report.problem(
             at,
             "makes the other elements overlap",

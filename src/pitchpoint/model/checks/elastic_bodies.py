@@ -10,13 +10,14 @@ from pitchpoint.model.components.body import Body
 from pitchpoint.model.frames import split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.shafts import SEATED
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.elastic_body import ElasticBody
     from pitchpoint.model.parts import Parts
 
 AXIAL = (
-    "bearings",
+    *SEATED,
     "loads",
     "unbalances",
     "couplings",
@@ -104,7 +105,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
     for group in AXIAL:
         for name, part in getattr(parts, group).items():
             one = hasattr(part, "body")
-            for body in {part.body} if one else set(part.bodies):
+            for body in {part.body or ""} if one else set(part.bodies):
                 if body not in elastic or (group == "loads" and part.marker is not None):
                     continue
                 at = (group, name, "body" if one else "bodies")
@@ -113,7 +114,7 @@ def check_elastic_bodies(parts: Parts, report: Reader) -> None:
                 if part_of[body].rotor:
                     what = "without a node"
                     remedy = "name a body {{mass: 0 kg}} here that a joint of type fixed carries at {}"
-                elif group == "bearings":
+                elif group in SEATED:
                     remedy = "name the body that runs in it, and give housing: {}"
                 _refuse(parts, body, at, what, remedy, report)
     for name, load in parts.loads.items():

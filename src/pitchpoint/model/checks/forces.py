@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.checks.beam_ends import is_beam
-from pitchpoint.model.checks.bearing_faults import check_bearing_faults, check_seat
+from pitchpoint.model.checks.bearing_faults import check_seat
 from pitchpoint.model.checks.references import known
+from pitchpoint.model.checks.rolling_bearings import check_rolling_bearings
 from pitchpoint.model.components.law import Balance, Constant, TableLaw
 from pitchpoint.model.frames import GROUND
 from pitchpoint.model.keys import Place
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.clutch import Clutch
     from pitchpoint.model.components.load import Load
-    from pitchpoint.model.components.rolling_bearing import RollingBearing
     from pitchpoint.model.parts import Parts
 
 
@@ -42,9 +41,7 @@ def check_forces(parts: Parts, report: Reader) -> None:
     _turning(parts, report)
     for name, clutch in parts.clutches.items():
         _capacity(name, clutch, report)
-    for name, bearing in parts.rolling_bearings.items():
-        _rolling(name, bearing, report)
-        check_bearing_faults(name, bearing, report)
+    check_rolling_bearings(parts, report)
     for name, support in parts.bearings.items():
         check_seat(name, support, report)
     _states(parts, report)
@@ -94,37 +91,6 @@ def _capacity(name: str, clutch: Clutch, report: Reader) -> None:
     values += clutch.capacity.values if isinstance(clutch.capacity, TableLaw) else []
     if any(v < 0.0 for v in values):
         report.problem(at, "is negative", limit=">= 0", remedy="give the magnitude: friction always brakes")
-
-
-def _rolling(name: str, bearing: RollingBearing, report: Reader) -> None:
-    at: Place = ("rolling_bearings", name)
-    if bearing.element_diameter * bearing.elements > math.pi * bearing.pitch_diameter:
-        report.problem(
-            (*at, "elements"),
-            f"do not fit on a pitch circle of {bearing.pitch_diameter * 1e3:.6g} mm",
-            value=str(bearing.elements),
-            limit=f"<= {int(math.pi * bearing.pitch_diameter / bearing.element_diameter)}",
-            remedy="correct the number or the diameters",
-        )
-    elif bearing.element_diameter * math.cos(bearing.contact_angle) >= bearing.pitch_diameter:
-        report.problem(
-            (*at, "element_diameter"),
-            "leaves no room for the inner ring",
-            value=f"{bearing.element_diameter * 1e3:.6g} mm",
-            limit=f"below {bearing.pitch_diameter * 1e3:.6g} mm, the pitch diameter",
-            remedy="correct one of the diameters",
-        )
-    own, other = (
-        ("grooves", "effective_length") if bearing.type == "ball" else ("effective_length", "grooves")
-    )
-    if getattr(bearing, other) is not None:
-        report.problem(
-            (*at, other),
-            f"does not apply to a bearing of type {bearing.type}",
-            remedy=f"give {own}, or correct type",
-        )
-    elif bearing.stiffness is None and getattr(bearing, own) is None and at not in report.tainted:
-        report.problem(at, f"gives neither {own} nor stiffness", remedy=f"give {own}")
 
 
 def _states(parts: Parts, report: Reader) -> None:

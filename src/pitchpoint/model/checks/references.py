@@ -23,6 +23,8 @@ def check_references(parts: Parts, report: Reader) -> None:
                 if not description.names:
                     continue
                 given = getattr(part, key)
+                if given is None:
+                    continue
                 at: Place = (group, name, key)
                 words = (given,) if isinstance(given, str) else tuple(given)
                 for word in words:

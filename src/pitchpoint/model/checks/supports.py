@@ -10,13 +10,17 @@ import numpy as np
 
 from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.checks.forces import TURNING
-from pitchpoint.model.frames import GROUND, Array, axes_of, body_frame, place_of, split
+from pitchpoint.model.components.bearing import Bearing
+from pitchpoint.model.frames import GROUND, Array, body_frame, place_of, split
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
+from pitchpoint.model.rings import ring_bodies, rings_of
+from pitchpoint.model.shafts import SEATED
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.parts import Parts
+    from pitchpoint.model.rings import Ringed
 
 HOUSED = 1e-3
 """Maximum distance of a bearing from its housing marker [m]; a smaller distance is a rigid arm."""
@@ -28,12 +32,12 @@ COAXIAL = 1e-6
 
 def check_positions(parts: Parts, report: Reader) -> None:
     """Check that bearings and couplings are on the axis of their body: they do not rotate with it."""
-    for group in ("bearings", "couplings"):
+    for group in (*SEATED, "couplings"):
         for name, part in getattr(parts, group).items():
             x, y, z = part.position
             if x == 0.0 and y == 0.0:
                 continue
-            body = part.body if group == "bearings" else part.bodies[0]
+            body = part.bodies[0] if group == "couplings" else part.body
             shown = ", ".join(f"{v * 1e3:.6g}" for v in part.position)
             report.problem(
                 (group, name, "position"),
@@ -47,41 +51,47 @@ def check_positions(parts: Parts, report: Reader) -> None:
 
 def check_housings(parts: Parts, report: Reader) -> None:
     """Check the position of bearings in housings, and that the spin is free."""
-    for name, part in parts.bearings.items():
-        at: Place = ("bearings", name)
-        if part.housing is None or part.housing == GROUND or at in report.tainted:
-            continue
-        body, marker = split(part.housing)
-        if body == part.body:
-            report.problem(
-                (*at, "housing"),
-                f"is the body that runs in the bearing, {body}",
-                remedy="name another body, or remove housing for ground",
-            )
-            continue
-        if part.stiffness.matrix6()[5][5] != 0.0:
-            report.problem(
-                (*at, "stiffness"),
-                f"constrains the spin of {part.body} relative to the housing {body}",
-                limit="torsion: 0",
-                remedy="use a coupling instead, or remove torsion",
-            )
-        if part.body not in parts.bodies or (body not in parts.bodies and not is_beam(parts, body)):
-            continue
-        owner, there = parts.bodies[part.body], place_of(parts, part.housing)
-        if owner.origin is None or there is None or not marker:
-            continue
-        center = np.array(owner.origin) + body_frame(parts, part.body)[1] @ [0.0, 0.0, part.position[2]]
-        apart = float(np.linalg.norm(center - there))
-        limit = HOUSED * max(1.0, float(np.abs(center).max()))
-        if apart > limit:
-            report.problem(
-                (*at, "housing"),
-                f"is {apart * 1e3:.6g} mm away from the bearing",
-                value=part.housing,
-                limit=f"{limit * 1e3:.4g} mm",
-                remedy=f"correct the position of {marker}, of the bearing or of {part.body}",
-            )
+    for group in SEATED:
+        for name, part in getattr(parts, group).items():
+            at: Place = (group, name)
+            if part.housing is None or part.housing == GROUND or at in report.tainted or part.body is None:
+                continue
+            _housing(parts, at, part, report)
+
+
+def _housing(parts: Parts, at: Place, part: Bearing | Ringed, report: Reader) -> None:
+    """Check one bearing in a housing."""
+    body, marker = split(str(part.housing))
+    if body == part.body:
+        report.problem(
+            (*at, "housing"),
+            f"is the body that runs in the bearing, {body}",
+            remedy="name another body, or remove housing for ground",
+        )
+        return
+    if isinstance(part, Bearing) and part.stiffness.matrix6()[5][5] != 0.0:
+        report.problem(
+            (*at, "stiffness"),
+            f"constrains the spin of {part.body} relative to the housing {body}",
+            limit="torsion: 0",
+            remedy="use a coupling instead, or remove torsion",
+        )
+    if part.body not in parts.bodies or not (body in parts.bodies or is_beam(parts, body)):
+        return
+    owner, there = parts.bodies[str(part.body)], place_of(parts, str(part.housing))
+    if owner.origin is None or there is None or not marker:
+        return
+    center = np.array(owner.origin) + body_frame(parts, str(part.body))[1] @ [0.0, 0.0, part.position[2]]
+    apart = float(np.linalg.norm(center - there))
+    limit = HOUSED * max(1.0, float(np.abs(center).max()))
+    if apart > limit:
+        report.problem(
+            (*at, "housing"),
+            f"is {apart * 1e3:.6g} mm away from the bearing",
+            value=part.housing,
+            limit=f"{limit * 1e3:.4g} mm",
+            remedy=f"correct the position of {marker}, of the bearing or of {part.body}",
+        )
 
 
 def check_couplings(parts: Parts, report: Reader) -> None:
@@ -136,48 +146,38 @@ def check_rings(parts: Parts, report: Reader) -> None:
     """Check that the rings of rolling and plain bearings have the same position and axis."""
     for group in ("rolling_bearings", "plain_bearings"):
         for name, bearing in getattr(parts, group).items():
-            places = [place_of(parts, end) for end in bearing.ends]
-            named = {(group, name), *(("bodies", split(end)[0]) for end in bearing.ends)}
-            if named & report.tainted or places[0] is None or places[1] is None:
+            named = {(group, name), *(("bodies", body) for body in ring_bodies(bearing))}
+            if bearing.ends is None or named & report.tainted:
                 continue
-            if _apart(parts, (group, name, "ends"), bearing.ends, (places[0], places[1]), report):
+            inner, outer = rings_of(parts, bearing)
+            if inner.place is None or outer.place is None:
                 continue
-            z, other = (axes_of(parts, end)[:, 2] for end in bearing.ends)
+            if _apart((group, name, "ends"), bearing.ends, (inner.place, outer.place), report):
+                continue
+            z, other = inner.axes[:, 2], outer.axes[:, 2]
             angle = math.atan2(float(np.linalg.norm(np.cross(z, other))), abs(float(z @ other)))
             if angle > TILTED:
-                inner, outer = bearing.ends
                 report.problem(
                     (group, name, "ends"),
                     f"have z axes {math.degrees(angle):.6g} deg apart",
-                    value=f"{inner} and {outer}",
+                    value=" and ".join(bearing.ends),
                     limit=f"{math.degrees(TILTED):.3g} deg",
-                    remedy=f"give the marker {outer} axes with z along that of {inner}; on ground, use "
-                    "a body with motion: fixed and a marker",
+                    remedy=f"give the marker {bearing.ends[1]} axes with z along that of {bearing.ends[0]}",
                 )
 
 
-def _apart(
-    parts: Parts, at: Place, ends: tuple[str, str], places: tuple[Array, Array], report: Reader
-) -> bool:
+def _apart(at: Place, ends: tuple[str, str], places: tuple[Array, Array], report: Reader) -> bool:
     """Whether the rings of a bearing have different initial positions; reports the problem."""
     distance = float(np.linalg.norm(places[0] - places[1]))
     limit = HOUSED * max(1.0, *(float(np.abs(p).max()) for p in places))
     if distance <= limit:
         return False
-    remedy = "correct the positions of the bodies or markers"
-    if GROUND in ends:
-        body = ends[ends[0] == GROUND]
-        where = ", ".join(f"{v * 1e3:.6g} mm" for v in places[ends[0] == GROUND])
-        remedy = (
-            f"ground is the origin of the world: add a body {{motion: fixed, position: [{where}]}} "
-            f"at {body}, and name it instead of ground"
-        )
     report.problem(
         at,
         f"are {distance * 1e3:.6g} mm apart in the initial position",
         value=" and ".join(ends),
         limit=f"{limit * 1e3:.4g} mm",
-        remedy=remedy,
+        remedy="correct the positions of the bodies or markers",
     )
     return True
 

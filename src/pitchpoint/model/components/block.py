@@ -56,7 +56,7 @@ class FormulaBlock:
     """A formula of up to three signals; one of them may be the time t."""
 
     form: ClassVar[str] = "formula"
-    formula: str = text("formula of the input names")
+    formula: str = key("formula", "formula of the input names")
     inputs: tuple[str, ...] = key("names", "names of the input signals; t is the time", length=(1, 3))
     unit: str = choice(UNITS, UNIT, "1")
 

@@ -5,31 +5,90 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
+from pitchpoint.geometry.bearings.clearance import CLASSES
+from pitchpoint.geometry.bearings.inner import TYPES
 from pitchpoint.geometry.materials import Material
 from pitchpoint.model.components.bearing_fault import BEARING_FAULTS, BearingFault
-from pitchpoint.model.keys import choice, integer, key, positive, quantities, quantity
+from pitchpoint.model.components.bearing_geometry import ABSORPTION, BearingGeometry, bearing_geometry
+from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
 
-RINGS = "inner and outer ring, each of them ground, a body or BODY.MARKER; the axis is z of the second"
+RINGS = (
+    "inner and outer ring, each of them ground, a body or BODY.MARKER; the axis is z of the second. A ring "
+    "on ground is where the other ring is. Instead of body"
+)
+BODY = "body whose shaft is in the bearing, instead of ends"
+POSITION = "centre of the bearing relative to the origin of body, on its axis: [0, 0, z]"
+HOUSING = "housing instead of ground: BODY, or BODY.MARKER at the bearing, such as a node of an elastic body"
 
 
 @dataclass(frozen=True, kw_only=True)
 class RollingBearing:
-    """Rolling bearing with individual rolling elements that orbit with the cage."""
+    """Rolling bearing with individual rolling elements that orbit with the cage.
 
-    ends: tuple[str, str] = key("ends", RINGS, length=(2, 2))
-    type: str = choice(("ball", "roller"), "ball: point contact; roller: line contact", "ball")
-    elements: int = integer("number of rolling elements of one row", minimum=2, maximum=10000)
-    element_diameter: float = positive("length", "diameter of a rolling element")
-    pitch_diameter: float = positive("length", "pitch diameter of the rolling elements")
-    contact_angle: float = quantity(
+    Give a designation, or type and catalogue data, or type and rolling elements.
+    """
+
+    body: str | None = text(BODY, None, names="bodies", one_of="rings")
+    position: tuple[float, float, float] = quantities("length", POSITION, (0.0, 0.0, 0.0), length=(3, 3))
+    housing: str | None = end(HOUSING, None, needs="body")
+    ends: tuple[str, str] | None = key("ends", RINGS, None, length=(2, 2), one_of="rings")
+    designation: str | None = text(
+        "designation with suffixes, such as 6308-2RS/C3 or NU 208 ECP; `pitchpoint check` lists the data",
+        None,
+    )
+    type: str | None = choice(
+        ("ball", "roller", *TYPES),
+        "ball, roller: given rolling elements with point or line contact; the others: catalogue data",
+        None,
+        display="that of designation, otherwise ball",
+    )
+    inner_diameter: float | None = positive("length", "bore diameter d", None)
+    outer_diameter: float | None = positive("length", "outside diameter D", None)
+    width: float | None = positive("length", "width B; tapered bearings: overall width T", None)
+    radial_dynamic_load_rating: float | None = positive("force", "dynamic load rating C", None)
+    radial_static_load_rating: float | None = positive("force", "static load rating C0", None)
+    axial_force_absorption: str | None = choice(
+        ABSORPTION,
+        "axial force on the shaft that the bearing supports, along z of the bearing; no_direction: floating "
+        "bearing. Angular contact and tapered bearings: positive or negative",
+        None,
+        display="both_directions; no_direction for cylindrical rollers; with given elements by the sign of "
+        "contact_angle",
+    )
+    elements: int | None = integer("number of rolling elements of one row", None, minimum=2, maximum=10000)
+    element_diameter: float | None = positive("length", "diameter of a rolling element", None)
+    pitch_diameter: float | None = positive("length", "pitch diameter of the rolling elements", None)
+    contact_angle: float | None = quantity(
         "angle",
-        "contact angle; > 0 supports an inner ring that is loaded in +z",
-        0.0,
+        "contact angle; > 0 supports an inner ring that is loaded in +z; of catalogue bearings without sign. "
+        "Tapered and spherical: arctan(e/1.5) of the catalogue",
+        None,
         minimum=-1.5,
         maximum=1.5,
+        display="that of designation, otherwise 0",
     )
-    clearance: float = quantity("length", "radial internal clearance; negative for preload", 0.0)
+    clearance: float | None = quantity(
+        "length",
+        "radial internal clearance (diametral) in operation; negative for preload",
+        None,
+        display="middle of clearance_class, 0 without a class",
+    )
+    clearance_class: str | None = choice(
+        CLASSES,
+        "class of the radial internal clearance before mounting (ISO 5753-1)",
+        None,
+        display="that of designation, otherwise CN: deep groove, cylindrical and spherical roller bearings",
+    )
+    preload: float | None = positive(
+        "force", "axial preload: axial force of the bearing as assembled, with the shaft in position", None
+    )
+    preload_distance: float | None = quantity(
+        "length",
+        "axial preload: displacement of the outer ring towards the shaft's load, with clearance < 0",
+        None,
+    )
     grooves: tuple[float, float] | None = quantities(
         "dimensionless",
         "ball: groove radius over ball diameter of inner and outer ring, > 0.5",
@@ -38,8 +97,15 @@ class RollingBearing:
         minimum=0.5,
         above=True,
         sample="[0.52, 0.52]",
+        display="[0.52, 0.53] for catalogue bearings",
     )
     effective_length: float | None = positive("length", "roller: effective (load-carrying) length", None)
+    slices: int = integer(
+        "number of slices of a roller with an effective length, for tilting and load distribution",
+        21,
+        minimum=1,
+        maximum=1000,
+    )
     material: Material | str = key("material", "name in the material library, or the properties", "steel")
     stiffness: float | None = positive(
         "dimensionless",
@@ -54,12 +120,28 @@ class RollingBearing:
         "components", "faults by name", {}, isolated=True, of=BEARING_FAULTS
     )
 
+    @cached_property
+    def geometry(self) -> BearingGeometry:
+        """Complete geometry: as given, of the catalogue and estimated.
+
+        Raises
+        ------
+        GeometryError
+            With the first problem, at the key of the component.
+        """
+        return bearing_geometry(self)
+
 
 @dataclass(frozen=True, kw_only=True)
 class PlainBearing:
     """Plain bearing: the journal moves freely within the clearance."""
 
-    ends: tuple[str, str] = key("ends", "journal and bore, as for a rolling bearing", length=(2, 2))
+    body: str | None = text(BODY, None, names="bodies", one_of="rings")
+    position: tuple[float, float, float] = quantities("length", POSITION, (0.0, 0.0, 0.0), length=(3, 3))
+    housing: str | None = end(HOUSING, None, needs="body")
+    ends: tuple[str, str] | None = key(
+        "ends", "journal and bore, as for a rolling bearing", None, length=(2, 2), one_of="rings"
+    )
     clearance: float = positive("length", "diametral clearance: bore diameter less journal diameter")
     stiffness: float = positive(
         "dimensionless", "contact constant in SI [N/m^exponent]: force over penetration^exponent"

@@ -90,13 +90,17 @@ def column(reader: Reader, key: Key, name: str, path: Place) -> Any:
 
 def grid(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a rectangular list of lists of quantities, or a text file with one row per line."""
-    if isinstance(data, str):
+    in_file = isinstance(data, str)
+    if in_file:
         found = lines(reader, data, path, "a list of rows")
         data = BAD if found is BAD else _quantities(reader, data, found, key.dimension, path)
         if data is BAD:
             return BAD
     row = Key("quantities", "", dimension=key.dimension, length=(1, 10**6))
+    known = len(reader.bare)
     rows = reader.sequence(row, data, path, reader.numbers)
+    if in_file:
+        del reader.bare[known:]  # the file has a unit
     if rows is BAD:
         return BAD
     if len({len(r) for r in rows}) != 1:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.reading import signals
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def speeds(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 def matrix(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a symmetric 6x6 matrix of SI numbers."""
     row = Key("quantities", "", dimension="dimensionless", length=(6, 6))
-    rows = reader.sequence(row, data, path, reader.numbers)
+    rows = reader.sequence(row, data, path, lambda k, entry, at: signals.values(reader, k, entry, at))
     if rows is BAD:
         return BAD
     size = max(abs(v) for r in rows for v in r)

@@ -16,6 +16,7 @@ from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.reading import formulas
 
 if TYPE_CHECKING:
     from pitchpoint.model.reading.reader import Reader
@@ -44,7 +45,7 @@ def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     if isinstance(data, str) and (
         any(w in variables for w in _WORDS.findall(data)) or _CALL.search(data) is not None
     ):
-        return _formula(reader, key, data, path, variables)
+        return formula(reader, key, data, path, variables)
     value = reader.number(key, data, path)
     return BAD if value is BAD else Constant(value)
 
@@ -54,17 +55,20 @@ def laws(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     return reader.sequence(key, data, path, lambda k, entry, at: law(reader, k, entry, at))
 
 
-def _formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[str, ...]) -> Any:
-    from pitchpoint.core.formula.formula import Formula, FormulaError
+def formula(reader: Reader, key: Key, text: str, path: Place, variables: tuple[str, ...]) -> Any:
+    """Read a formula of the variables; its parameters are replaced by their values in SI units."""
+    from pitchpoint.core.formula.formula import FormulaError
 
+    if reader.unreadable.intersection(_WORDS.findall(text)):
+        return reader.taint(path)  # the parameter has been reported
     try:
-        Formula.parse(text, variables, key.dimension)
+        values_in_si = formulas.expanded(reader, text, variables, key.dimension)
     except FormulaError as error:
         remedy = error.remedy or (
             f"a formula may use {', '.join(variables)}, pi, numbers with units and listed functions"
         )
         return reader.problem(path, f"cannot be read as a formula: {error}", remedy=remedy)
-    return FormulaLaw(text, variables)
+    return FormulaLaw(values_in_si, variables)
 
 
 def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, variables: tuple[str, ...]) -> Any:

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
-from pitchpoint.model.components.law import Constant, FormulaLaw, TableLaw
+from pitchpoint.model.components.law import Constant, TableLaw
 from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import BAD, Key, Place
+from pitchpoint.model.reading import formulas
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
@@ -74,6 +75,9 @@ def coordinates(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         at = (*path, str(name))
         if not str(name).isidentifier() or str(name) in RESERVED:
             reader.problem(at, "is not a name for a coordinate", remedy="use a word such as s or psi")
+            continue
+        if str(name) in {*reader.parameters, *reader.unreadable}:
+            reader.problem(at, "is also the name of a parameter", remedy="rename one of them")
             continue
         found = reader.word(Key("choice", "", choices=("length", "angle")), word, at)
         if found is not BAD:
@@ -163,19 +167,8 @@ def _function(reader: Reader, key: Key, data: Any, path: Place) -> Any:
                 remedy="write a list of functions of one coordinate each; they are summed",
             )
         if used:
-            return _formula(reader, key, data, path, used[0])
+            return laws.formula(reader, key, data, path, (used[0],))
     return laws.law(reader, key, data, path)
-
-
-def _formula(reader: Reader, key: Key, text: str, path: Place, variable: str) -> Any:
-    from pitchpoint.core.formula.formula import Formula, FormulaError
-
-    try:
-        Formula.parse(text, (variable,), key.dimension)
-    except FormulaError as error:
-        remedy = error.remedy or f"a formula may use {variable}, pi, numbers with units and listed functions"
-        return reader.problem(path, f"cannot be read as a formula: {error}", remedy=remedy)
-    return FormulaLaw(text, (variable,))
 
 
 def _table(reader: Reader, key: Key, data: Mapping[str, Any], path: Place, dimension: str) -> Any:
@@ -222,7 +215,7 @@ def terms(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     out = {}
     for name, value in data.items():
         at = (*path, str(name))
-        is_text = isinstance(value, str)
+        is_text = isinstance(value, str) and not formulas.is_plain(reader, value)
         found = reader.number(
             Key("quantity", "", dimension="length" if is_text else "dimensionless"), value, at
         )

@@ -10,20 +10,20 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from pitchpoint.core.errors import Message, UnitError
+from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean, nearest
-from pitchpoint.core.unit_table import DIMENSIONS
-from pitchpoint.core.units import parse_quantity
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
-from pitchpoint.model.reading import data_files, forms, laws, mechanism, signals
-from pitchpoint.model.show import SI, dotted, example, limit_text, shown
+from pitchpoint.model.origin import Bare, Source
+from pitchpoint.model.reading import data_files, forms, formulas, laws, mechanism, ranges, signals
+from pitchpoint.model.show import dotted, example, shown
 
-HUGE, TINY = 1e60, 1e-60
-"""Limits of SI values, so that products of a few quantities neither overflow nor underflow."""
-FASTEST = 1e9
-"""Maximum rotational speed [rad/s]: the rim of a gear of 1 mm would move at 0.2 % of the speed of light."""
+if TYPE_CHECKING:
+    from pitchpoint.core.formula.formula import Amount
+
+WHOLE = ("list", "tooth_profile")
+"""Kinds of keys whose components have no path of their own in `Model.replace`."""
 
 
 @dataclass
@@ -41,7 +41,15 @@ class Reader:
     within
         Data of the component that is being read, for values that depend on other keys.
     aliases
-        Paths in the file of components that represent others: SECTION, NAME -> SECTION, NAME.
+        Paths in the file of components that represent others: SECTION, NAME or SECTION, NAME, KEY.
+    parameters, unreadable
+        Values of the parameters by name, and the names of those without value.
+    used
+        Parameters in the value that is being read.
+    sources
+        Values with parameters, as written.
+    bare
+        Numbers without unit that are rarely meant in SI units.
     """
 
     lines: Mapping[Place, int] = field(default_factory=dict)
@@ -51,6 +59,11 @@ class Reader:
     tainted: set[Place] = field(default_factory=set)
     within: Mapping[str, Any] = field(default_factory=dict)
     aliases: dict[Place, Place] = field(default_factory=dict)
+    parameters: Mapping[str, Amount] = field(default_factory=dict)
+    unreadable: set[str] = field(default_factory=set)
+    used: set[str] = field(default_factory=set)
+    sources: dict[Place, Source] = field(default_factory=dict)
+    bare: list[Bare] = field(default_factory=list)
 
     def line(self, path: Place) -> int | None:
         """Line of a path, or of the nearest enclosing path in the file."""
@@ -71,12 +84,24 @@ class Reader:
     ) -> Any:
         """Add a problem; `taint` marks the path, so that consequential problems are not reported."""
         if taint:
-            self.tainted.update(path[:n] for n in range(1, len(path) + 1))
-        path = (*self.aliases.get(path[:2], path[:2]), *path[2:])
+            self.taint(path)
+        path = self._in_file(path)
         self.problems.append(Message(dotted(path), message, value, limit or None, remedy, self.line(path)))
         if taint:
-            self.tainted.update(path[:n] for n in range(1, len(path) + 1))
+            self.taint(path)
         return BAD
+
+    def taint(self, path: Place) -> Any:
+        """Mark a path as unreadable, so that consequential problems are not reported."""
+        self.tainted.update(path[:n] for n in range(1, len(path) + 1))
+        return BAD
+
+    def _in_file(self, path: Place) -> Place:
+        """Path in the file of a key of a component that represents another."""
+        for n in (3, 2):
+            if path[:n] in self.aliases:
+                return (*self.aliases[path[:n]], *path[n:])
+        return path
 
     def hand_on(self, base: Place, found: Message, taint: bool = True) -> Any:
         """Add a problem of another layer, such as geometry, at the key below `base` that it names."""
@@ -109,7 +134,7 @@ class Reader:
                 continue
             self.within = data
             before = self.tainted.copy() if description.isolated else None
-            result = self.value(description, value, (*path, name))
+            result = self.keyed(description, value, (*path, name))
             if before is not None:
                 self.tainted = before | {p for p in self.tainted if len(p) > len(path)}
             if result is not BAD:
@@ -142,6 +167,20 @@ class Reader:
         """Read the value of one key by its kind."""
         return _READERS[description.kind](self, description, data, path)
 
+    def keyed(self, description: Key, data: Any, path: Place) -> Any:
+        """Read the value of a key and note it as written if it contains parameters."""
+        if not self.parameters:
+            return self.value(description, data, path)
+        outer, self.used, known = self.used, set(), len(self.sources)
+        result = self.value(description, data, path)
+        if description.kind in WHOLE:
+            for place in list(self.sources)[known:]:
+                self.used |= self.sources.pop(place).names
+        if self.used:
+            self.sources[path] = Source(data, frozenset(self.used))
+        self.used = outer
+        return result
+
     # --- plain values -----------------------------------------------------------------------------------
     def number(self, description: Key, data: Any, path: Place) -> Any:
         """Read a quantity; check dimension, finiteness and range."""
@@ -151,40 +190,20 @@ class Reader:
             return self.problem(
                 path, "is not a number", value=shown(data), remedy=f"write {example(description)}"
             )
-        try:
-            result = parse_quantity(data, description.dimension)
-        except UnitError as error:
-            message, _, wanted = str(error).partition("; expected ")
-            return self.problem(path, message, remedy=f"write {wanted}" if wanted else None)
-        except OverflowError:
-            return self.problem(path, "is too large for a number", value=shown(data))
-        most = FASTEST if description.dimension == "angular_speed" else HUGE
-        if not abs(result) <= most or 0.0 < abs(result) < TINY:
-            limit = f"0, or {TINY:g} to {most:g} in SI units"
-            return self.problem(
-                path,
-                "is out of the range of computation",
-                value=shown(data),
-                limit=limit,
-                remedy=f"write {example(description)}",
-            )
-        if not description.allows(result):
-            return self.problem(
-                path,
-                "is out of range",
-                value=shown(data),
-                limit=limit_text(description),
-                remedy=_within(description, data, result),
-            )
-        return result
+        result = formulas.quantity(self, description, data, path)
+        return BAD if result is BAD else ranges.within(self, description, data, result, path)
 
     def whole(self, description: Key, data: Any, path: Place) -> Any:
         """Read a whole number."""
         if data is None:
             return self.problem(path, "is empty", remedy=f"write {example(description)}")
+        if isinstance(data, str) and (found := formulas.whole(self, data, path)) is not None:
+            if found is BAD:
+                return BAD
+            data = found
         number = isinstance(data, Real) and not isinstance(data, bool)
         if not number or data != data or data in (math.inf, -math.inf):
-            quoted = f"write {data.strip()} without quotes" if _is_quoted_number(data) else ""
+            quoted = f"write {data.strip()} without quotes" if ranges.is_quoted_number(data) else ""
             remedy = quoted or f"write {example(description)}"
             return self.problem(
                 path, "is not a whole number", value=shown(data), limit=description.limit, remedy=remedy
@@ -247,6 +266,10 @@ class Reader:
             data = data_files.column(self, description, data, path)
             if data is BAD:
                 return BAD
+            known = len(self.bare)
+            found = self.sequence(description, data, path, self.number)
+            del self.bare[known:]  # the file has a unit
+            return found
         return self.sequence(description, data, path, self.number)
 
     def names(self, description: Key, data: Any, path: Place) -> Any:
@@ -322,27 +345,6 @@ class Reader:
         return self.component(forms[word], {k: v for k, v in data.items() if k != tag}, path)
 
 
-def _within(description: Key, data: Any, value: float) -> str:
-    """Remedy for a quantity out of range: the number with its customary unit, or without its sign."""
-    if not isinstance(data, str) and description.dimension in ("length", "angle"):
-        meant = f"{data} {DIMENSIONS[description.dimension].example.partition(' ')[2]}"
-        fits = description.allows(parse_quantity(meant, description.dimension))
-        better = meant if fits else example(description)
-        return f"a bare number is in {SI[description.dimension]}; write {better}"
-    if isinstance(data, str) and description.allows(-value):
-        return f"write {data.strip().lstrip('+-−').strip()}"
-    sample = example(description)
-    usual = DIMENSIONS[description.dimension].example.split(" or ")[0]
-    if description.dimension == "dimensionless" and sample == usual and not description.allows(float(usual)):
-        closest = min(max(value, description.minimum), description.maximum)
-        sample = f"{closest:g}" if description.allows(closest) else f"a number {limit_text(description)}"
-    return f"write {sample}"
-
-
-def _is_quoted_number(data: Any) -> bool:
-    return isinstance(data, str) and data.strip().isascii() and data.strip().isdigit()
-
-
 _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "quantity": Reader.number,
     "integer": Reader.whole,
@@ -382,4 +384,7 @@ _READERS: dict[str, Callable[[Reader, Key, Any, Place], Any]] = {
     "gains": signals.gains,
     "curve": signals.curve,
     "code": signals.code,
+    "formula": formulas.formula,
+    "parameter": formulas.parameter,
+    "parameters": formulas.parameters,
 }

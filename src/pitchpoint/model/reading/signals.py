@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import data_files, laws
+from pitchpoint.model.reading.formula_text import WORDS
 from pitchpoint.model.show import shown
 
 if TYPE_CHECKING:
@@ -24,7 +25,7 @@ NUMBER = Key("quantity", "", dimension="dimensionless")
 
 def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a number, or a text such as `1500 rpm` or `2*pi*5` whose value in SI is the number."""
-    from pitchpoint.core.formula.formula import Formula, FormulaError
+    from pitchpoint.core.formula.formula import FormulaError, constant
 
     if isinstance(data, Real) and not isinstance(data, bool):
         return reader.number(NUMBER, data, path)
@@ -32,10 +33,14 @@ def value(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         return reader.problem(
             path, "is empty" if data is None else "is not a number", value=_text_of(data), remedy=REMEDY
         )
+    if reader.unreadable.intersection(WORDS.findall(data)):
+        return reader.taint(path)
     try:
-        return float(Formula.parse(data, ())())
+        amount, used = constant(data, "", reader.parameters)
     except FormulaError as error:
         return reader.problem(path, f"cannot be read: {error}", remedy=REMEDY)
+    reader.used |= used
+    return amount.value
 
 
 def _text_of(data: Any) -> str | None:

@@ -16,7 +16,9 @@ from pitchpoint.model.checks.bearing_faults import track_radius
 from pitchpoint.model.checks.gear_pairs import at_tip_diameter
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
+from pitchpoint.model.planetary_stages import at_stages
 from pitchpoint.model.remarks.beams import ends_left_behind
+from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameters
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
 from pitchpoint.model.remarks.keys_without_effect import keys_without_effect
 from pitchpoint.model.remarks.places import places_left_open
@@ -151,8 +153,10 @@ def flat_grooves(model: Model) -> tuple[Message, ...]:
     """A remark for every groove of a ball bearing whose radius exceeds that of its raceway."""
     found = []
     for name, bearing in model.rolling_bearings.items():
-        for k, (ring, ratio) in enumerate(zip(("inner", "outer"), bearing.grooves or (), strict=False)):
-            groove, race = ratio * bearing.element_diameter, track_radius(bearing, k == 0)
+        for k, (ring, ratio) in enumerate(
+            zip(("inner", "outer"), bearing.geometry.grooves or (), strict=False)
+        ):
+            groove, race = ratio * bearing.geometry.element_diameter, track_radius(bearing, k == 0)
             if groove > race:
                 found.append(
                     remark(
@@ -174,7 +178,9 @@ def odd_shapes(model: Model) -> tuple[Message, ...]:
     for name, cone in model.bevel_gears.items():
         found += [("bevel_gears", each) for each in cone.geometry.warnings(name)]
     found += [(at, each) for at, each in _odd_pairs(model) if each.text != NO_PAIR_IN_CONTACT]
-    return tuple(each.changed(where=f"{group}.{each.where}", kind="warning") for group, each in found)
+    return at_stages(
+        model, (each.changed(where=f"{group}.{each.where}", kind="warning") for group, each in found)
+    )
 
 
 def gaps_in_contact(model: Model) -> tuple[Message, ...]:
@@ -207,8 +213,13 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
         keys_without_effect,
         inaccurate_tables,
     )
-    found = [each for find in finders for each in find(model)]
+    found = at_stages(model, (each for find in finders for each in find(model)))
     return tuple(e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
+
+
+def remarks_of_file(model: Model) -> tuple[Message, ...]:
+    """Remarks on the text of the file, which runs do not repeat."""
+    return (*numbers_without_unit(model), *unused_parameters(model))
 
 
 def warn_of_remarks(model: Model) -> None:

@@ -13,13 +13,15 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.provenance import content_hash
+from pitchpoint.report.scene.bearings import cage_bodies
 from pitchpoint.report.scene.contact_lines import ContactLines
 from pitchpoint.report.scene.elastic import elastic_parts
 from pitchpoint.report.scene.forces import force_arrows
 from pitchpoint.report.scene.marks import scene_marks
-from pitchpoint.report.scene.modes import modes_of_result, scene_modes
+from pitchpoint.report.scene.modes import modes_of_result, scene_modes, with_parts
 from pitchpoint.report.scene.motion import motion, scene_bodies, shown_bodies
 from pitchpoint.report.scene.places import Places
+from pitchpoint.report.scene.planets import grouped
 from pitchpoint.report.scene.solids import scene_solids
 from pitchpoint.report.scene.spectra import scene_spectra
 from pitchpoint.report.scene.tooth_contacts import scene_contacts
@@ -86,6 +88,12 @@ def scene_of(
     bodies = scene_bodies(system, moved, still)
     numbers = {b: k for k, b in enumerate(shown_bodies(system))}
     places = Places(model, numbers, {names[b]: k for b, k in numbers.items()})
+    labels = [body.name for body in bodies]
+    if result is not None:
+        cages = cage_bodies(system, model, places, moved, bodies)
+        for name, cage in cages.items():
+            places.cages[name] = len(bodies), (cage.parent, cage.place, cage.axes)
+            bodies.append(cage)
     solids, notes = scene_solids(model, places)
     bending, remarks = elastic_parts(model, places, record.at_frames)
     solids, notes = solids + bending, notes + remarks
@@ -106,7 +114,6 @@ def scene_of(
         marks, coarse = scene_marks(model, result, contacts, record.times)
         spectra, maps = scene_spectra(model, result, settle_time_of(result.attrs))
         notes += [*_another_state(model, result), *remarks, *lacking, *coarse]
-    labels = [body.name for body in bodies]
     found = scene_modes(system, modes, labels, solids) if modes else []
     if shapes is not None:
         found = modes_of_result(shapes, labels, solids)
@@ -119,11 +126,11 @@ def scene_of(
         times=record.times,
         arrows=arrows,
         contacts=contacts,
-        channels=record.curves(),
+        channels=grouped(record.curves(), model),
         marks=marks,
         spectra=spectra,
         maps=maps,
-        modes=found,
+        modes=[with_parts(mode, bodies) for mode in found],
         notes=notes,
     )
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from pitchpoint.elements import registry
 from pitchpoint.model.frames import GROUND, axes_of, place_of, split
 from pitchpoint.model.mechanism import seat_frame
+from pitchpoint.model.rings import rings_of
 from pitchpoint.model.sections import groups_of
 from pitchpoint.report.scene import shapes
 from pitchpoint.report.scene.places import placed_solid
@@ -88,8 +89,9 @@ def _round(clearance: float, radius: float) -> int:
 
 def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
     """Journal and bush, separated by the clearance, each on its body."""
-    place = place_of(at.model, part.ends[0])
-    known = None if place is None else _radius(at.model, at, part.ends[0], place)
+    ends = rings_of(at.model, part)
+    place = ends[0].place
+    known = None if place is None else _radius(at.model, at, ends[0].body, place)
     # 0.1 % larger than the shaft, because coincident surfaces flicker
     radius = max(1.001 * (known or DEFAULT_RADIUS * at.size), part.clearance)
     bore = radius + 0.5 * part.clearance
@@ -97,8 +99,8 @@ def _journal(at: Places, name: str, part: Any) -> list[SceneSolid]:
     rings = (shapes.disc(radius, 1.3 * radius, 0.0, sides), shapes.disc(BUSH * bore, radius, bore, sides))
     named = (("journal", "shaft"), ("bush", "bearing"))
     return [
-        placed_solid(f"bearing {name}, {word}", kind, at.end(end), ring)
-        for end, ring, (word, kind) in zip(part.ends, rings, named, strict=True)
+        placed_solid(f"bearing {name}, {word}", kind, at.ring(end), ring)
+        for end, ring, (word, kind) in zip(ends, rings, named, strict=True)
     ]
 
 

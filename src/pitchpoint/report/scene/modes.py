@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.report.scene.elastic import coordinates_of
-from pitchpoint.viz.scene.content import SceneMode, SceneSolid
+from pitchpoint.viz.scene.content import SceneBody, SceneMode, SceneSolid
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -87,6 +88,34 @@ def modes_of_result(
         )
         for k in range(result.sizes["mode"])
     ]
+
+
+def with_parts(mode: SceneMode, bodies: Sequence[SceneBody]) -> SceneMode:
+    """Mode of a scene with parts of components, which come after the bodies of the model and follow these.
+
+    Parameters
+    ----------
+    mode
+        Mode of the bodies of the model.
+    bodies
+        All bodies of the scene.
+    """
+    position, turn = list(mode.position), list(mode.turn)
+    for body in bodies[len(position) :]:
+        arm, parent = np.asarray(body.place, float), body.parent
+        known = parent >= 0
+        position.append(position[parent].copy() if known else np.zeros(3, complex))
+        turn.append(turn[parent].copy() if known else np.zeros(3, complex))
+        if known:
+            position[-1] += np.cross(turn[-1], rest_axes(bodies, parent) @ arm)
+    return replace(mode, position=np.array(position).reshape(-1, 3), turn=np.array(turn).reshape(-1, 3))
+
+
+def rest_axes(bodies: Sequence[SceneBody], number: int) -> Array:
+    """Axes of a scene body at rest in the world, shape (3, 3); world axes for -1."""
+    if number < 0:
+        return np.eye(3)
+    return rest_axes(bodies, bodies[number].parent) @ bodies[number].axes
 
 
 def _mode(

@@ -181,7 +181,6 @@ def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]
     """
     names, shown = system.layout.bodies, shown_bodies(system)
     numbers = {b: k for k, b in enumerate(shown)}
-    guide = _guide(moved.angle)
     size = float(np.linalg.norm(np.ptp(moved.place.reshape(-1, 3), axis=0))) if shown else 0.0
     found: list[SceneBody] = []
     for b in shown:
@@ -193,9 +192,7 @@ def scene_bodies(system: System, moved: Motion, rest: Motion) -> list[SceneBody]
         way = (place - place0) @ axes0
         far = float(np.ptp(way, axis=0).max()) > WAY * size
         angle = moved.angle[:, b]
-        gross, ratio = _gross(moved.angle, b, guide)
-        if np.ptp(angle - (0.0 if gross is None else ratio * gross)) > SWING:
-            gross, ratio = angle, 1.0
+        gross, ratio = kinematic(angle, moved)
         turn, quaternion = _turns(axes0.T @ axes)
         found.append(
             SceneBody(
@@ -240,18 +237,29 @@ def _in_parent(moved: Motion, b: int, parent: int) -> tuple[Array, Array]:
     return place, inverse @ moved.axes[:, b]
 
 
+def kinematic(angle: Array, moved: Motion) -> tuple[Array | None, float]:
+    """Kinematic part of an angle [rad]: that of the guiding body times a ratio, fitted over all frames.
+
+    Parameters
+    ----------
+    angle
+        The angle over the frames, including whole turns, shape (n,).
+    moved
+        Motion of all bodies.
+    """
+    guide = _guide(moved.angle)
+    lead = None if guide < 0 else moved.angle[:, guide]
+    gross, ratio = None, 1.0
+    if lead is not None and abs(angle[-1] - angle[0]) >= TURNING:
+        x = lead - lead.mean()
+        gross, ratio = lead, 1.0 if np.array_equal(angle, lead) else float(x @ angle / (x @ x))
+    if np.ptp(angle - (0.0 if gross is None else ratio * gross)) > SWING:
+        return angle, 1.0
+    return gross, ratio
+
+
 def _guide(angle: Array) -> int:
     """Body with the largest rotation, which guides the angles of the others; -1 if none rotates."""
     travel = np.abs(angle[-1] - angle[0])
     b = int(np.argmax(travel))
     return b if travel[b] > TURNING else -1
-
-
-def _gross(angle: Array, b: int, guide: int) -> tuple[Array | None, float]:
-    """Kinematic angle as that of the guiding body times a ratio, fitted over all frames."""
-    if guide < 0 or abs(angle[-1, b] - angle[0, b]) < TURNING:
-        return None, 1.0
-    if b == guide:
-        return angle[:, b], 1.0
-    x = angle[:, guide] - angle[:, guide].mean()
-    return angle[:, guide], float(x @ angle[:, b] / (x @ x))

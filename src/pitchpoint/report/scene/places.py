@@ -17,6 +17,7 @@ from pitchpoint.viz.scene.content import SceneSolid
 if TYPE_CHECKING:
     from pitchpoint.model.components.joint import Joint
     from pitchpoint.model.model import Model
+    from pitchpoint.model.rings import Ring
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,8 @@ class Places:
 
     def __init__(self, model: Model, numbers: Mapping[int, int], names: Mapping[str, int]) -> None:
         self.model, self.numbers, self.names = model, numbers, names
+        self.cages: dict[str, tuple[int, tuple[int, Array, Array]]] = {}
+        """Scene bodies of the cages of bearings, each with its parent, and origin [m] and axes there."""
         self._joints: dict[str, list[Joint]] = {}
         for joint in model.joints.values():
             for body in {split(end)[0] for end in joint.bodies}:
@@ -106,6 +109,10 @@ class Places:
             From the origin of the body along its axes [m].
         """
         return self.at_world(body, *self.world(body, place))
+
+    def ring(self, ring: Ring) -> tuple[int, Array, Array]:
+        """Scene body of a bearing ring, and in its frame the centre [m] and the axes of the ring."""
+        return self.at_world(ring.body, np.zeros(3) if ring.place is None else ring.place, ring.axes)
 
     def end(self, end: str) -> tuple[int, Array, Array]:
         """The same for ground, BODY or BODY.MARKER, with the axes of the marker."""

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from pitchpoint.model.components.actuator import Strut
 from pitchpoint.model.frames import body_frame, joint_axes, joint_place, split
 from pitchpoint.report.scene import shapes
+from pitchpoint.report.scene.bearings import bearing_seats
 from pitchpoint.report.scene.contact_curves import contact_parts
 from pitchpoint.report.scene.places import placed_solid
 from pitchpoint.viz.scene.content import Between, SceneSolid
@@ -134,8 +135,22 @@ def _figure(at: Places, name: str, shaped: bool) -> list[SceneSolid]:
             pieces.append(shapes.rod(hub, center, 0.8 * bar))
         pieces.append(shapes.ball(radius, center))
     elif not shaped:
-        pieces.append(shapes.moved(_disc(at, name), origin, axes))
+        pieces += [shapes.moved(piece, origin, axes) for piece in _rotor(at, name)]
     return [stand_in(at, name, "body", name, shapes.joined(pieces))] if pieces else []
+
+
+def _rotor(at: Places, name: str) -> list[shapes.Surface]:
+    """Disc of a body; next to its bearings, if any, with a journal through these."""
+    disc = _disc(at, name)
+    seats = bearing_seats(at.model, at, name)
+    if not seats:
+        return [disc]
+    low, high = min(seat.low for seat in seats), max(seat.high for seat in seats)
+    thick = float(np.ptp(disc[0][:, 2]))
+    journal = shapes.rod(
+        (0.0, 0.0, low - 0.1 * (high - low)), (0.0, 0.0, high + 0.6 * thick), seats[0].radius, 48
+    )
+    return [journal, shapes.moved(disc, (0.0, 0.0, high + 0.7 * thick))]
 
 
 def _disc(at: Places, name: str) -> shapes.Surface:

@@ -20,6 +20,7 @@ from pitchpoint.geometry.shaft_solid import shaft_solid
 from pitchpoint.geometry.triangle_file import join_corners
 from pitchpoint.model.frames import frame
 from pitchpoint.model.shafts import middle_of, section_at, station_names
+from pitchpoint.report.scene.bearings import bearing_seats, bearing_solids
 from pitchpoint.report.scene.bevel_gears import bevel_part
 from pitchpoint.report.scene.cad_files import surface_of
 from pitchpoint.report.scene.connections import joining_parts
@@ -27,14 +28,7 @@ from pitchpoint.report.scene.gear_room import seated
 from pitchpoint.report.scene.gears import gear_part
 from pitchpoint.report.scene.ratios import ratio_parts
 from pitchpoint.report.scene.schematics import schematics
-from pitchpoint.report.scene.supports import (
-    bearing_rings,
-    carriers,
-    covers,
-    housings,
-    ring_places,
-    spindle_radius,
-)
+from pitchpoint.report.scene.supports import carriers, covers, housings, spindle_radius
 from pitchpoint.viz.scene.content import Blend, SceneSolid
 
 if TYPE_CHECKING:
@@ -96,17 +90,17 @@ def scene_solids(model: Model, at: Places) -> tuple[list[SceneSolid], list[str]]
                 notes.append(f"body {name} is not drawn: {error}")
         elif name not in model.shafts and (part.gears or part.bevel_gears):
             found += _spindle(model, name, at)
-    for name in model.rolling_bearings:
-        found += _rolling_bearing(model, name, at)
-    found += bearing_rings(model, at)
+    found += bearing_solids(model, at)
     plates = carriers(model, at)
     found += [solid for part in plates.values() for solid in part]
     frames = housings(model, at)
     found += [solid for part in frames.values() for solid in part]
     if frames:
         notes.append("frames around gears represent housings without a shape in the model")
-    if model.bearings or plates:
-        notes.append("rings of linear bearings and plates of carriers show positions, not sizes")
+    if model.bearings:
+        notes.append("linear bearings are drawn in catalogue sizes for their shafts; the model has no sizes")
+    if plates:
+        notes.append("plates of carriers show positions, not sizes")
     shapes = {n for n, p in model.bodies.items() if p.gears or p.bevel_gears or p.solid is not None}
     shapes |= {*plates, *frames}
     wheels, lacking = ratio_parts(model, at)
@@ -195,7 +189,7 @@ def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
         return []
     ends = [z for gear in seated(model, name).values() for z in (gear.low, gear.high)]
     ends += [m.position[2] for m in part.markers.values() if _on_axis(m.position)]
-    ends += [z for label, b in model.bearings.items() if b.body == name for z in ring_places(model, label)]
+    ends += [z for seat in bearing_seats(model, at, name) for z in (seat.low, seat.high)]
     low, high = min(ends), max(ends)
     over = 0.15 * (high - low)
     corners = shaft_solid([(high - low + 2.0 * over, 2.0 * radius, 0.0)], ROUND)
@@ -206,22 +200,6 @@ def _spindle(model: Model, name: str, at: Places) -> list[SceneSolid]:
 def _on_axis(place: Iterable[float]) -> bool:
     x, y, _ = place
     return x == 0.0 and y == 0.0
-
-
-def _rolling_bearing(model: Model, name: str, at: Places) -> list[SceneSolid]:
-    """Both rings of a rolling bearing, each on its body."""
-    part = model.rolling_bearings[name]
-    d, pitch = part.element_diameter, part.pitch_diameter
-    width, rib = 1.4 * d, 0.5 * d
-    inner = (width, pitch - 1.1 * d, pitch - 1.1 * d - rib)
-    outer = (width, pitch + 1.1 * d + rib, pitch + 1.1 * d)
-    middle = np.array([0.0, 0.0, -0.5 * width])
-    found = []
-    for end, ring, word in zip(part.ends, (inner, outer), ("inner", "outer"), strict=True):
-        number, place, axes = at.end(end)
-        corners = (shaft_solid([ring], ROUND) + middle) @ axes.T + place
-        found.append(_solid(f"{name}, {word} ring", "bearing", number, corners))
-    return found
 
 
 def _from_file(model: Model, name: str, at: Places, cover: str | None) -> SceneSolid:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Supports in a scene: rings of bearings, plates and pins of planet carriers, a frame for the housing.
+"""Supports in a scene: radii of shafts, plates and pins of planet carriers, a frame for the housing.
 
 Their positions are given by the model; their shapes are symbolic and marked as schematic.
 """
@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.frames import GROUND, joint_axes, joint_place, place_of, split
+from pitchpoint.model.frames import GROUND, joint_axes, joint_place, split
+from pitchpoint.model.rings import ring_bodies, rings_of
 from pitchpoint.model.shafts import section_at
 from pitchpoint.report.scene import shapes
+from pitchpoint.report.scene.bearing_sizes import size_on
 from pitchpoint.report.scene.gear_room import seated
 from pitchpoint.report.scene.places import placed_solid
 from pitchpoint.viz.scene.content import SceneSolid
@@ -29,12 +31,6 @@ SPINDLE = 0.35
 """Radius of a spindle, relative to the smallest root radius on it."""
 DEFAULT_RADIUS = 0.02
 """Radius of the rotating part in a bearing if unknown, relative to the size of the machine."""
-INNER, OUTER = (1.0, 1.3), (1.5, 1.85)
-"""Radii of both rings relative to that of the shaft."""
-WIDE = 0.5
-"""Width of a ring relative to the radius of the shaft."""
-BESIDE = 0.7
-"""Distance of a ring from the face of a gear that it would intersect, relative to the shaft radius."""
 EDGE, ROOM = 0.003, 0.02
 """Radius of the bars of a frame, and its distance from the contents, relative to the size of the machine."""
 
@@ -49,44 +45,12 @@ def spindle_radius(model: Model, body: str) -> float | None:
     return min(bores) if bores else SPINDLE * min(roots)
 
 
-def ring_places(model: Model, name: str) -> list[float]:
-    """Axial positions of the rings of a bearing on its body [m]: its own, or both sides of a gear."""
-    part = model.bearings[name]
-    z, radius = part.position[2], shaft_radius(model, part.body, part.position[2])
-    if radius is None:
-        return [z]
-    for gear in seated(model, part.body).values() if part.body in model.bodies else ():
-        half = 0.5 * (gear.high - gear.low)
-        if abs(z - gear.middle) < half + 0.5 * WIDE * radius:
-            away = half + BESIDE * radius
-            return [gear.middle - away, gear.middle + away]
-    return [z]
-
-
 def shaft_radius(model: Model, body: str, z: float) -> float | None:
     """Radius of the rotating part at an axial position on a body [m]; None if unknown."""
     shaft = model.shafts.get(body)
     if shaft is not None:
         return 0.5 * section_at(shaft, z)[0]
     return spindle_radius(model, body) if body in model.bodies else None
-
-
-def bearing_rings(model: Model, at: Places) -> list[SceneSolid]:
-    """Both rings of all linear bearings; the inner rings rotate with their bodies."""
-    found = []
-    for name, part in model.bearings.items():
-        if part.body not in model.bodies:
-            continue
-        radius = shaft_radius(model, part.body, part.position[2]) or DEFAULT_RADIUS * at.size
-        for z in ring_places(model, name):
-            for word, (low, high) in (("inner", INNER), ("outer", OUTER)):
-                seat = at.own(part.body, (0.0, 0.0, z))
-                if word == "outer":
-                    origin, frame = at.world(part.body, (0.0, 0.0, z))
-                    seat = at.at_world(split(part.housing or GROUND)[0], origin, frame)
-                ring = shapes.disc(high * radius, WIDE * radius, 1.002 * low * radius, 32)
-                found.append(placed_solid(f"bearing {name}, {word} ring", "bearing", seat, ring))
-    return found
 
 
 def carriers(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
@@ -142,7 +106,7 @@ def covers(model: Model) -> dict[str, str]:
     They are fixed, or support bearings or rotating gears; moving bodies with own gears and shafts are not
     covers.
     """
-    rings = [p.ends[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
+    rings = [ring_bodies(p)[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
     seats = [b.housing or GROUND for b in model.bearings.values()]
     pins = [j.bodies for j in model.joints.values() if j.type == "revolute"]
     carrying = [on for on, body in pins if body != GROUND and model.bodies[split(body)[0]].gears]
@@ -174,8 +138,8 @@ def housings(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
             held.setdefault(split(part.housing or GROUND)[0], []).append((part.body, place))
     for group in (model.rolling_bearings, model.plain_bearings):
         for pair in group.values():
-            inner, outer = (split(end)[0] for end in pair.ends)
-            where = place_of(model, pair.ends[1])
+            inner, outer = ring_bodies(pair)
+            where = rings_of(model, pair)[1].place
             if inner in model.bodies and where is not None:
                 held.setdefault(outer, []).append((inner, where))
     found = {}
@@ -199,7 +163,8 @@ def _frame(model: Model, at: Places, name: str, parts: list[tuple[str, Array]]) 
         radius = (
             shaft_radius(model, body, float((place - at.origin(body)) @ axis)) or DEFAULT_RADIUS * at.size
         )
-        corners.append(_reach(place, axis, OUTER[1] * radius, 0.5 * WIDE * radius))
+        drawn = size_on(radius, True)
+        corners.append(_reach(place, axis, 0.5 * drawn.outside, 0.5 * drawn.width))
         for gear in seated(model, body).values():
             middle = at.world(body, (0.0, 0.0, gear.middle))[0]
             corners.append(_reach(middle, axis, gear.outer, 0.5 * (gear.high - gear.low)))

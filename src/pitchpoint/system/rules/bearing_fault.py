@@ -25,7 +25,7 @@ def put_faults(row: Any, part: RollingBearing, pool: Pool) -> None:
         # rows of zero severity are stored but not read: no extra computing time
         row["n_faults"] = len(rows) if any(drop > 0.0 for *_, drop in rows) else 0
     if any(isinstance(fault, CageFault) for fault in part.faults.values()):
-        even = 2.0 * math.pi / part.elements * np.arange(part.elements)
+        even = 2.0 * math.pi / part.geometry.elements * np.arange(part.geometry.elements)
         row["uneven"], row["spacing"] = 1, pool.add(element_angles(part) - even)
 
 
@@ -42,8 +42,8 @@ def _spall(part: RollingBearing, fault: SpallFault) -> list[tuple[float, ...]]:
 
 def _row(part: RollingBearing, fault: SpallFault, place: float, inner: bool, angle: float) -> Any:
     track = track_radius(part, inner)
-    bent = track / math.cos(part.contact_angle) * (1.0 if inner else -1.0)
-    own = 0.5 * part.element_diameter
+    bent = track / math.cos(part.geometry.contact_angle) * (1.0 if inner else -1.0)
+    own = 0.5 * part.geometry.element_diameter
     length = fault.severity * fault.length
     drop, ramp = spall_drop(length, fault.severity * fault.depth, own, bent)
     radius = own if isinstance(fault, ElementFault) else track

@@ -8,16 +8,26 @@ import math
 import numpy as np
 
 from pitchpoint.contact.hertz import plane_strain_compliance
-from pitchpoint.contact.rolling import LINE, POINT, ball_bearing_stiffness, in_series, roller_stiffness
+from pitchpoint.contact.rolling import (
+    LINE,
+    POINT,
+    Raceways,
+    ball_bearing_stiffness,
+    in_series,
+    roller_slices,
+    roller_stiffness,
+)
 from pitchpoint.core.errors import CompileError
 from pitchpoint.elements import clearance_bearing, rolling_bearing
 from pitchpoint.elements.signal import Pool
 from pitchpoint.geometry.materials import Material, material
 from pitchpoint.model.components.bearing_fault import play
+from pitchpoint.model.components.bearing_geometry import NEGATIVE
 from pitchpoint.model.components.rolling_bearing import RollingBearing
 from pitchpoint.system.rules.bank import Bank, pack
 from pitchpoint.system.rules.bearing_fault import put_faults
 from pitchpoint.system.rules.places import Array, Places
+from pitchpoint.system.rules.rings import mark_rings
 
 
 def rolling_bearing_bank(places: Places) -> Bank:
@@ -27,19 +37,44 @@ def rolling_bearing_bank(places: Places) -> Bank:
     pool = Pool()
     for name, part in bearings.items():
         row = np.zeros(1, rolling_bearing.RECORD)[0]
-        places.mark(row, part.ends)
-        row["A_i"] = row["A_i"] @ _untwisted(*(places.axes(end) for end in part.ends))
-        row["n"], row["pitch"], row["element"] = part.elements, part.pitch_diameter, part.element_diameter
-        row["angle"], row["gap"] = part.contact_angle, 0.5 * part.clearance
+        inner, outer = mark_rings(places, row, part)
+        row["A_i"] = row["A_i"] @ _untwisted(inner, outer)
+        found = part.geometry
+        row["n"], row["rows"] = found.elements, found.rows
+        row["pitch"], row["element"] = found.pitch_diameter, found.element_diameter
+        row["angle"], row["grooves"] = found.contact_angle, found.groove_distance
+        row["aligns"], row["floats"] = found.aligns, found.floats
+        row["gap"] = 0.5 * found.clearance
         row["gap"] += 0.5 * play(part.faults.values())
-        row["exponent"] = POINT if part.type == "ball" else LINE
+        row["exponent"] = POINT if found.is_ball else LINE
         row["stiffness"], row["chi"] = _stiffness(name, part), part.damping
-        if part.grooves is not None:
-            row["grooves"] = (sum(part.grooves) - 1.0) * part.element_diameter
+        if found.effective_length is not None:
+            slices = roller_slices(found.effective_length, found.element_diameter, part.slices)
+            row["n_slices"], row["slices"] = part.slices, pool.add(slices)
+        row["shift"] = _shift(part, row["stiffness"])
         if part.faults:
             put_faults(row, part, pool)
         rows.append(row)
     return pack("rolling_bearing", rolling_bearing.RECORD, rows, list(bearings), pool=pool.array())
+
+
+def _shift(part: RollingBearing, stiffness: float) -> float:
+    """Axial displacement of the inner ring to the outer one that preloads a bearing as assembled [m]."""
+    found = part.geometry
+    side = -1.0 if found.absorbs == NEGATIVE else 1.0
+    if part.preload is None:
+        return side * (part.preload_distance or 0.0)
+    length = found.effective_length
+    row = Raceways(
+        elements=found.elements,
+        stiffness=stiffness,
+        exponent=POINT if found.is_ball else LINE,
+        angle=abs(found.contact_angle),
+        gap=0.5 * found.clearance,
+        grooves=found.groove_distance,
+        slices=None if length is None else roller_slices(length, found.element_diameter, part.slices),
+    )
+    return side * row.shift_for(part.preload)
 
 
 def _untwisted(inner: Array, outer: Array) -> Array:
@@ -59,14 +94,15 @@ def _stiffness(name: str, part: RollingBearing) -> float:
         return part.stiffness
     own = part.material if isinstance(part.material, Material) else material(part.material)
     compliance = 2.0 * plane_strain_compliance(own.youngs_modulus, own.poisson_ratio)
-    if part.type == "roller" and part.effective_length is not None:
-        one = roller_stiffness(part.effective_length, compliance)
+    found = part.geometry
+    if found.effective_length is not None:
+        one = roller_stiffness(found.effective_length, compliance)
         return in_series(one, one, LINE)
-    if part.type == "ball" and part.grooves is not None:
+    if found.grooves is not None:
         return ball_bearing_stiffness(
-            part.element_diameter, part.pitch_diameter, part.grooves, part.contact_angle, compliance
+            found.element_diameter, found.pitch_diameter, found.grooves, found.contact_angle, compliance
         )
-    missing = "grooves" if part.type == "ball" else "effective_length"
+    missing = "grooves" if found.is_ball else "effective_length"
     raise CompileError(f"rolling_bearings.{name}: give {missing}, or stiffness")
 
 
@@ -76,7 +112,7 @@ def plain_bearing_bank(places: Places) -> Bank:
     rows = []
     for part in bearings.values():
         row = np.zeros(1, clearance_bearing.RECORD)[0]
-        places.mark(row, part.ends)
+        mark_rings(places, row, part)
         row["gap"], row["stiffness"] = 0.5 * part.clearance, part.stiffness
         row["exponent"], row["chi"] = part.exponent, part.damping
         rows.append(row)

@@ -24,7 +24,7 @@ from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.spectra import spectrum_section
-from pitchpoint.viz.report.tables import case_section, mode_section, signal_section
+from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
 from pitchpoint.viz.scene.content import Scene
 
 if TYPE_CHECKING:
@@ -59,6 +59,8 @@ class ReportModel:
         Number and names of the components of each section, for the summary.
     signals
         Sensors, blocks, controllers and actuators: signal, type, inputs, users.
+    parameters
+        Parameters: name, text of the file, value, description.
     warnings, assumptions, sources
         Sentences for the last section.
     """
@@ -76,6 +78,7 @@ class ReportModel:
     shafts: Mapping[str, str] = field(default_factory=dict)
     counts: Sequence[tuple[str, str]] = ()
     signals: Sequence[Sequence[str]] = ()
+    parameters: Sequence[Sequence[str]] = ()
     warnings: Sequence[str] = ()
     assumptions: Sequence[str] = ()
     sources: Sequence[str] = ()
@@ -228,6 +231,8 @@ class TimeRun:
         Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
     note
         Sentence above the signals (status of an unfinished run).
+    remarks
+        Notes of the run, listed above the signals.
     """
 
     data: Any
@@ -235,6 +240,7 @@ class TimeRun:
     angle: str | None = None
     highest_order: float | None = None
     note: str = ""
+    remarks: Sequence[str] = ()
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
 
 
@@ -298,6 +304,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         power_section(results.powers),
         parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels, model.inactive_faults),
         parts.drawing_section(model.pairs),
+        parameter_section(model.parameters),
         signal_section(model.signals),
         mesh_cycle_section(results.mesh_cycles),
         roll_section(results.rolls),

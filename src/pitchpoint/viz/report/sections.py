@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.analysis.spectra import amplitude_spectrum
-from pitchpoint.analysis.statistics import contact_statistics
+from pitchpoint.analysis.statistics import ContactStatistics, contact_statistics
 from pitchpoint.viz.gear_drawing import mesh_zone_svg, pair_svg
 from pitchpoint.viz.quantities import Array, Channel, amount, channels, number, scale
 from pitchpoint.viz.report.page import Section
@@ -130,6 +130,8 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
             continue
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
+        notes = "".join(f"<li>{escape(remark)}</li>" for remark in run.remarks)
+        section.add(f'<ul class="notes">{notes}</ul>' if notes else "")
         section.add('<div class="linked">' if name == seen else "")
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
@@ -231,17 +233,44 @@ def _contact_table(
         force = found.get(f"mesh_force[{mesh}]")
         c = contact_statistics(time, state, None if force is None else force.values[settled])
         peaks = [i.peak for i in c.impacts if i.peak is not None]
-        cells = (
-            f"{100.0 * c.loss_share:.3g} %",
-            f"{100.0 * c.back_contact_share:.3g} %",
-            amount(c.longest_loss, "s") if c.separations else "–",
-            str(len(c.impacts)),
-            amount(max(peaks), "N") if peaks else "–",
-        )
+        counted = found[f"contact_state[{mesh}]"].contact
+        if counted is not None:  # at all steps, not at the stored samples
+            cells: tuple[str, ...] = _counted_cells(counted, amount(max(peaks), "N") if peaks else "–")
+        else:
+            cells = _sampled_cells(c, peaks)
         body.append(
             f'<tr><th scope="row">{escape(mesh)}</th><td></td>'
             + "".join(f'<td class="num">{x}</td>' for x in cells)
             + "</tr>"
         )
-    head = ("mesh", "", "contact loss", "back contact", "longest loss", "impacts", "largest impact")
+    impacts = ("impacts", "largest impact", "closing speed", "impulse", "rattle index")
+    head = ("mesh", "", "contact loss", "back contact", "longest loss", *impacts)
     return plain_table(head, body) if body else ""
+
+
+def _counted_cells(counted: Mapping[str, float], largest: str) -> tuple[str, ...]:
+    """Cells of a mesh from the numbers of all steps, and its largest force after an impact."""
+    impacts = int(counted["front_impacts"] + counted["back_impacts"])
+    index = counted["rattle_index"]
+    return (
+        f"{100.0 * counted['contact_loss_share']:.3g} %",
+        f"{100.0 * counted['back_contact_share']:.3g} %",
+        amount(counted["longest_loss"], "s") if counted["longest_loss"] > 0.0 else "–",
+        str(impacts),
+        largest,
+        f"{1e3 * counted['closing_speed_max']:.4g} mm/s" if impacts else "–",
+        f"{counted['impulse_max']:.4g} N s" if impacts else "–",
+        f"{index:.3g}" if np.isfinite(index) else "–",
+    )
+
+
+def _sampled_cells(c: ContactStatistics, peaks: list[float]) -> tuple[str, ...]:
+    """Cells of a mesh from the stored samples."""
+    return (
+        f"{100.0 * c.loss_share:.3g} %",
+        f"{100.0 * c.back_contact_share:.3g} %",
+        amount(c.longest_loss, "s") if c.separations else "–",
+        str(len(c.impacts)),
+        amount(max(peaks), "N") if peaks else "–",
+        *("–" for _ in range(3)),
+    )

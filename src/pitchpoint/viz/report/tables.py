@@ -58,6 +58,16 @@ def signal_section(lines: Sequence[Sequence[str]]) -> Section:
     return section
 
 
+def parameter_section(lines: Sequence[Sequence[str]]) -> Section:
+    """Section with the parameters of the model."""
+    section = Section("parameters", "Parameters")
+    if lines:
+        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines]
+        head = ("parameter", "as written", "value", "description")
+        section.add(plain_table(head, rows, numbers=False))
+    return section
+
+
 def case_section(tables: Mapping[str, Any]) -> Section:
     """Section with independent cases: varied values, and results of the meshes."""
     section = Section("cases", "Cases")

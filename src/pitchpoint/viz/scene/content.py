@@ -45,6 +45,8 @@ class SceneBody:
         Kinematic part of the angle: that of the guiding body times `ratio`, shape (n,).
     ratio
         Rotation of this body per rotation of the guiding one.
+    part
+        Whether it is a part of a component, such as the cage of a bearing, and not a body of the model.
     """
 
     name: str
@@ -58,6 +60,7 @@ class SceneBody:
     angle: Array | None = None
     gross: Array | None = None
     ratio: float = 1.0
+    part: bool = False
 
 
 @dataclass(frozen=True)
@@ -142,14 +145,14 @@ class SceneSolid:
     Attributes
     ----------
     name, kind
-        Name, and gear, shaft, bearing, housing, carrier, spring or body.
+        Name, and gear, shaft, bearing, element, housing, carrier, spring or body.
     body
         Number of the body.
     points, triangles
         Corners, shape (n, 3) [m], in the frame of the solid; triangles, shape (m, 3), counter-clockwise seen
         from outside.
     pieces
-        Parts of a gear, instead of points and triangles.
+        Repeated parts, such as teeth or rolling elements, instead of points and triangles.
     place, axes
         Frame of the solid in that of the body, shape (3,) [m] and (3, 3); None if equal.
     between
@@ -223,6 +226,9 @@ class SceneChannel:
         Shape (k,), [s] and SI.
     first
         Whether it is shown by default.
+    group, group_label, planet
+        Name and readable name of the group of equal channels of all planets, and number of the planet; empty
+        for others.
     """
 
     name: str
@@ -234,6 +240,9 @@ class SceneChannel:
     least: Array
     most: Array
     first: bool = False
+    group: str = ""
+    group_label: str = ""
+    planet: int = 0
 
 
 @dataclass(frozen=True)

@@ -53,7 +53,11 @@ def channel_entries(channels: Sequence[SceneChannel], block: Block) -> dict[str,
             "curve": [table.number, table.column(*parts)],
             "from": [low, step],
         }
-        entries.append({**entry, "first": True} if channel.first else entry)
+        if channel.first:
+            entry["first"] = True
+        if channel.group:
+            entry["group"] = {"name": channel.group, "label": channel.group_label, "planet": channel.planet}
+        entries.append(entry)
     return {"curves": [table.entry(block) for table in tables.values()], "channels": entries}
 
 

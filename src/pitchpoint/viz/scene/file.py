@@ -117,6 +117,8 @@ def _body(body: SceneBody, reach: float, block: Block) -> dict[str, Any]:
         "place": [float(x) for x in body.place],
         "axes": quaternion(body.axes),
     }
+    if body.part:
+        found["part"] = True
     angle_error = LENGTH / reach if reach > 0.0 else LENGTH
     tracks = {
         "position": (body.position, LENGTH),

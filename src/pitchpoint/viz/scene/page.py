@@ -3,12 +3,49 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import dataclass
 from html import escape
+from typing import Any
 
 from pitchpoint.viz import theme
 from pitchpoint.viz.report.page import POLICY, asset
 from pitchpoint.viz.scene.content import Scene
 from pitchpoint.viz.scene.file import scene_texts
+
+
+@dataclass(frozen=True, kw_only=True)
+class SceneStart:
+    """Initial view of a scene.
+
+    Attributes
+    ----------
+    view
+        Standard view: axis, side, top or iso.
+    parallel
+        Parallel instead of central projection.
+    section
+        Normal of a section plane through the middle: x, y, z or axis; empty without section.
+    """
+
+    view: str = "iso"
+    parallel: bool = False
+    section: str = ""
+
+    def words(self) -> dict[str, str]:
+        """The same in the form of the address of the page.
+
+        Examples
+        --------
+        >>> SceneStart(view="axis", parallel=True).words()
+        {'view': 'axis', 'projection': 'parallel'}
+        """
+        found = {
+            "view": self.view,
+            "projection": "parallel" if self.parallel else "",
+            "section": self.section,
+        }
+        return {key: value for key, value in found.items() if value}
 
 
 def scene_elements(*scenes: Scene) -> str:
@@ -21,7 +58,7 @@ def scene_elements(*scenes: Scene) -> str:
     return "\n".join(parts)
 
 
-def scene_fragment(*scenes: Scene, height: str = "640px") -> str:
+def scene_fragment(*scenes: Scene, height: str = "640px", start: SceneStart | None = None) -> str:
     """HTML of a scene for the body of a longer page; one per page.
 
     Parameters
@@ -30,6 +67,8 @@ def scene_fragment(*scenes: Scene, height: str = "640px") -> str:
         One scene, or two to compare.
     height
         Height of the viewer in the page, in CSS notation.
+    start
+        Initial view.
 
     Raises
     ------
@@ -39,21 +78,26 @@ def scene_fragment(*scenes: Scene, height: str = "640px") -> str:
     if not 1 <= len(scenes) <= 2:
         raise ValueError(f"{len(scenes)} scenes in a page (limit 2); give one or two")
     colours = "".join(f"--pp-force-{part}:{colour};" for part, colour in theme.FORCE_PARTS.items())
-    compare = "true" if len(scenes) == 2 else "false"
+    options: dict[str, Any] = {"compare": len(scenes) == 2}
+    if start is not None:
+        options["start"] = start.words()
+    how = json.dumps(options, separators=(",", ":"))
     return (
         f'<div id="pp-view" style="{colours}height:{height}"></div>\n{scene_elements(*scenes)}\n'
         f"<script>{asset('viewer.js')}</script>\n"
-        f"<script>pitchpointViewer.mount(document.getElementById('pp-view'),{{compare:{compare}}});</script>"
+        f"<script>pitchpointViewer.mount(document.getElementById('pp-view'),{how});</script>"
     )
 
 
-def scene_page(*scenes: Scene) -> str:
+def scene_page(*scenes: Scene, start: SceneStart | None = None) -> str:
     """Complete HTML document.
 
     Parameters
     ----------
     *scenes
         One scene, or two to compare.
+    start
+        Initial view.
 
     Raises
     ------
@@ -67,7 +111,7 @@ def scene_page(*scenes: Scene) -> str:
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta name="generator" content="pitchpoint">'
         f"<title>{escape(title)}</title><style>html,body{{margin:0;height:100%}}</style></head>\n"
-        f"<body>{scene_fragment(*scenes, height='100vh')}</body></html>\n"
+        f"<body>{scene_fragment(*scenes, height='100vh', start=start)}</body></html>\n"
     )
 
 

@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bearings by designation: a table of common sizes, and the meaning of suffixes.
+
+Source of the table: see the head of `catalogue.csv`. Suffixes: ISO 5753-1 (clearance), and the catalogues of
+SKF, FAG, NSK and NTN for seals, cages and inner designs.
+"""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.core.nearest import nearest
+from pitchpoint.geometry.bearings.clearance import CLASSED
+
+OFFERED = 4
+"""Number of similar designations in a message."""
+MAKERS = "SKF|FAG|INA|NSK|NTN|SNR|KOYO|JTEKT|NACHI|TIMKEN|URB|ZVL|ZKL|NKE|HR"
+# suffixes without effect on stiffness or clearance
+_SEALS = r"2HRS|2?RS[RHDL]?\d?|2RZ\d?|2?Z[RNZ]?|LL[UBHF]|L[UBH]|DD[UW]?|VV|2BRS"
+_CAGES = (
+    r"ECB?[PJMY][LA]?|EC|EM\d?|EW|ET|EJ|EG15|E1|E|TVP[2B]?|TVH|TN[9GH]?|M[ABS\d]?|P|PH|J\d?|XJ?|A|"
+    r"BE[PJYM]?|CA?M?"
+)
+_OTHERS = r"XL|W33|P[456]|P6X|NR?|Q|F1?|C[CDJ]E?\d?|CAM?E\d?|EAE\d|VA\d+|MT33|HT|LHT|GJN|WT|G\d+"
+_WORD = rf"(?:{_SEALS}|{_CAGES}|{_OTHERS})"
+_PLAIN = re.compile(rf"{_WORD}{_WORD}?")
+_REFUSED = {
+    "V": "a full complement of rolling elements",
+    "VH": "a full complement of rolling elements",
+    "C1": "the clearance class C1, which is not tabulated",
+    "C5": "the clearance class C5, which is not tabulated",
+    "DB": "a pair of bearings",
+    "DF": "a pair of bearings",
+}
+_ANGLES = (("ACD", "A5"), ("AC", "A5"), ("A5", "A5"), ("A", "A"), ("B", "B"), ("C", "C"))
+"""Beginning of the suffix of angular contact bearings, and the suffix of the table: 25, 25, 25, 30, 40, 15
+deg."""
+
+
+@dataclass(frozen=True)
+class Catalogued:
+    """One bearing of the table.
+
+    Attributes
+    ----------
+    designation
+        Designation in the table.
+    kind
+        Type, one of `geometry.bearings.inner.TYPES`.
+    bore, outside, width
+        Boundary dimensions d, D, B [m]; of tapered bearings the overall width T.
+    dynamic, static
+        Load ratings C and C_0 [N].
+    angle
+        Contact angle [rad].
+    group
+        Clearance class by the suffix; None if there is none.
+    """
+
+    designation: str
+    kind: str
+    bore: float
+    outside: float
+    width: float
+    dynamic: float
+    static: float
+    angle: float
+    group: str | None = None
+
+
+@cache
+def catalogue() -> dict[str, Catalogued]:
+    """All bearings of the table by designation.
+
+    Examples
+    --------
+    >>> found = catalogue()["6308"]
+    >>> found.kind, found.outside, found.dynamic
+    ('deep_groove_ball', 0.09, 40500.0)
+    """
+    found = {}
+    with Path(__file__).with_name("catalogue.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(line for line in file if not line.startswith("#")):
+            d, D, B = (round(1e-3 * float(row[key]), 9) for key in ("d", "D", "B"))
+            found[row["designation"]] = Catalogued(
+                row["designation"],
+                row["type"],
+                bore=d,
+                outside=D,
+                width=B,
+                dynamic=float(row["C"]),
+                static=float(row["C0"]),
+                angle=math.radians(float(row["contact_angle"] or 0.0)),
+            )
+    return found
+
+
+def by_designation(text: str) -> Catalogued:
+    """Bearing of the table with the given designation, which may have suffixes.
+
+    Parameters
+    ----------
+    text
+        Designation, such as "6308-2RS1/C3" or "SKF NJ 208 ECP".
+
+    Raises
+    ------
+    GeometryError
+        If the bearing is not in the table, or a suffix is not understood.
+
+    Examples
+    --------
+    >>> found = by_designation("SKF NJ 208 ECP/C3")
+    >>> found.designation, found.group
+    ('NU208E', 'C3')
+    >>> by_designation("6308-2RS").bore
+    0.04
+    """
+    plain = re.sub(r"[\s/,._-]+", "-", str(text).upper().strip()).strip("-")
+    plain = re.sub(rf"^(?:(?:{MAKERS})-)+", "", plain)
+    match = re.match(r"(NUP|NU|NJ|N)?-?(\d{3,5})-?", plain)
+    if match is None:
+        raise _unknown(text, plain)
+    prefix, digits = match.group(1) or "", match.group(2)
+    rest = plain[match.end() :]
+    if re.fullmatch(r"61[89]\d\d", digits):  # the same bearing in two systems of numbers
+        digits = "6" + digits[2:]
+    name = prefix + digits
+    if prefix in ("NU", "NJ", "NUP", "N"):  # the E design has larger rollers; NJ and NUP add flanges
+        raised = rest.startswith("E")
+        name = f"{'N' if prefix == 'N' and not raised else 'NU'}{digits}{'E' if raised else ''}"
+    elif f"{digits}B" in catalogue() or f"{digits}C" in catalogue():
+        for begins, suffix in _ANGLES:
+            if rest.startswith(begins):
+                name, rest = digits + suffix, rest[len(begins) :].lstrip("-")
+                break
+    found = catalogue().get(name)
+    if found is None:
+        raise _unknown(text, name)
+    return replace(found, group=_group(text, rest, found))
+
+
+def _group(text: str, rest: str, found: Catalogued) -> str | None:
+    """Clearance class of a suffix; refuses what it does not understand."""
+    group = None
+    rest = re.sub(r"(?<=[A-Z0-9])(C[0234N])(?=-|$)", r"-\1", rest)
+    for word in filter(None, rest.split("-")):
+        if word in _REFUSED:
+            raise GeometryError(
+                f"has the suffix {word}, {_REFUSED[word]}",
+                value=str(text),
+                remedy=f"use {found.designation}, and give clearance or the data that differ",
+            )
+        if word in ("C2", "CN", "C0", "C3", "C4"):
+            group = "CN" if word == "C0" else word
+            if found.kind not in CLASSED:
+                group = None
+        elif word.endswith("K") and (word == "K" or _PLAIN.fullmatch(word[:-1])):
+            raise GeometryError(
+                "has a tapered bore (K), whose clearance is set on mounting",
+                value=str(text),
+                remedy=f"write {found.designation}, and give clearance",
+            )
+        elif _PLAIN.fullmatch(word) is None:
+            raise GeometryError(
+                f"has the suffix {word}, which is not known",
+                value=str(text),
+                remedy=f"write {found.designation}, with C2, CN, C3 or C4 for the clearance",
+            )
+    return group
+
+
+def _unknown(text: str, plain: str) -> GeometryError:
+    """Problem of a designation that the table does not have, with the nearest ones."""
+    near = nearest(plain, catalogue(), OFFERED)
+    return GeometryError(
+        "is not in the table of bearings",
+        value=str(text),
+        remedy=(f"did you mean {' or '.join(near)}? " if near else "")
+        + "other bearings: give type, inner_diameter, outer_diameter, width, radial_dynamic_load_rating and "
+        "radial_static_load_rating of the catalogue",
+    )

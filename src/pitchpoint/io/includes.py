@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Model files of several parts: sections of included files are merged by name.
+
+``include: [gears.yaml, bearings/main.yaml]`` names files below the folder of the model file. Every name may
+be given once: a second one, also in another file, is an error. All file names of all parts are relative to
+the folder of the model file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from pitchpoint.core.errors import FileLine, Message, ModelError
+from pitchpoint.io.yaml_tree import Tree, TreeError, text_of
+from pitchpoint.model import sections
+from pitchpoint.model.keys import Place, keys_of
+from pitchpoint.model.model import Model
+from pitchpoint.model.show import dotted, shown
+
+INCLUDE = "include"
+MAX_FILES = 200
+
+
+@dataclass
+class Whole:
+    """Contents of a model file and all included files, as of a single file."""
+
+    data: Any
+    lines: dict[Place, int] = field(default_factory=dict)
+    problems: list[Message] = field(default_factory=list)
+    files: list[str] = field(default_factory=list)
+
+
+def with_included(tree: Tree, folder: Path, name: str) -> Whole:
+    """Contents of a model file with its included files.
+
+    Parameters
+    ----------
+    tree
+        Contents of the model file.
+    folder
+        Folder of the model file; included files are in it or below.
+    name
+        Name of the model file, for messages.
+    """
+    if not isinstance(tree.data, dict) or INCLUDE not in tree.data:
+        return Whole(tree.data, tree.lines, tree.problems)
+    whole = Whole({})
+    _Merger(whole, folder).add(tree, (name,), "")
+    return whole
+
+
+class _Merger:
+    """Adds the contents of files to a whole; `path` is the chain of files that include each other."""
+
+    def __init__(self, whole: Whole, folder: Path) -> None:
+        self.whole, self.folder = whole, folder
+
+    def add(self, tree: Tree, path: tuple[str, ...], file: str) -> None:
+        """Add the files that a file includes, then the file itself; `file` is empty for the first one."""
+        lines = {at: FileLine(line, file) if file else line for at, line in tree.lines.items()}
+        self.whole.lines.setdefault((), lines.get((), 1))
+        self.whole.problems += [
+            p.changed(line=FileLine(p.line or 1, file)) if file else p for p in tree.problems
+        ]
+        if not isinstance(tree.data, dict):
+            if tree.data is not None:
+                self.problem((), "is not a mapping of keys", lines.get((), 1), "begin with gears:")
+            return
+        wanted = tree.data.get(INCLUDE)
+        if isinstance(wanted, str):
+            wanted = [wanted]
+        if wanted is not None and not isinstance(wanted, list):
+            self.problem(
+                (INCLUDE,), "is not a list of files", lines[(INCLUDE,)], "write [gears.yaml]", shown(wanted)
+            )
+        for k, name in enumerate(wanted if isinstance(wanted, list) else ()):
+            self.include(name, path, lines.get((INCLUDE, k), lines[(INCLUDE,)]))
+        for key, value in tree.data.items():
+            if key != INCLUDE:
+                self.merge(key, value, lines)
+
+    def include(self, name: Any, path: tuple[str, ...], line: int) -> None:
+        """Read one included file, unless it has been read."""
+        place: Place = (INCLUDE,)
+        if not isinstance(name, str) or not name.strip():
+            self.problem(place, "is not the name of a file", line, "write [gears.yaml]", shown(name))
+            return
+        base = self.folder.resolve()
+        try:
+            file = (self.folder / name).resolve()
+        except (OSError, ValueError):
+            file = base.parent
+        if Path(name).is_absolute() or not file.is_relative_to(base):
+            remedy = "include files in the folder of the model file or below it, by their relative names"
+            self.problem(place, "is not below the folder of the model file", line, remedy, shown(name))
+            return
+        own = file.relative_to(base).as_posix()
+        if own in path:
+            chain = " -> ".join([*path[path.index(own) :], own])
+            self.problem(place, f"forms a circle: {chain}", line, "remove one of these includes")
+            return
+        if own in self.whole.files:
+            return
+        if len(self.whole.files) >= MAX_FILES:
+            self.problem(place, f"leads to more than {MAX_FILES} files", line, "join some of them")
+            return
+        if not file.is_file():
+            remedy = "file names are relative to the folder of the model file"
+            self.problem(place, "names a file that does not exist", line, remedy, shown(name))
+            return
+        self.whole.files.append(own)
+        try:
+            tree = Tree(text_of(file))
+        except TreeError as error:
+            self.whole.problems.append(error.problem.changed(line=FileLine(error.problem.line or 1, own)))
+            return
+        except ModelError as error:
+            self.whole.problems += [p.changed(line=FileLine(p.line or 1, own)) for p in error.problems]
+            return
+        self.add(tree, (*path, own), own)
+
+    def merge(self, key: str, value: Any, lines: Mapping[Place, int]) -> None:
+        """Add a key of a file: sections by name, other keys as a whole."""
+        data = self.whole.data
+        if key not in data:
+            data[key] = dict(value) if isinstance(value, dict) else value
+            self.adopt((key,), lines)
+        elif value is None:
+            return
+        elif _is_section(key) and isinstance(value, dict) and isinstance(data[key] or {}, dict):
+            data[key] = data[key] or {}
+            for name, part in value.items():
+                if self.is_new((key, name), name in data[key], lines):
+                    data[key][name] = part
+                    self.adopt((key, name), lines)
+        elif self.is_new((key,), data[key] is not None, lines):
+            data[key] = value
+            self.adopt((key,), lines)
+
+    def is_new(self, place: Place, known: bool, lines: Mapping[Place, int]) -> bool:
+        """Report a path that another file contains already."""
+        if known:
+            first = self.whole.lines[place]
+            of = getattr(first, "file", "the model file")
+            self.problem(
+                place,
+                f"is given twice, also in {of}, line {first}",
+                lines[place],
+                "rename or remove one of them",
+            )
+        return not known
+
+    def adopt(self, place: Place, lines: Mapping[Place, int]) -> None:
+        """Take over the lines of a path and all paths below it."""
+        self.whole.lines |= {at: line for at, line in lines.items() if at[: len(place)] == place}
+
+    def problem(
+        self, place: Place, text: str, line: int, remedy: str | None = None, value: str | None = None
+    ) -> None:
+        """Add a problem."""
+        self.whole.problems.append(Message(dotted(place), text, value, None, remedy, line))
+
+
+def _is_section(key: str) -> bool:
+    known = keys_of(Model).get(key)
+    return sections.find(key) is not None if known is None else known.kind in ("components", "parameters")

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of rolling bearings: complete data, rolling elements that fit, keys that apply to the type."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import GeometryError
+from pitchpoint.model.checks.bearing_faults import check_bearing_faults
+from pitchpoint.model.components.bearing_geometry import BearingGeometry
+from pitchpoint.model.keys import Place
+from pitchpoint.model.reading.reader import Reader
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.rolling_bearing import RollingBearing
+    from pitchpoint.model.parts import Parts
+
+
+def check_rolling_bearings(parts: Parts, report: Reader) -> None:
+    """Check all rolling bearings and their faults."""
+    for name, bearing in parts.rolling_bearings.items():
+        at: Place = ("rolling_bearings", name)
+        if at in report.tainted:
+            continue
+        try:
+            found = bearing.geometry
+        except GeometryError as error:
+            report.hand_on(at, error.problem)
+            continue
+        _room(found, at, report)
+        _keys(bearing, found, at, report)
+        _preload(bearing, found, at, report)
+        check_bearing_faults(name, bearing, report)
+
+
+def _room(found: BearingGeometry, at: Place, report: Reader) -> None:
+    """Check that the elements fit on the pitch circle and leave room for the inner ring."""
+    if found.element_diameter * found.elements > math.pi * found.pitch_diameter:
+        report.problem(
+            (*at, "elements"),
+            f"do not fit on a pitch circle of {found.pitch_diameter * 1e3:.6g} mm",
+            value=str(found.elements),
+            limit=f"<= {int(math.pi * found.pitch_diameter / found.element_diameter)}",
+            remedy="correct the number or the diameters",
+        )
+    elif found.element_diameter * math.cos(found.contact_angle) >= found.pitch_diameter:
+        report.problem(
+            (*at, "element_diameter"),
+            "leaves no room for the inner ring",
+            value=f"{found.element_diameter * 1e3:.6g} mm",
+            limit=f"below {found.pitch_diameter * 1e3:.6g} mm, the pitch diameter",
+            remedy="correct one of the diameters",
+        )
+
+
+def _keys(bearing: RollingBearing, found: BearingGeometry, at: Place, report: Reader) -> None:
+    """Check grooves, effective length and stiffness."""
+    own, other = ("grooves", "effective_length") if found.is_ball else ("effective_length", "grooves")
+    if getattr(bearing, other) is not None:
+        report.problem(
+            (*at, other),
+            f"does not apply to a bearing of type {found.kind}",
+            remedy=f"give {own}, or correct type",
+        )
+    elif bearing.stiffness is None and getattr(found, own) is None and at not in report.tainted:
+        report.problem(at, f"gives neither {own} nor stiffness", remedy=f"give {own}")
+
+
+def _preload(bearing: RollingBearing, found: BearingGeometry, at: Place, report: Reader) -> None:
+    """Check that an axial preload acts on a bearing that supports an axial force."""
+    given = [key for key in ("preload", "preload_distance") if getattr(bearing, key) is not None]
+    if len(given) == 2:
+        report.problem((*at, given[1]), "is given in addition to preload", remedy="remove one of them")
+    elif given and (
+        found.floats or found.rows == 2 or (found.contact_angle == 0.0 and found.groove_distance == 0.0)
+    ):
+        report.problem(
+            (*at, given[0]),
+            f"does not apply to a {'floating' if found.floats else found.kind.replace('_', ' ')} bearing, "
+            "which takes no axial preload",
+            remedy="remove it; a radial preload is a negative clearance",
+        )

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Models of several files: merging, places of messages, refusals, stored results."""
+
+from __future__ import annotations
+
+import json
+import pickle
+
+import pytest
+
+from pitchpoint.core.errors import ModelError
+from pitchpoint.core.provenance import content_hash
+from pitchpoint.io.yaml_model import dump_model, load_model, loads_model
+from pitchpoint.model.remarks.collect import remarks_of_file
+from tests.support.cli_files import json_of
+
+MAIN = """\
+title: pair
+include: [gears.yaml, drives/loads.yaml]
+parameters: {m_n: 3 mm}
+bodies:
+  a: {gears: [pinion], inertia: 0.01 kg m^2}
+  b: {gears: [wheel], inertia: 0.01 kg m^2}
+meshes:
+  stage: {gears: [pinion, wheel], stiffness: {law: constant, value: 4e8 N/m}, damper: {ratio: 0.1}}
+scenarios: {run: {speed: {a: 60}, duration: 1 ms, step: 10 us}}
+"""
+GEARS = """\
+# gears of stage 1
+gears:
+  pinion: {number_of_teeth: 20, normal_module: m_n, face_width: 20 mm, profile_shift_coefficient: 0}
+  wheel: {number_of_teeth: 40, normal_module: m_n, face_width: 20 mm, profile_shift_coefficient: 0}
+"""
+LOADS = """\
+include: gears.yaml
+parameters: {torque: 50 N m}
+loads:
+  drive: {body: a, torque: torque}
+  brake: {body: b, torque: balance}
+"""
+
+
+@pytest.fixture
+def files(tmp_path):
+    def write(**texts):
+        """Write the files of the model, with some changed or added."""
+        (tmp_path / "drives").mkdir(exist_ok=True)
+        texts = {"model": MAIN, "gears": GEARS, "drives/loads": LOADS, **texts}
+        for name, text in texts.items():
+            (tmp_path / f"{name}.yaml").write_text(text, encoding="utf-8")
+        return tmp_path / "model.yaml"
+
+    return write
+
+
+def problems_of(file):
+    with pytest.raises(ModelError) as found:
+        load_model(file)
+    return [str(problem) for problem in found.value.problems]
+
+
+def test_sections_of_several_files_are_merged(files):
+    model = load_model(files())
+    assert model.origin.files == ("gears.yaml", "drives/loads.yaml")
+    one = MAIN.replace("include: [gears.yaml, drives/loads.yaml]\n", "").replace(
+        "{m_n", "{torque: 50 N m, m_n"
+    )
+    whole = loads_model(one + GEARS + LOADS[LOADS.index("loads:") :])
+    assert content_hash(model) == content_hash(whole)
+    assert content_hash(loads_model(dump_model(model))) == content_hash(model)
+
+
+def test_the_content_of_an_included_file_belongs_to_the_hash(files):
+    before = content_hash(load_model(files()))
+    assert content_hash(load_model(files(gears=GEARS.replace("40,", "41,")))) != before
+
+
+def test_messages_name_the_included_file(files):
+    found = problems_of(files(gears=GEARS.replace("m_n, face_width: 20 mm", "m_m, face_width: 20 mmm", 1)))
+    assert len(found) == 2
+    assert all("(gears.yaml, line 3)" in problem for problem in found)
+    model = load_model(files(gears=GEARS.replace("20 mm", "20 m", 1).replace("20 m,", "2,")))
+    [bare, speed] = remarks_of_file(model)
+    assert (bare.line, bare.file, bare.parts["file"]) == (3, "gears.yaml", "gears.yaml")
+    assert (speed.line, speed.file) == (9, None) and "file" not in speed.parts
+    assert pickle.loads(pickle.dumps(bare)) == bare
+    assert pickle.loads(pickle.dumps(model)).line(("gears", "pinion")).file == "gears.yaml"
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"model": MAIN.replace("gears.yaml", "../gears.yaml")}, "is not below the folder of the model file"),
+        ({"model": MAIN.replace("gears.yaml", "/etc/hosts")}, "is not below the folder of the model file"),
+        ({"model": MAIN.replace("gears.yaml", "gear.yaml")}, "'gear.yaml' names a file that does not exist"),
+        ({"model": MAIN.replace("gears.yaml", "3")}, "3 is not the name of a file"),
+        ({"model": MAIN.replace("[gears.yaml, drives/loads.yaml]", "{a: b}")}, "is not a list of files"),
+        (
+            {"gears": "include: model.yaml\n" + GEARS},
+            "include (gears.yaml, line 1): forms a circle: model.yaml -> gears.yaml -> model.yaml",
+        ),
+        (
+            {"drives/loads": LOADS + GEARS.replace("wheel", "idler")},
+            "gears.pinion (drives/loads.yaml, line 8): is given twice, also in gears.yaml, line 3",
+        ),
+        ({"gears": GEARS + "title: gears\n"}, "title (line 1): is given twice, also in gears.yaml, line 5"),
+        ({"gears": "- 3\n"}, "(gears.yaml, line 1): is not a mapping of keys"),
+        ({"gears": GEARS + "  wheel: {}\n"}, "gears.wheel (gears.yaml, line 5): is given twice, in line 4"),
+        ({"gears": GEARS + "]"}, "YAML syntax (gears.yaml, line 5)"),
+        (
+            {"gears": GEARS + "shfts: {}\n"},
+            "shfts (gears.yaml, line 5): is an unknown key; did you mean shafts?",
+        ),
+    ],
+)
+def test_what_cannot_be_included_is_refused_with_file_and_line(files, changes, words):
+    found = problems_of(files(**changes))
+    assert any(words in problem for problem in found), found
+
+
+def test_a_link_out_of_the_folder_is_refused(files, tmp_path):
+    outside = tmp_path.parent / f"{tmp_path.name}-outside.yaml"
+    outside.write_text(GEARS)
+    file = files()
+    (tmp_path / "gears.yaml").unlink()
+    (tmp_path / "gears.yaml").symlink_to(outside)
+    assert any("is not below the folder" in problem for problem in problems_of(file))
+
+
+def test_a_result_contains_the_whole_model(files, capsys, tmp_path):
+    from pitchpoint.report.stored_model import stored_model
+
+    file = files(model=MAIN.replace("a: 60", "a: 60 rpm"))
+    out = tmp_path / "out" / "run.h5"
+    json_of(["run", str(file), "-s", "run", "-o", str(out), "--set", "parameters.torque=20 N m"], capsys)
+    kept = stored_model(str(out))
+    assert kept.parameters["torque"].value == "20 N m" and kept.loads["drive"].torque.value == 20.0
+    json_of(["run", str(file), "-s", "run", "-o", str(out)], capsys)
+    assert content_hash(stored_model(str(out))) == content_hash(load_model(file))
+    found = json_of(["check", str(file)], capsys)
+    assert found["included"] == ["gears.yaml", "drives/loads.yaml"]
+    assert json.dumps(found["parameters"]["torque"]) == json.dumps(
+        {"written": "50 N m", "value": 50.0, "unit": "N m", "text": ""}
+    )
