@@ -24,7 +24,7 @@ def part_of(parts: Parts, end: str) -> str:
 
 
 def check_branches(parts: Parts, report: Reader) -> None:
-    """Check that no beam begins or ends on itself over stations of others; such beams are left out."""
+    """Check that no beam begins or ends on itself over stations of others, and remove such beams."""
     for name in list(parts.beams):
         if _returns(parts, name):
             report.problem(
