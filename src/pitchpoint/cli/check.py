@@ -10,6 +10,7 @@ import click
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.stations import beam_stations, shaft_stations
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
 
@@ -115,8 +116,8 @@ def summary(model: Model) -> dict[str, Any]:
             for name, mesh in model.bevel_meshes.items()
         },
         "planetary_stages": stages_of_model(model),
-        "shafts": _stations(model),
-        "beam_stations": _beam_stations(model),
+        "shafts": shaft_stations(model),
+        "beam_stations": beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
@@ -153,49 +154,6 @@ def _freedoms(model: Model, body: str) -> list[str]:
     """Coordinates of a body, in the terms of its motion or joint."""
     seat = model.mechanism.seats[body]
     return list(FREEDOMS[model.bodies[body].moves] if seat.joint is None else seat.coordinates)
-
-
-def _stations(model: Model) -> dict[str, dict[str, Any]]:
-    """Stations of the shafts with their positions [m] and attached components."""
-    from pitchpoint.model.shafts import nearest_station, seats_on_shafts, station_names
-
-    found = {}
-    for shaft, seats in seats_on_shafts(model).items():
-        places = model.stations[shaft]
-        sits: list[list[str]] = [[] for _ in places]
-        for at, place in seats:
-            what = sits[nearest_station(places, place)]
-            word = str(at[3] if at[0] == "shafts" else at[1])
-            what.extend([word] if word not in what else [])
-        names = station_names(shaft, len(places))
-        found[shaft] = {n: {"place": p, "there": s} for n, p, s in zip(names, places, sits, strict=True)}
-    return found
-
-
-def _beam_stations(model: Model) -> dict[str, dict[str, Any]]:
-    """Stations of the beams: positions from the first end and in the world [m], attached components."""
-    from pitchpoint.model.checks.references import ends_of
-    from pitchpoint.model.frames import beam_length, place_of
-
-    sits: dict[str, list[str]] = {}
-    for _, name, _, given in ends_of(model):
-        for end in (given,) if isinstance(given, str) else given:
-            sits.setdefault(end, []).append(name)
-    for name, load in model.loads.items():
-        sits.setdefault(f"{load.body}.{load.marker}", []).append(name)
-    found: dict[str, dict[str, Any]] = {}
-    for beam, part in model.beams.items():
-        length = beam_length(model, part) or 0.0
-        found[beam] = {}
-        for number, share in part.stations.items():
-            station = f"{beam}.{number}"
-            world = place_of(model, station)
-            found[beam][station] = {
-                "place": share * length,
-                "world": None if world is None else world.tolist(),
-                "there": sits.get(station, []),
-            }
-    return found
 
 
 def _joints(model: Model) -> dict[str, Any]:
