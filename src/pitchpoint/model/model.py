@@ -16,6 +16,7 @@ from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
 from pitchpoint.model.checks.gear_pairs import gap
 from pitchpoint.model.checks.python_components import recheck
 from pitchpoint.model.checks.validate import check
+from pitchpoint.model.finish import finish
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
     Place,
@@ -35,7 +36,6 @@ from pitchpoint.model.sections import GROUPS, Contents
 from pitchpoint.model.shafts import station_names, stations_of
 from pitchpoint.model.show import dotted
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
-from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
@@ -91,17 +91,25 @@ class Model(Contents):
     """Kinematic tree of the bodies and the cut joints."""
 
     def __post_init__(self) -> None:
-        for group in GROUPS:
-            object.__setattr__(self, group, Frozen(own_parts(getattr(self, group))))
-        self._set_others(self.others)
-        report = Reader()
+        report = Reader(
+            allow_code=self.allow_code, directory=self.directory, sources=dict(self.origin.sources)
+        )
         for name in self.others:
             if sections.find(name) is None:
                 report.unknown({name: None}, keys_of(type(self)), ())
+        values, names = finish(self, report)
+        self._set_others({n: part for n, part in values.items() if sections.is_other(n)})
+        for name, value in values.items():
+            if not sections.is_other(name):
+                frozen = Frozen(value) if isinstance(value, Mapping) else value
+                object.__setattr__(self, name, frozen)
+        object.__setattr__(self, "origin", dataclasses.replace(self.origin, sources=report.sources))
+        unread = len(report.problems)
         recheck(self, (), report)
-        if report.problems:
+        if len(report.problems) > unread:  # of a wrong type: other checks may fail
             raise ModelError(report.problems, self.file)
         parts = self._parts()
+        parts.names = names
         check(parts, report)
         if report.problems:
             raise ModelError(report.problems, self.file)
@@ -211,7 +219,7 @@ class Model(Contents):
         code = self.allow_code if allow_code is None else allow_code
         report = Reader(
             allow_code=code,
-            directory=str(Path(self.file).parent) if self.file else ".",
+            directory=self.directory,
             parameters=self.amounts,
             sources=dict(self.origin.sources),
         )
@@ -221,6 +229,11 @@ class Model(Contents):
         return dataclasses.replace(
             self, **tops, others={**self.others, **others}, changed=True, origin=origin
         )
+
+    @property
+    def directory(self) -> str:
+        """Directory of relative file names."""
+        return str(Path(self.file).parent) if self.file else "."
 
     # --- derived data ----------------------------------------------------------------------------------
     def line(self, place: Place) -> int | None:

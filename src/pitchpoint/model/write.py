@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
+from pitchpoint.model.component import Unread, as_written
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
@@ -19,6 +20,7 @@ from pitchpoint.model.origin import Source
 from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.law import Law
     from pitchpoint.model.components.tooth_profile import Points
     from pitchpoint.model.model import Model
 
@@ -62,6 +64,11 @@ def plain_component(part: Any) -> dict[str, Any]:
     return _Writer(Path()).component(part)
 
 
+def plain_law(law: Law) -> Any:
+    """A law with numbers in SI units."""
+    return _Writer(Path()).law(Key("law", "", dimension="dimensionless"), law)
+
+
 def model_text(model: Model) -> str:
     """The model as JSON, which is valid YAML and reads back to an equal model; faster than a YAML writer."""
     return json.dumps(plain(model), ensure_ascii=False)
@@ -97,6 +104,8 @@ class _Writer:
 
     def value(self, key: Key, value: Any) -> Any:
         """Value of a key, by the kind of the key."""
+        if isinstance(value, Unread):
+            return as_written(value.data)
         writer = _WRITERS.get(key.kind)
         return value if writer is None else writer(self, key, value)
 

@@ -9,13 +9,11 @@ from typing import Any
 
 from pitchpoint.model.components.law import AXES, Constant, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
-from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.components.tooth_profile import Points
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
-from pitchpoint.model.parameters import SECTION, good_name, resolve
 from pitchpoint.model.reading.mechanism import recheck_motions
 from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.show import shown
+from pitchpoint.model.show import example, shown
 
 
 def recheck(part: Any, place: Place, report: Reader) -> None:
@@ -45,7 +43,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
         _value(Key(kind, "", dimension=key.dimension, length=(3, 3)), value, place, report)
     elif key.kind in ("quantity", "integer", "choice", "text", "boolean", "end", "file", "formula"):
         if key.kind == "quantity" and not isinstance(value, Real):
-            report.problem(place, "is not a number", value=shown(value), remedy="give it in SI units")
+            report.problem(place, "is not a number", value=shown(value), remedy=f"write {example(key)}")
         else:
             report.value(key, value, place)
     elif key.kind in ("displacements", "rates", "coordinates", "motions", "terms"):
@@ -75,8 +73,6 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     elif key.kind in ("component", "variant", "tooth_profile"):
         allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
         _component(allowed, value, place, report)
-    elif key.kind == "parameters":
-        _parameters(value, report)
     elif key.kind == "components":
         allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
         for name, part in value.items():
@@ -88,15 +84,6 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     elif key.kind in ("law", "laws"):
         for law in value if key.kind == "laws" else (value,):
             _law(key, law, place, report)
-
-
-def _parameters(value: Mapping[str, Parameter], report: Reader) -> None:
-    """Check names and values of parameters."""
-    for name, part in value.items():
-        if good_name(report, str(name)):
-            _component((Parameter,), part, (SECTION, name), report)
-    if all(isinstance(part, Parameter) for part in value.values()):
-        resolve(value, report)
 
 
 def _of_joints(key: Key, value: Any, place: Place, report: Reader) -> None:

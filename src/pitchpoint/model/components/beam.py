@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import REQUIRED, component, integer, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ SHAPES = (("diameter",), ("width", "height"), ("area", "bending", "torsion"))
 
 
 @dataclass(frozen=True, kw_only=True)
-class BeamSection:
+class BeamSection(Component):
     """Cross-section: round (diameter, bore), rectangular (width, height), or general."""
 
     diameter: float | None = positive("length", "round: outer diameter", None)
@@ -51,7 +52,7 @@ class BeamSection:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Beam:
+class Beam(Component):
     """Timoshenko beam between two points, clamped to both bodies, for large rotations and deflections."""
 
     ends: tuple[str, str] = key(

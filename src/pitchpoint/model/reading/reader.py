@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean, nearest
+from pitchpoint.model.component import Unread, as_written, needs_reading
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.origin import Bare, Source
 from pitchpoint.model.reading import data_files, forms, formulas, laws, mechanism, ranges, signals
@@ -113,8 +114,15 @@ class Reader:
 
     # --- components -----------------------------------------------------------------------------------
     def component(self, cls: type, data: Any, path: Place) -> Any:
-        """Read a mapping as the component class `cls`; BAD when a required key is missing or unreadable."""
+        """Read a mapping as the component class `cls`; BAD when a required key is missing or unreadable.
+
+        A component of this class is returned with all its values read.
+        """
+        if isinstance(data, cls):
+            return self.finished(data, path)
         if not isinstance(data, Mapping):
+            if hasattr(data, "__dataclass_fields__"):
+                return self.wrong_type(data, (cls,), path)
             wanted = ", ".join(keys_of(cls))
             return self.problem(
                 path, "is not a mapping", value=shown(data), remedy=f"possible keys: {wanted}"
@@ -142,6 +150,23 @@ class Reader:
             elif name not in defaults:
                 usable = False
         return cls(**values) if usable else BAD
+
+    def finished(self, part: Any, path: Place) -> Any:
+        """A component with those of its values read that are still as in a file; BAD with any problem."""
+        found: dict[str, Any] = {}
+        for name, key in keys_of(type(part)).items():
+            value = getattr(part, name)
+            if needs_reading(key, value) or (key.kind == "formula" and formulas.mentions(self, str(value))):
+                self.within = vars(part)
+                found[name] = self.keyed(key, value.data if isinstance(value, Unread) else value, (*path, name))
+        if BAD in found.values():
+            return BAD
+        return replace(part, **found) if found else part
+
+    def wrong_type(self, data: Any, allowed: Iterable[type], path: Place) -> Any:
+        """Report a component of another class."""
+        names = " or ".join(cls.__name__ for cls in allowed)
+        return self.problem(path, "is of the wrong type", value=type(data).__name__, limit=names)
 
     def missing(self, path: Place, name: str, description: Key) -> None:
         """Report a missing required key."""
@@ -177,7 +202,7 @@ class Reader:
             for place in list(self.sources)[known:]:
                 self.used |= self.sources.pop(place).names
         if self.used:
-            self.sources[path] = Source(data, frozenset(self.used))
+            self.sources[path] = Source(as_written(data), frozenset(self.used))
         self.used = outer
         return result
 
@@ -333,6 +358,10 @@ class Reader:
 
     def chosen(self, forms: Mapping[str, type], tag: str, data: Any, path: Place) -> Any:
         """Read a component whose key `tag` selects its class."""
+        if isinstance(data, tuple(forms.values())):
+            return self.finished(data, path)
+        if hasattr(data, "__dataclass_fields__"):
+            return self.wrong_type(data, forms.values(), path)
         listed = ", ".join(forms)
         if not isinstance(data, Mapping):
             remedy = f"write {{{tag}: {next(iter(forms))}}}; {tag}s are {listed}"
