@@ -15,6 +15,8 @@ WORDS = ("choice", "text", "boolean", "end", "file", "formula", "parameter", "co
 LISTS_OF_WORDS = ("names", "ends", "words")
 MAPPINGS = ("component", "variant", "tooth_profile", "pitch", "law", "code", "material", "orders", "points")
 """Kinds of keys with a mapping in a file and another object in a component."""
+NUMBERS = ("law", "quantity", "quantities", "center")
+"""Kinds of keys whose whole numbers become floating-point numbers."""
 LONG = 20
 """Lists with more entries are shortened by `repr`."""
 
@@ -103,8 +105,10 @@ def as_in_file(key: Key, value: Any) -> bool:
     kind = key.kind
     if value is None or isinstance(value, bool):
         return False
-    if isinstance(value, Real):
+    if isinstance(value, float):
         return kind == "law"
+    if isinstance(value, int | Real):
+        return kind in NUMBERS
     if isinstance(value, str):
         return kind not in WORDS
     if isinstance(value, list):
@@ -119,7 +123,7 @@ def as_in_file(key: Key, value: Any) -> bool:
             return any(isinstance(v, Mapping) for v in value.values())
         if kind == "motions":
             return any(_motion(laws) for laws in value.values())
-        return kind not in WORDS and any(isinstance(v, str) for v in value.values())
+        return kind not in WORDS and any(isinstance(v, str | int) for v in value.values())
     return False
 
 

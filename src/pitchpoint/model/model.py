@@ -58,6 +58,10 @@ class Frozen(dict[str, V]):
     __setitem__ = __delitem__ = update = pop = popitem = clear = setdefault = _refuse
     __ior__ = _refuse
 
+    def _ipython_key_completions_(self) -> list[str]:
+        """Names for the completion of `model.gears["`."""
+        return list(self)
+
     def __reduce__(self) -> tuple[type, tuple[dict[str, V]]]:
         return type(self), (dict(self),)
 
@@ -330,6 +334,47 @@ class Model(Contents):
             raise ModelError([Message("scenarios", "is not a sweep", remedy="name a scenario with sweep")])
         meshes = sweep_meshes(self._parts(), chosen.sweep.body)
         return chosen.sweep.mesh or next(iter(meshes))
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any], *, allow_code: bool = False) -> Model:
+        """Create a model from nested mappings, as in a file.
+
+        Parameters
+        ----------
+        data
+            Sections and keys as in a file; components may also be objects.
+        allow_code
+            Accept entries that name Python functions.
+
+        Raises
+        ------
+        ModelError
+            With all problems.
+
+        Examples
+        --------
+        >>> Model.from_dict({"title": "fan", "bodies": {"rotor": {"inertia": "0.2 kg m^2"}}})
+        Model 'fan': 1 body
+        """
+        from pitchpoint.model.build import build_model
+
+        return build_model(data, Reader(allow_code=allow_code))
+
+    def to_yaml(self) -> str:
+        """Text of a model file that reads back to an equal model.
+
+        Texts with units and formulas are as in the file or in the arguments of the model, other quantities
+        have customary units. Comments are not kept.
+        """
+        from pitchpoint.model.write import yaml_text
+
+        return yaml_text(self)
+
+    def __repr__(self) -> str:
+        """Title, number of components of each section, names of the scenarios."""
+        from pitchpoint.model.table import summary
+
+        return summary(self)
 
     def _repr_html_(self) -> str:
         """Tables of gears, meshes and bodies for notebooks."""

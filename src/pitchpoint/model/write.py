@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,7 @@ from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.origin import Source
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
@@ -55,6 +57,7 @@ def plain(model: Model) -> dict[str, Any]:
     base = Path(model.file).parent if model.file else Path()
     writer = _Writer(base)
     writer.sources = model.origin.sources
+    writer.reader = Reader(parameters=model.amounts)
     out: dict[str, Any] = writer.component(model)
     return out
 
@@ -74,6 +77,24 @@ def model_text(model: Model) -> str:
     return json.dumps(plain(model), ensure_ascii=False)
 
 
+def yaml_text(model: Model) -> str:
+    """YAML text of a model that reads back to an equal model.
+
+    Texts and formulas are as in the file, or in the arguments, of the model; other quantities have customary
+    units if the conversion is exact, else SI units.
+    """
+    from io import StringIO
+
+    from ruamel.yaml import YAML
+
+    yaml = YAML(typ="rt", pure=True)
+    yaml.default_flow_style = None
+    yaml.width = 110
+    stream = StringIO()
+    yaml.dump(plain(model), stream)
+    return re.sub(r"([,:]) \n", r"\1\n", stream.getvalue())
+
+
 class _Writer:
     def __init__(self, base: Path) -> None:
         self.base = base
@@ -81,6 +102,8 @@ class _Writer:
         """Component being written."""
         self.sources: Mapping[Place, Source] = {}
         """Values with parameters, as written."""
+        self.reader: Reader | None = None
+        """Reader of the values as written."""
         self.at: Place = ()
         """Path of the component being written."""
 
@@ -98,9 +121,16 @@ class _Writer:
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue
             source = self.sources.get(self.at)
-            out[name] = self.value(key, value) if source is None else source.data
+            known = source is not None and self.still_holds(key, value, source)
+            out[name] = source.data if known and source is not None else self.value(key, value)
         self.at = at
         return out
+
+    def still_holds(self, key: Key, value: Any, source: Source) -> bool:
+        """Whether a value as written is still that of the model, which may have been copied with another."""
+        if self.reader is None or key.kind not in ("quantity", "quantities", "integer"):
+            return True
+        return bool(self.reader.value(key, source.data, self.at) == value)
 
     def value(self, key: Key, value: Any) -> Any:
         """Value of a key, by the kind of the key."""
@@ -114,8 +144,8 @@ class _Writer:
         return quantity_text(value, key.dimension)
 
     def quantities(self, key: Key, value: Any) -> list[Any]:
-        """List of numbers with units."""
-        return [quantity_text(v, key.dimension) for v in value]
+        """List of numbers with units; zeros without."""
+        return [quantity_text(v, key.dimension) if v else v for v in value]
 
     def grid(self, key: Key, value: Any) -> list[list[Any]]:
         """Rows of numbers with units."""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from numbers import Real
 from typing import Any
 
@@ -16,7 +16,7 @@ from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import example, shown
 
 
-def recheck(part: Any, place: Place, report: Reader) -> None:
+def recheck(part: Any, place: Place, report: Reader, except_for: Container[str] = ()) -> None:
     """Report every field of a component that would be invalid in a file.
 
     Parameters
@@ -27,12 +27,14 @@ def recheck(part: Any, place: Place, report: Reader) -> None:
         Its path in the model.
     report
         Collects the problems.
+    except_for
+        Names of keys that need no check.
     """
     defaults = defaults_of(type(part))
     for name, key in keys_of(type(part)).items():
         report.within = vars(part)
         value = getattr(part, name)
-        if value is None and defaults.get(name, ...) is None:
+        if name in except_for or (value is None and defaults.get(name, ...) is None):
             continue
         _value(key, value, (*place, name), report)
 

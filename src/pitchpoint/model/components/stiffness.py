@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
-from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.component import Component
+from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.keys import choice, key, keys_of, positive, quantities, quantity
 
 if TYPE_CHECKING:

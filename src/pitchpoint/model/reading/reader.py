@@ -8,16 +8,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean, nearest
-from pitchpoint.model.component import Unread, as_written, needs_reading
+from pitchpoint.model.component import as_written
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
-from pitchpoint.model.origin import Bare, Source
-from pitchpoint.model.reading import data_files, forms, formulas, laws, mechanism, ranges, signals
+from pitchpoint.model.origin import Bare, Source, is_kept
+from pitchpoint.model.reading import (
+    data_files,
+    forms,
+    formulas,
+    laws,
+    mechanism,
+    names,
+    python_parts,
+    ranges,
+    signals,
+)
 from pitchpoint.model.show import dotted, example, shown
 
 if TYPE_CHECKING:
@@ -119,10 +129,10 @@ class Reader:
         A component of this class is returned with all its values read.
         """
         if isinstance(data, cls):
-            return self.finished(data, path)
+            return python_parts.finished(self, data, path)
         if not isinstance(data, Mapping):
             if hasattr(data, "__dataclass_fields__"):
-                return self.wrong_type(data, (cls,), path)
+                return python_parts.wrong_type(self, data, (cls,), path)
             wanted = ", ".join(keys_of(cls))
             return self.problem(
                 path, "is not a mapping", value=shown(data), remedy=f"possible keys: {wanted}"
@@ -151,23 +161,6 @@ class Reader:
                 usable = False
         return cls(**values) if usable else BAD
 
-    def finished(self, part: Any, path: Place) -> Any:
-        """A component with those of its values read that are still as in a file; BAD with any problem."""
-        found: dict[str, Any] = {}
-        for name, key in keys_of(type(part)).items():
-            value = getattr(part, name)
-            if needs_reading(key, value) or (key.kind == "formula" and formulas.mentions(self, str(value))):
-                self.within = vars(part)
-                found[name] = self.keyed(key, value.data if isinstance(value, Unread) else value, (*path, name))
-        if BAD in found.values():
-            return BAD
-        return replace(part, **found) if found else part
-
-    def wrong_type(self, data: Any, allowed: Iterable[type], path: Place) -> Any:
-        """Report a component of another class."""
-        names = " or ".join(cls.__name__ for cls in allowed)
-        return self.problem(path, "is of the wrong type", value=type(data).__name__, limit=names)
-
     def missing(self, path: Place, name: str, description: Key) -> None:
         """Report a missing required key."""
         self.problem(
@@ -193,16 +186,16 @@ class Reader:
         return _READERS[description.kind](self, description, data, path)
 
     def keyed(self, description: Key, data: Any, path: Place) -> Any:
-        """Read the value of a key and note it as written if it contains parameters."""
-        if not self.parameters:
-            return self.value(description, data, path)
+        """Read the value of a key, and note it as written if it is a text or contains parameters."""
         outer, self.used, known = self.used, set(), len(self.sources)
         result = self.value(description, data, path)
-        if description.kind in WHOLE:
+        if self.parameters and description.kind in WHOLE:
             for place in list(self.sources)[known:]:
                 self.used |= self.sources.pop(place).names
         if self.used:
             self.sources[path] = Source(as_written(data), frozenset(self.used))
+        elif result is not BAD and is_kept(description, data, path):
+            self.sources[path] = Source(data, frozenset())
         self.used = outer
         return result
 
@@ -334,23 +327,7 @@ class Reader:
 
     def good_name(self, name: Any, path: Place, dotted: bool = False) -> bool:
         """Check a name: it must be usable in paths and channels such as `mesh_force[stage]`."""
-        text = str(name)
-        first, dot, rest = text.partition(".")
-        if dotted and dot and first and rest and "." not in rest:
-            return self.good_name(first, path) and self.good_name(rest, path)
-        if (
-            not isinstance(name, bool | float)
-            and text
-            and not set(text) & set(".[]{}\n\t,:/\\\"'")
-            and text.isprintable()
-        ):
-            return True
-        self.problem(
-            (*path, text),
-            "is not a usable name",
-            remedy="use letters, digits, '_' and '-', without dots and brackets",
-        )
-        return False
+        return names.good_name(self, name, path, dotted)
 
     def variant(self, description: Key, data: Any, path: Place) -> Any:
         """Read a component, one key of which selects its class."""
@@ -359,9 +336,9 @@ class Reader:
     def chosen(self, forms: Mapping[str, type], tag: str, data: Any, path: Place) -> Any:
         """Read a component whose key `tag` selects its class."""
         if isinstance(data, tuple(forms.values())):
-            return self.finished(data, path)
+            return python_parts.finished(self, data, path)
         if hasattr(data, "__dataclass_fields__"):
-            return self.wrong_type(data, forms.values(), path)
+            return python_parts.wrong_type(self, data, forms.values(), path)
         listed = ", ".join(forms)
         if not isinstance(data, Mapping):
             remedy = f"write {{{tag}: {next(iter(forms))}}}; {tag}s are {listed}"
