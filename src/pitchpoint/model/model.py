@@ -167,16 +167,8 @@ class Model(Contents):
     def _set_others(self, others: Mapping[str, Mapping[str, Any]]) -> None:
         found = {name: Frozen(part) for name, part in others.items() if part}
         object.__setattr__(self, "others", Frozen(found))
-
-    if not TYPE_CHECKING:  # type checkers report unknown attributes
-
-        def __getattr__(self, name: str) -> Any:
-            """Section of another package; empty if the file has none."""
-            if name in (others := self.__dict__.get("others", {})):
-                return others[name]
-            if sections.is_other(name):
-                return Frozen()
-            raise AttributeError(f"a model has no {name!r}", name=name, obj=self)
+        for name, part in found.items():  # attributes; empty ones are of the class, see `sections.extensible`
+            object.__setattr__(self, name, part)
 
     def _parts(self) -> Parts:
         parts = Parts.of({group: getattr(self, group) for group in sections.groups_of(self)}, self.damping)

@@ -9,6 +9,9 @@ from typing import Any, NamedTuple
 
 from pitchpoint.model.keys import Key, Place
 
+KEPT = ("quantity", "quantities", "integer", "value")
+"""Kinds of keys whose texts are kept as written even without parameters."""
+
 
 class Source(NamedTuple):
     """Value of a key as written, with the names of the parameters in it; the writer uses it again."""
@@ -54,7 +57,7 @@ def is_kept(key: Key, data: Any, path: Place) -> bool:
         return False
     if key.kind == "quantities":
         return isinstance(data, list) and any(isinstance(entry, str) for entry in data)
-    return isinstance(data, str) and key.kind in ("quantity", "integer")
+    return isinstance(data, str) and key.kind in KEPT
 
 
 def drop(sources: dict[Place, Source], place: Place) -> None:

@@ -17,7 +17,7 @@ from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw,
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import TYPE, Key, Place, defaults_of, keys_of
-from pitchpoint.model.origin import Source
+from pitchpoint.model.origin import KEPT, Source
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.stand_ins import own_parts
 
@@ -25,6 +25,10 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.law import Law
     from pitchpoint.model.components.tooth_profile import Points
     from pitchpoint.model.model import Model
+
+
+ONE_LINE = 100
+"""Length of the mappings that are written in one line."""
 
 
 def quantity_text(value: float, dimension: str) -> float | str:
@@ -88,11 +92,28 @@ def yaml_text(model: Model) -> str:
     from ruamel.yaml import YAML
 
     yaml = YAML(typ="rt", pure=True)
-    yaml.default_flow_style = None
+    yaml.default_flow_style = False
     yaml.width = 110
     stream = StringIO()
-    yaml.dump(plain(model), stream)
-    return re.sub(r"([,:]) \n", r"\1\n", stream.getvalue())
+    yaml.dump({name: _styled(value, section=True) for name, value in plain(model).items()}, stream)
+    return re.sub(r" +\n", "\n", stream.getvalue())
+
+
+def _styled(data: Any, section: bool = False) -> Any:
+    """Plain data for the YAML writer: lists of values and short mappings in one line, sections in several."""
+    from ruamel.yaml.comments import CommentedMap, CommentedSeq
+
+    if isinstance(data, dict):
+        mapping = CommentedMap((name, _styled(value)) for name, value in data.items())
+        if not section and len(str(data)) <= ONE_LINE:
+            mapping.fa.set_flow_style()
+        return mapping
+    if isinstance(data, list):
+        sequence = CommentedSeq(map(_styled, data))
+        if len(str(data)) <= ONE_LINE or not any(isinstance(entry, dict | list) for entry in data):
+            sequence.fa.set_flow_style()
+        return sequence
+    return data
 
 
 class _Writer:
@@ -128,7 +149,7 @@ class _Writer:
 
     def still_holds(self, key: Key, value: Any, source: Source) -> bool:
         """Whether a value as written is still that of the model, which may have been copied with another."""
-        if self.reader is None or key.kind not in ("quantity", "quantities", "integer"):
+        if self.reader is None or key.kind not in KEPT:
             return True
         return bool(self.reader.value(key, source.data, self.at) == value)
 
@@ -145,7 +166,7 @@ class _Writer:
 
     def quantities(self, key: Key, value: Any) -> list[Any]:
         """List of numbers with units; zeros without."""
-        return [quantity_text(v, key.dimension) if v else v for v in value]
+        return [0 if str(v) == "0.0" else quantity_text(v, key.dimension) for v in value]
 
     def grid(self, key: Key, value: Any) -> list[list[Any]]:
         """Rows of numbers with units."""

@@ -281,14 +281,17 @@ def test_ipython_completes_sections_and_names() -> None:
     pytest.importorskip("IPython")
     from IPython.core.completer import IPCompleter
 
-    completer = IPCompleter(namespace={"model": made()}, global_namespace={})
+    completer = IPCompleter(namespace={"model": made(), "pp": pp}, global_namespace={})
     completer.use_jedi = False
+    completer.custom_matchers = []
+    completer.disable_matchers = ["IPCompleter.magic_matcher"]  # needs a running shell
 
-    def complete(text: str) -> list[str]:
+    def found(text: str) -> list[str]:
         """Completions at the end of a line."""
-        found = completer.completions(text, len(text))
-        return [one.text for one in found]
+        return list(completer.complete(line_buffer=text, cursor_pos=len(text))[1])
 
-    assert ".gears" in complete("model.gea") or "gears" in complete("model.gea")
-    assert any("pinion" in one for one in complete('model.gears["pi'))
-    assert {"pinion", "wheel"} == set(made().gears._ipython_key_completions_())
+    assert found("model.gea") == [".gears"]
+    assert found('model.gears["') == ["pinion", "wheel"]
+    assert ".normal_module" in found('model.gears["pinion"].norm')
+    assert ".Gear" in found("pp.Ge")
+    assert made().gears._ipython_key_completions_() == ["pinion", "wheel"]
