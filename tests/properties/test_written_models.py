@@ -54,7 +54,7 @@ def models(draw: Any) -> pp.Model:
     )
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=15, deadline=None)
 @given(models())
 def test_a_written_model_reads_back(model: pp.Model) -> None:
     text = model.to_yaml()
@@ -63,7 +63,7 @@ def test_a_written_model_reads_back(model: pp.Model) -> None:
     assert again.to_yaml() == text
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(st.one_of(GEARS, BODIES))
 def test_the_representation_of_a_component_makes_it_again(part: object) -> None:
     assert eval(repr(part), {"Gear": pp.Gear, "Body": pp.Body}) == part
