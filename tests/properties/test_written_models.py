@@ -15,8 +15,10 @@ from pitchpoint.io.yaml_model import loads_model
 
 
 def numbers(low: float, high: float) -> st.SearchStrategy[float]:
-    """Floats whose digits are used up to the last one."""
-    return st.floats(low, high, allow_subnormal=False)
+    """Floats whose digits are used up to the last one; numbers below 1e-60 are refused by models."""
+    if low >= 0.0:
+        return st.floats(max(low, 1e-12), high)
+    return st.one_of(st.just(0.0), st.floats(low, -1e-12), st.floats(min(1e-12, high), high))
 
 
 LETTERS = st.characters(codec="utf-8", exclude_categories=("C", "Z"), include_characters=" ")
@@ -24,12 +26,12 @@ TEXTS = st.text(LETTERS, max_size=200)
 NAMES = st.from_regex(r"[A-Za-zäöü_][A-Za-z0-9_ -]{0,20}[A-Za-z0-9]", fullmatch=True)
 GEARS = st.builds(
     pp.Gear,
-    number_of_teeth=st.integers(17, 200),
+    number_of_teeth=st.integers(25, 200),
     normal_module=numbers(1e-4, 0.1),
     normal_pressure_angle=numbers(math.radians(18.0), math.radians(22.0)),
     profile_shift_coefficient=numbers(0.0, 0.2),
     face_width=numbers(1e-3, 1.0),
-    tip_alteration=numbers(-1e-6, 0.0),
+    tip_alteration=numbers(-1e-6, 1e-6),
 )
 BODIES = st.builds(
     pp.Body,
