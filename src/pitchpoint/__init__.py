@@ -225,6 +225,8 @@ def __getattr__(name: str) -> Any:
         from pitchpoint.viz.notebook import attach
 
         value = getattr(importlib.import_module(f"pitchpoint.{_HOME_OF[name]}"), name)
+        if _HOME_OF[name].startswith("model."):
+            importlib.import_module("pitchpoint.model.model")  # reads and writes the values of components
         attach()  # what this has brought in shows itself in notebooks
     else:
         raise AttributeError(f"module 'pitchpoint' has no attribute {name!r}")

@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from numbers import Real
 from typing import Any
 
-from pitchpoint.model.keys import Key, keys_of
+from pitchpoint.model.keys import BAD, Key, keys_of
 
 WORDS = ("choice", "text", "boolean", "end", "file", "formula", "parameter", "coordinates", "material")
 """Kinds of keys whose texts are the same in a file and in a component."""
@@ -17,6 +17,9 @@ MAPPINGS = ("component", "variant", "tooth_profile", "pitch", "law", "code", "ma
 """Kinds of keys with a mapping in a file and another object in a component."""
 NUMBERS = ("law", "quantity", "quantities", "center")
 """Kinds of keys whose whole numbers become floating-point numbers."""
+HOOKS: dict[str, Callable[..., Any]] = {}
+"""`read` of the reader, `component` and `law` of the writer, which import all components; they are here
+as soon as `Model` is imported."""
 LONG = 20
 """Lists with more entries are shortened by `repr`."""
 
@@ -56,26 +59,16 @@ class Component:
         cls.__repr__ = Component.__repr__  # type: ignore[method-assign]
 
     def __post_init__(self) -> None:
-        reader: Any = None
         for name, key in keys_of(type(self)).items():
             value = self.__dict__[name]
-            if not as_in_file(key, value):
-                continue
-            if reader is None:
-                from pitchpoint.model.reading.reader import Reader
-
-                reader = Reader()
-            reader.within = self.__dict__
-            found = reader.value(key, value, (name,))
-            object.__setattr__(self, name, Unread(value) if reader.problems else found)
-            reader.problems.clear()
+            if as_in_file(key, value):
+                found = HOOKS["read"](key, value, self.__dict__) if "read" in HOOKS else BAD
+                object.__setattr__(self, name, Unread(value) if found is BAD else found)
 
     def __repr__(self) -> str:
         """Keys that differ from their defaults, in the notation of a model file."""
-        from pitchpoint.model.write import plain_component
-
         try:
-            values = plain_component(self)
+            values = HOOKS["component"](self)
         except (ValueError, TypeError, AttributeError, KeyError):  # a component that no model accepts
             values = {name: getattr(self, name) for name in keys_of(type(self))}
         shown = ", ".join(f"{name}={_short(value)}" for name, value in values.items())
@@ -162,7 +155,4 @@ def as_written(data: Any) -> Any:
         return [as_written(value) for value in data]
     if not hasattr(data, "__dataclass_fields__"):
         return data
-    from pitchpoint.model.components.law import LAWS
-    from pitchpoint.model.write import plain_component, plain_law
-
-    return plain_law(data) if isinstance(data, LAWS) else plain_component(data)
+    return HOOKS["component" if isinstance(data, Component) or keys_of(type(data)) else "law"](data)

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model import sections
-from pitchpoint.model.component import needs_reading
+from pitchpoint.model.component import HOOKS, needs_reading
 from pitchpoint.model.keys import BAD, Key, defaults_of, keys_of
 from pitchpoint.model.parameters import SECTION
 from pitchpoint.model.reading.reader import Reader
@@ -50,3 +50,13 @@ def finish(model: Model, report: Reader) -> tuple[dict[str, Any], dict[str, set[
 def _is_no_section(key: Key, value: Any) -> bool:
     """Whether something else than a mapping is given as a section."""
     return key.kind == "components" and not isinstance(value, Mapping)
+
+
+def _read_alone(key: Key, data: Any, within: Mapping[str, Any]) -> Any:
+    """Value of a component without a model; BAD if it cannot be read."""
+    reader = Reader(within=within)
+    found = reader.value(key, data, ())
+    return BAD if reader.problems else found
+
+
+HOOKS["read"] = _read_alone

@@ -36,6 +36,7 @@ from pitchpoint.model.sections import GROUPS, Contents
 from pitchpoint.model.shafts import station_names, stations_of
 from pitchpoint.model.show import dotted
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
+from pitchpoint.model.write import yaml_text
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
@@ -348,9 +349,12 @@ class Model(Contents):
         >>> Model.from_dict({"title": "fan", "bodies": {"rotor": {"inertia": "0.2 kg m^2"}}})
         Model 'fan': 1 body
         """
-        from pitchpoint.model.build import build_model
-
-        return build_model(data, Reader(allow_code=allow_code))
+        if not isinstance(data, Mapping):
+            raise ModelError([Message("model", "is not a mapping of keys", remedy="begin with gears")])
+        given = {str(name): value for name, value in data.items() if value is not None}
+        own = {name: value for name, value in given.items() if name in keys_of(sections.Contents)}
+        others = {name: value for name, value in given.items() if name not in own}
+        return cls(**own, others=others, allow_code=allow_code)
 
     def to_yaml(self) -> str:
         """Text of a model file that reads back to an equal model.
@@ -358,8 +362,6 @@ class Model(Contents):
         Texts with units and formulas are as in the file or in the arguments of the model, other quantities
         have customary units. Comments are not kept.
         """
-        from pitchpoint.model.write import yaml_text
-
         return yaml_text(self)
 
     def __repr__(self) -> str:

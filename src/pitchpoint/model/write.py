@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
-from pitchpoint.model.component import Unread, as_written
+from pitchpoint.model.component import HOOKS, Unread, as_written
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
@@ -346,3 +346,5 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "parameters": _Writer.parameters,
     "terms": _Writer.terms,
 }
+
+HOOKS["component"], HOOKS["law"] = plain_component, plain_law

@@ -5,15 +5,17 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.components.law import AXES, Constant, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.tooth_profile import Points
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
 from pitchpoint.model.reading.mechanism import recheck_motions
-from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.show import example, shown
+
+if TYPE_CHECKING:
+    from pitchpoint.model.reading.reader import Reader
 
 
 def recheck(part: Any, place: Place, report: Reader, except_for: Container[str] = ()) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.model.checks.python_components import recheck
 from pitchpoint.model.component import Unread, needs_reading
 from pitchpoint.model.keys import BAD, Place, keys_of
 from pitchpoint.model.reading import formulas
@@ -17,8 +18,6 @@ if TYPE_CHECKING:
 
 def finished(reader: Reader, part: Any, path: Place) -> Any:
     """A component with its values checked, and those read that are as in a file; BAD with any problem."""
-    from pitchpoint.model.checks.python_components import recheck
-
     found: dict[str, Any] = {}
     for name, key in keys_of(type(part)).items():
         value = getattr(part, name)
