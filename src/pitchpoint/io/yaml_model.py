@@ -54,7 +54,7 @@ def load_model(
     --------
     >>> model = load_model(text="bodies: {rotor: {inertia: 0.2 kg m^2}}")
     >>> model.bodies["rotor"]
-    Body(inertia='0.2 kg m²')
+    Body(inertia='0.2 kg m^2')
     """
     if (path is None) == (text is None):
         given = "both a file and a text are given" if text is not None else "no file is given"
