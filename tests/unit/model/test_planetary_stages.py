@@ -90,8 +90,8 @@ def test_only_the_stage_is_written():
     assert list(written["bodies"]) == ["sun", "ring", "carrier"]
     assert not {"joints", "meshes", "bearings"} & written.keys()
     assert written["planetary_stages"]["set"]["pin_errors"] == {
-        "planet_1": {"tangential": "20 µm"},
-        "planet_3": {"radial": "-10 µm"},
+        "planet_1": {"tangential": "20 um"},
+        "planet_3": {"radial": "-10 um"},
     }
     again = loads_model(model_text(model))
     assert again == model
