@@ -114,7 +114,7 @@ def compute(
             body=options["body"],
             speeds=options["speeds"],
             points=options["points"],
-            orders=None if options["orders"] is None else options["orders"].split(","),
+            orders=options["orders"],
             count=count,
             frequency=options["frequency"],
             operating=options["operating"],
