@@ -372,7 +372,7 @@ def _linear(record: np.void, spinning: bool) -> bool:
 
 def _label(record: np.void) -> str:
     """Label: bearing on ground or in a housing, else coupling."""
-    return "bearing" if record["j"] == 0 or record["housed"] else "coupling"
+    return "coupling" if record["j"] != 0 and not record["housed"] else "bearing"
 
 
 def _arrow(record: np.void) -> str:
