@@ -116,7 +116,7 @@ def compute(
             body=options["body"],
             speeds=options["speeds"],
             points=options["points"],
-            orders=options["orders"],
+            orders=None if options["orders"] is None else options["orders"].split(","),
             count=count,
             frequency=options["frequency"],
             operating=options["operating"],

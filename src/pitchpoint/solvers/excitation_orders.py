@@ -109,7 +109,7 @@ def excitation_orders(
 def _read(chosen: Sequence[str]) -> tuple[list[int], list[int], int, list[float]]:
     """Shaft orders, mesh harmonics, pairs of sidebands, numbers."""
     shafts, meshes, more, bands = [], [], [], 0
-    for word in chosen.split(",") if isinstance(chosen, str) else chosen:
+    for word in chosen:
         found = re.fullmatch(r"(\d*)(x|mesh|sidebands?)", word.strip())
         number = int(found[1] or 1) if found else 0
         try:

@@ -207,8 +207,6 @@ def test_orders_of_a_geared_rotor(geared):
             for g, o in (("rotor", 1.0), ("drive", 1 / 3))
         }
     )
-    text = excitation_orders(geared, found.motions, found.rates, "1x, mesh,2sidebands", {"BPFO a": 3.5})
-    assert {order.name: order.value for order in text} == by_name
     with pytest.raises(SolverError, match="'3q' is not an order"):
         excitation_orders(geared, found.motions, found.rates, ["3q"])
 
