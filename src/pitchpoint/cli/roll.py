@@ -27,6 +27,8 @@ WORDS = (
 SIZES = [
     f"{load}transmission_error_{size}" for load in ("", "unloaded_") for size in ("mean", "peak_to_peak")
 ]
+FORCES = ("Bearings", "Connections")
+"""Groups of main channels that are printed as a second table."""
 ROUND_OFF = 1e-12
 """Lengths below this are shown as zero [m]."""
 
@@ -125,6 +127,17 @@ def show_roll(title: str, summary: dict[str, Any]) -> None:
         words = [f"{name}{part}: {WORDS[0]}", *(f"  {word}" for word in WORDS[1:])]
         rows += [list(row) for row in zip(words, mesh_cells(summary["channels"], name), strict=True)]
     table(title, ["slow roll", "value"], rows)
+
+
+def show_forces(model: Model, channels: Mapping[str, Mapping[str, Any]], name: str) -> None:
+    """Print forces of bearings and torques over a slow roll."""
+    from pitchpoint.cli.results import statistics_table
+    from pitchpoint.report.main_channels import channel_groups
+
+    groups = channel_groups(model, channels, name)
+    chosen = [one for group in groups if group.title in FORCES for one in group.names]
+    if chosen:
+        statistics_table("bearings and loads", {one: channels[one] for one in chosen})
 
 
 def mesh_cells(channels: Mapping[str, Mapping[str, Any]], mesh: str) -> list[str]:

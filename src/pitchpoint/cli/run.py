@@ -141,7 +141,7 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
     """Compute the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.results import result_path, show_planets, unless_it_cannot_begin
-    from pitchpoint.cli.roll import NOT_BEGUN, compute, show_roll
+    from pitchpoint.cli.roll import NOT_BEGUN, compute, show_forces, show_roll
 
     target = result_path(output, file, name)
     summary, error = unless_it_cannot_begin(
@@ -151,6 +151,7 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
         emit_json(summary)
     elif summary["steps"] and not quiet:
         show_roll(f"{model.title or file}: {name}", summary)
+        show_forces(model, summary["channels"], name)
         show_planets(summary["planet_loads"])
         show(f"{summary['steps']} points in {summary['wall_s']:.3g} s, written to {target}")
         show_notes(summary["notes"])

@@ -207,7 +207,7 @@ class _Namer:
         for planets in self.sets:
             kind, share = type_of_mode(planets, twist, wrench, kinetic)
             if kind and share >= MAIN:
-                words = f"{kind} mode of planetary set {planets.name}"
+                words = f"{kind} mode of {planets.name}"
                 return _Named(words, True, multiple=kind != "rotational")
         meshes = [e for e, word in enumerate(self.groups.kinds) if word == MESH]
         if meshes and strain[meshes].sum() >= MAIN:

@@ -51,7 +51,8 @@ class PlanetSet:
     Parameters
     ----------
     name
-        Name of the carrier, else of the sun.
+        Planetary stage of the model file, "planetary stage set"; without one, "planetary set" with the name
+        of the carrier, else of the sun.
     planets
         Bodies with the gears of the planets, in order of the angle.
     angles
@@ -114,8 +115,13 @@ def _set(system: System, groups: Groups, planets: list[int], angles: Array, cent
     carriers = sorted(set.intersection(*near) - {0, *central})
     members = [*(b for b in central if b), *carriers]
     order = np.argsort(angles)
+    around = groups.parts[groups.part[(carriers or members)[0]]]
+    stages = system.model.planetary_stages.items() if system.model is not None else ()
     return PlanetSet(
-        name=groups.parts[groups.part[(carriers or members)[0]]],
+        name=next(
+            (f"planetary stage {stage}" for stage, part in stages if part.carrier == around),
+            f"planetary set {around}",
+        ),
         planets=tuple(planets[k] for k in order),
         angles=tuple(float(angles[k]) for k in order),
         parts=tuple(dict.fromkeys(groups.carried[planets[k]] for k in order)),

@@ -52,6 +52,18 @@ def test_table_for_people(tmp_path: Path, capsys: pytest.CaptureFixture[str]) ->
     assert "41 points in" in out
 
 
+def test_table_of_the_bearings(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Statics of a supported pair: its bearing carries F_bt, and the table contains the bearing."""
+    text = ROLL.replace("[g1], motion: torsion,", "[g1], motion: planar, mass: 3 kg,")
+    text += "bearings:\n  left: {body: driver, stiffness: {radial: 1e9 N/m}}\n"
+    assert run_command(["run", written(tmp_path, text), "-s", "roll", "-o", str(tmp_path / "r.h5")]) == 0
+    out = capsys.readouterr().out
+    line = next(line for line in out.splitlines() if "bearing_force[left.radial]" in line)
+    # T/r_b of 150 N m
+    assert line.split()[1:3] == ["2128.4", "N"]
+    assert "torque[output]" in out
+
+
 def test_interruption_keeps_the_points(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

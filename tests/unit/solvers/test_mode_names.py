@@ -135,3 +135,12 @@ def test_modes_of_an_engine_train_and_of_a_gearbox() -> None:
 
 def test_numbers() -> None:
     assert [ordinal(k) for k in (1, 12, 21, 33)] == ["1st", "12th", "21st", "33rd"]
+
+
+def test_planets_of_a_stage_and_their_bearings_have_the_names_of_the_file() -> None:
+    """Bearings between planets and carrier are bearings, not couplings; the set has the name of the stage."""
+    model = load_model(EXAMPLES / "planetary-set" / "model.yaml")
+    modes = find_modes(compile_model(model.replace("planetary_stages.set.pin_errors", {})))
+    assert "1st rotational mode of planetary stage set" in modes.names
+    assert {"bearing planet_1-bearing", "bearing spline"} < set(modes.groups.components)
+    assert not any(component.startswith("coupling") for component in modes.groups.components)
