@@ -192,13 +192,13 @@ def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
 def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str], given: bool) -> None:
     """Locate all bodies linked to bodies of known position by couplings and meshes.
 
-    `given`: not by meshes without a direction.
+    `given`: only by meshes with a direction.
     """
     queue = deque(placed)
     while queue:
         here = queue.popleft()
         for kind, link in links.get(here, ()):
-            if given and kind == "mesh" and parts.meshes[link].direction is None:
+            if given and (kind != "mesh" or parts.meshes[link].direction is None):
                 continue
             there = _place_next(parts, here, kind, link)
             if there is not None:

@@ -92,7 +92,6 @@ def test_other_couplings_are_allowed(motion: str, place: str, holds: str) -> Non
     [
         ("[0, 0, 300 mm]", "", "meshes.m.gears"),
         ("[95 mm, 0, 0]", "center_distance: 90 mm", "meshes.m.center_distance"),
-        ("[0, 90 mm, 0]", "direction: 0 deg, center_distance: 90 mm", "meshes.m.direction"),
     ],
 )
 def test_places_that_came_by_a_coupling_are_told_at_the_mesh(position: str, mesh: str, where: str) -> None:
