@@ -15,6 +15,7 @@ from pitchpoint.core.errors import PitchpointError
 from pitchpoint.core.progress import Progress
 from pitchpoint.io.sweep_store import QUANTITIES, SHARES
 from pitchpoint.report.campbell import KEPT as CAMPBELL
+from pitchpoint.report.main_channels import drawn_groups
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
 from pitchpoint.viz.quantities import settle_time_of
@@ -222,7 +223,8 @@ def _time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: st
     """Time response with its window of statistics and its mesh frequencies."""
     settle = settle_time_of(attrs)
     meshes = mean_mesh_frequencies(model, data, settle)
-    return TimeRun(data=data, settle_time=settle, note=note, mesh_frequencies=meshes)
+    groups = drawn_groups(model, map(str, data.data_vars), str(attrs.get("scenario", "")))
+    return TimeRun(data=data, settle_time=settle, note=note, mesh_frequencies=meshes, groups=groups)
 
 
 def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:

@@ -25,6 +25,7 @@ from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.spectra import spectrum_section
 from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
+from pitchpoint.viz.report.time import time_section
 from pitchpoint.viz.scene.content import Scene
 
 if TYPE_CHECKING:
@@ -229,6 +230,8 @@ class TimeRun:
         End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
     mesh_frequencies
         Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
+    groups
+        Titles and names of the channels to be drawn, by meaning; default: the main quantities.
     note
         Sentence above the signals (status of an unfinished run).
     """
@@ -239,6 +242,7 @@ class TimeRun:
     highest_order: float | None = None
     note: str = ""
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
+    groups: Sequence[tuple[str, Sequence[str]]] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -311,7 +315,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         campbell_section(results.campbells),
         parts.sweep_section(results.sweeps),
         case_section(results.cases),
-        parts.time_section(results.runs, seen),
+        time_section(results.runs, seen),
         spectrum_section(results.runs, highest, model.shafts),
         extreme_section(results.runs, seen),
         provenance_section(results.sources),
