@@ -16,10 +16,12 @@ GROUPS = {
     "Compile and solve": (
         "compile_model",
         "solve_equilibrium",
+        "planet_loads",
         "solve_quasistatic",
         "solve_modal",
         "solve_campbell",
         "solve_frequency_response",
+        "solve_mesh_response",
         "solve_contact",
         "solve_contacts_on_shafts",
         "design_relief",

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.contact_analysis.solve import solve_contact
     from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
     from pitchpoint.solvers.frequency_response import solve_frequency_response
+    from pitchpoint.solvers.mesh_response import solve_mesh_response
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import planet_loads
 
 __all__ = [
     "BasicRack",
@@ -63,6 +65,7 @@ __all__ = [
     "design_relief",
     "load_model",
     "open_result",
+    "planet_loads",
     "read_measured",
     "reduce_system",
     "run_cases",
@@ -71,6 +74,7 @@ __all__ = [
     "solve_contacts_on_shafts",
     "solve_equilibrium",
     "solve_frequency_response",
+    "solve_mesh_response",
     "solve_modal",
     "solve_quasistatic",
     "solve_time",
@@ -104,6 +108,7 @@ _HOMES = {
     "solvers.contact_analysis.relief.plan": ("ReliefPlan",),
     "solvers.equilibrium.solve": ("solve_equilibrium",),
     "solvers.frequency_response": ("solve_frequency_response",),
+    "solvers.mesh_response": ("solve_mesh_response",),
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),
@@ -111,6 +116,7 @@ _HOMES = {
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
     "system.compile": ("compile_model",),
+    "system.planet_loads": ("planet_loads",),
 }
 _HOME_OF = {name: home for home, names in _HOMES.items() for name in names}
 

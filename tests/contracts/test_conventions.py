@@ -14,6 +14,7 @@ import pytest
 from pitchpoint.analysis.gear_signals import gear_signals
 from pitchpoint.analysis.indicators import signal_indicators, standardised_moment
 from pitchpoint.analysis.noise import with_white_noise
+from pitchpoint.analysis.rattle import rattle
 from pitchpoint.analysis.statistics import contact_statistics, signal_statistics
 from pitchpoint.analysis.synchronous_average import synchronous_average
 from pitchpoint.cli.main import run_command
@@ -1019,10 +1020,19 @@ def test_a_run_ends_at_its_duration_samples_lie_at_multiples(method: str) -> Non
         assert np.diff(times) == pytest.approx(times[1], rel=1e-9)
 
 
+def test_an_impact_begins_after_a_state_without_contact() -> None:
+    """On the back flank, then on the front flank; the change of the flank at the end is none."""
+    state, force = [1, 0, -1, -1, 0, 1, -1], [3.0, 0.0, -4.0, -2.0, 0.0, 5.0, -1.0]
+    found = rattle(np.arange(7.0), state, [1.0, 0.5, -1.5, -1.2, 0.0, 3.0, -1.0], force)
+    assert (found.front_impacts, found.back_impacts) == (1, 1)
+    assert (found.closing_speed_max, found.closing_speed_mean) == (3.0, 2.5)
+    assert (found.impulse_max, found.impulse_mean) == (6.0, 5.5)
+
+
 def test_shares_count_separation_and_the_back_flank_alone() -> None:
     sums = new_statistics(1)
     for state in (1.0, 0.0, 0.0, -1.0, 2.0, 1.0, 1.0, 1.0):
-        accumulate(np.array([state]), sums)
+        accumulate(np.array([state]), sums.sums)
     found = read_statistics(sums)
     assert found.share_zero[0] == pytest.approx(2 / 8)
     assert found.share_negative[0] == pytest.approx(1 / 8)

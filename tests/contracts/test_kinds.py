@@ -49,6 +49,8 @@ OTHERWISE = {
     "solvers/contact_analysis/mesh_path.py": {"torque": "quantity"},
     "solvers/contact_analysis/relief/design.py": {"torque": "quantity"},
     "solvers/contact_analysis/solve.py": {"torque": "quantity"},
+    "solvers/mean_balance.py": {"torque": "dimension"},
+    "solvers/speed_drift.py": {"torque": "dimension"},
     "system/source.py": {"drive": "key of a scenario"},
 }
 
@@ -138,11 +140,13 @@ def imported(path: Path) -> set[str]:
 #: Kinds that solvers write to or make themselves, by file.
 MADE = {
     "solvers/equilibrium/solve.py": {"torque"},  # balances it
+    "solvers/load_cycle.py": {"torque"},  # evaluates its law over the period
     "solvers/model_damping.py": {"damping"},  # fills it in
     # makes them
     "solvers/reduction/condensed_part.py": {"coupling", "linear_hold", "linear_modes", "linear_part"},
     "solvers/initial_state/start.py": {"drive", "ratio"},  # their signals and coordinates
     "solvers/step_choice.py": {"drive", "ratio"},  # their signals and coordinates
+    "sweep/speed.py": {"drive"},  # sets its speed
     "solvers/initial_state/clutches.py": {"friction_clutch", "torque"},  # bends its bristles, balances it
     "solvers/torque_paths.py": {"ratio"},  # its coordinates
     "solvers/gear_trains.py": {"ratio"},  # its coordinates

@@ -96,6 +96,26 @@ class ContactStatistics:
     impacts: tuple[Impact, ...]
 
 
+def time_weights(clock: Array) -> Array:
+    """Duration represented by each sample [s]; the sum is the length of the record.
+
+    Parameters
+    ----------
+    clock
+        Times [s], shape (n,), increasing.
+
+    Examples
+    --------
+    >>> time_weights(np.array([0.0, 1.0, 3.0])).tolist()
+    [0.5, 1.5, 1.0]
+    """
+    weights = np.zeros(clock.size)
+    half = 0.5 * np.diff(clock)
+    weights[:-1] += half
+    weights[1:] += half
+    return weights
+
+
 def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> SignalStatistics:
     """Mean, RMS of the alternating part, minimum and maximum of a signal.
 
@@ -138,7 +158,7 @@ def signal_statistics(values: ArrayLike, time: ArrayLike | None = None) -> Signa
     else:
         clock = as_increasing(time, "time", 2)
         same_length(x, clock, "values, time")
-        weights = _time_weights(clock) / float(clock[-1] - clock[0])
+        weights = time_weights(clock) / float(clock[-1] - clock[0])
     mean = float(weights @ x)
     return SignalStatistics(mean, float(np.sqrt(weights @ (x - mean) ** 2)), float(x.min()), float(x.max()))
 
@@ -199,7 +219,7 @@ def contact_statistics(
     load = None if force is None else as_signal(force, "force")
     if load is not None:
         same_length(clock, load, "time, force")
-    weights = _time_weights(clock)
+    weights = time_weights(clock)
     total = float(clock[-1] - clock[0])
 
     def share(*states: int) -> float:
@@ -217,15 +237,6 @@ def contact_statistics(
         separations=separations,
         impacts=impacts,
     )
-
-
-def _time_weights(clock: Array) -> Array:
-    """Duration represented by each sample [s]; the sum is the length of the record."""
-    weights = np.zeros(clock.size)
-    half = 0.5 * np.diff(clock)
-    weights[:-1] += half
-    weights[1:] += half
-    return weights
 
 
 def _events(

@@ -166,6 +166,18 @@ TOOLS: dict[str, Tool] = {
         ),
         "order_map",
     ),
+    "order_levels": Tool(
+        "order_levels.order_levels",
+        "Levels of the harmonics of one order of a shaft.",
+        ("values", "angle", "time"),
+        (
+            Output("order", "order"),
+            Output("frequency", "order", "Hz"),
+            Output("amplitude", "order", "{u}"),
+            Output("level", "order", "dB"),
+            Output("total", "", "dB"),
+        ),
+    ),
     "signal_indicators": Tool(
         "indicators.signal_indicators",
         "RMS, peak, kurtosis, crest, shape and impulse factor.",

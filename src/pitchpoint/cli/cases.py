@@ -227,20 +227,25 @@ def compute(
 
 
 def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
-    """Channels with statistics in the table, and the size of the sweeps."""
+    """Channels with statistics in the table, meshes with contact numbers, and the size of the sweeps."""
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import FACTOR
+    from pitchpoint.system.planet_loads import WORDS as WORDS_OF_FACTOR
 
     if scenario.sweep is not None:
         both = scenario.sweep.direction == "both"
         directions = ["up", "down"] if both else [scenario.sweep.direction]
         return [], {"directions": directions, "n_points": scenario.sweep.points}
     channels = [(c.name, c.unit, c.long_name) for c in compile_model(model, scenario).layout.channels]
+    channels += [(f"{FACTOR}[{stage}]", "1", WORDS_OF_FACTOR) for stage in model.planetary_stages]
     if scenario.kind == "quasi_static":
         for mesh in model.every_mesh:
             words = "transmission error without load"
             channels.append((f"unloaded_transmission_error[{mesh}]", "m", words))
             channels.append((f"tangent_stiffness[{mesh}]", "N/m", "slope of the mesh force"))
-    return channels, {}
+        return channels, {}
+    state = "contact_state["
+    return channels, {"meshes": [n[len(state) : -1] for n, _, _ in channels if n.startswith(state)]}
 
 
 def notes_of(results: Sequence[CaseResult]) -> list[str]:
@@ -283,6 +288,8 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
         columns += ["mesh"] * several + list(words)
     else:
         columns += [f"{word} {mesh}".rstrip() for mesh in (meshes if several else [""]) for word in words]
+    stages = list(dict.fromkeys(s for r in results for s in stages_of(r)))
+    columns += [f"K_γ {stage}" for stage in stages]
     rows = []
     for result in results[:MAX_ROWS]:
         values = [str(result.values[path]) for path in paths]
@@ -291,9 +298,14 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
             per_mesh[0][0] = f"{how_a_status_ends(result.status)} ({result.status})"
         if rolled:
             named = [[mesh] * several for mesh in meshes]
-            rows += [[*values, *name, *cells] for name, cells in zip(named, per_mesh, strict=True)]
+            factors = [factor_cells(result, stages), *([[""] * len(stages)] * (len(meshes) - 1))]
+            rows += [
+                [*values, *name, *cells, *ends]
+                for name, cells, ends in zip(named, per_mesh, factors, strict=True)
+            ]
         else:
-            rows.append([*values, *(cell for cells in per_mesh for cell in cells)])
+            cells = [cell for cells in per_mesh for cell in cells]
+            rows.append([*values, *cells, *factor_cells(result, stages)])
     notes = [f"{len(results) - MAX_ROWS} more cases are in the file"] if len(results) > MAX_ROWS else []
     table(title, columns, rows, notes, keys=len(paths) + (rolled and several))
     for result in results:
@@ -304,12 +316,27 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
             )
 
 
-WORDS = ("rms of deflection", "maximum force", "contact loss")
+WORDS = ("rms of deflection", "maximum force", "contact loss", "impacts", "closing speed")
+
+
+CONTACT = ("contact_loss_share", "impact_rate", "closing_speed_max")
 
 
 def is_roll(result: CaseResult) -> bool:
     """Whether a case is a slow roll with at least one point."""
     return any(name.startswith("unloaded_transmission_error[") for name in result.channels)
+
+
+def stages_of(result: CaseResult) -> list[str]:
+    """Names of the planetary stages with a mesh load factor in a case."""
+    start = "load_sharing_factor["
+    return [name[len(start) : -1] for name in result.channels if name.startswith(start)]
+
+
+def factor_cells(result: CaseResult, stages: Sequence[str]) -> list[str]:
+    """Mesh load factor of every stage."""
+    rows = [result.channels.get(f"load_sharing_factor[{stage}]") for stage in stages]
+    return [NOTHING if row is None or math.isnan(row["mean"]) else f"{row['mean']:.4f}" for row in rows]
 
 
 def meshes_of(result: CaseResult) -> list[str]:
@@ -320,7 +347,7 @@ def meshes_of(result: CaseResult) -> list[str]:
 
 
 def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
-    """Table cells of one mesh: results of a slow roll, or rms of the deflection, force and contact loss.
+    """Table cells of one mesh: results of a slow roll, or those of `WORDS`, of a sweep the largest.
 
     There are `count` cells, also for a case without numbers.
     """
@@ -331,16 +358,27 @@ def mesh_cells(result: CaseResult, mesh: str, count: int) -> list[str]:
     if result.points:
         rms = max(p["deflection"]["rms"] for p in result.points)
         force = max((greatest(p["mesh_force"]) for p in result.points), key=abs)
-        lost = f"{100.0 * max(p['contact_loss_share'] for p in result.points):.1f} %"
+        contact = [max(p[name] for p in result.points) for name in CONTACT]
     elif f"deflection[{mesh}]" in result.channels:
         rms = result.channels[f"deflection[{mesh}]"]["rms"]
         force = greatest(result.channels[f"mesh_force[{mesh}]"])
-        share = result.channels[f"contact_state[{mesh}]"]["share_zero"]
-        # a case that failed before its window has no samples
-        lost = NOTHING if math.isnan(share) else "yes" if share > 0.0 else "no"
+        contact = [result.channels[f"contact_state[{mesh}]"][name] for name in CONTACT]
     else:
         return [NOTHING] * count
-    return [shown(rms, "length", 4), shown(force, "force", 5), lost]
+    return [shown(rms, "length", 4), shown(force, "force", 5), *contact_cells(*contact)]
+
+
+def contact_cells(loss: float, rate: float, closing: float) -> list[str]:
+    """Cells of the share of contact loss, the impacts per time [1/s] and the closing speed [m/s].
+
+    Examples
+    --------
+    >>> contact_cells(0.123, 25.0, 0.0085), contact_cells(0.0, 0.0, 0.0)
+    (['12.3 %', '25 1/s', '8.5 mm/s'], ['0 %', '0 1/s', '0 mm/s'])
+    """
+    if not math.isfinite(loss):  # a case that failed before its window has no samples
+        return [NOTHING] * 3
+    return [f"{100.0 * loss:.3g} %", f"{rate:.4g} 1/s", f"{1e3 * closing:.4g} mm/s"]
 
 
 def shortest(path: str, paths: Sequence[str]) -> str:

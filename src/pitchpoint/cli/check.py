@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 DETAILED = (
     *("gears", "bevel_gears", "bodies", "shafts", "elastic_bodies", "joints", "rods", "ratios", "meshes"),
-    *("bevel_meshes", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
+    *("bevel_meshes", "planetary_stages", "bearings", "couplings", "loads", "scenarios", *SIGNALS),
 )
 """Sections that are not shown by the names of their components alone."""
 FORCES = tuple(section for section in GROUPS if section not in DETAILED)
@@ -58,6 +58,7 @@ def summary(model: Model) -> dict[str, Any]:
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.masses import masses
+    from pitchpoint.report.planets import stages_of_model
     from pitchpoint.system.rules.elastic_body import elastic_facts
 
     facts = elastic_facts(model) if model.elastic_bodies else {}
@@ -111,6 +112,7 @@ def summary(model: Model) -> dict[str, Any]:
             }
             for name, mesh in model.bevel_meshes.items()
         },
+        "planetary_stages": stages_of_model(model),
         "shafts": _stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
@@ -272,6 +274,10 @@ def _print(model: Model, file: str) -> None:
         table("Stations of shafts", ["station", "position [mm]", "attached"], rows)
     _show_joints(found)
     _show_meshes(found)
+    if found["planetary_stages"]:
+        from pitchpoint.cli.planets import show_stages
+
+        show_stages(found["planetary_stages"])
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")

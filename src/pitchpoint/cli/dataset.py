@@ -222,7 +222,12 @@ class Table:
         self.done = self.failed = 0
         self._of: dict[str, list[int]] = {}
         self._units: dict[str, str] = {}
-        self._paths = dict.fromkeys((*plan.paths, *plan.jitter))
+        from pitchpoint.io.contact_numbers import RATTLE
+        from pitchpoint.sweep.dataset import contact_states
+
+        meshes = [state.removeprefix("contact_state") for state in contact_states(plan)]
+        contacts = [f"{name}{mesh}" for mesh in meshes for name, _, _ in RATTLE]
+        self._paths = dict.fromkeys((*plan.paths, *plan.jitter, *contacts))
         self._labels = list(plan.factors)
         for case, key in cases:
             row = {"case": case.index, "file": "", "status": "waiting", "status_code": "", "sentence": ""}

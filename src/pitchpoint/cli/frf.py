@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     "-i",
     "inputs",
     multiple=True,
-    required=True,
     metavar="NAME",
     help="Excitation: BODY.COORDINATE, BODY.fx ... mz, transmission_error[MESH] or unbalance[BODY].",
 )
@@ -37,11 +36,12 @@ if TYPE_CHECKING:
     multiple=True,
     required=True,
     metavar="NAME",
-    help="Response: BODY.COORDINATE, BODY.ux ... rz, or a channel such as mesh_force[MESH].",
+    help="Response: BODY.COORDINATE, BODY.ux ... rz, or a channel such as mesh_force[MESH]; with "
+    "--mesh-orders also velocity[...] and acceleration[...] of a displacement.",
 )
 @quantity("--from", "frequency", "Lowest frequency; default: 1 % of the highest.")
 @quantity("--to", "frequency", "Highest frequency.")
-@click.option("--points", type=click.IntRange(min=2), default=400, help="Number of frequencies.")
+@click.option("--points", type=click.IntRange(min=2), default=400, help="Number of frequencies or speeds.")
 @click.option("--linear", is_flag=True, help="Linear instead of logarithmic frequency steps.")
 @click.option(
     "--modes",
@@ -54,18 +54,36 @@ if TYPE_CHECKING:
     metavar="BODY",
     help="Body whose speed follows the frequency; the other speeds follow by their ratios.",
 )
+@click.option(
+    "--mesh-orders",
+    type=click.IntRange(min=1, max=16),
+    metavar="N",
+    help="Levels of the response to the loaded transmission error of every mesh, by its first N orders, over "
+    "the speed of a body.",
+)
+@click.option("--speed-of", metavar="BODY", help="Body whose speed is varied with --mesh-orders.")
+@quantity("--from-speed", "angular_speed", "Lowest speed; default: 5 % of the highest.")
+@quantity("--to-speed", "angular_speed", "Highest speed.")
 @state
 @writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
 @output("Result file (netCDF-4/HDF5); default: none.")
 @common
 def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
-    """Compute the frequency response of FILE about its loaded equilibrium."""
+    """Compute the frequency response of FILE about its loaded equilibrium, or levels by mesh order."""
+    from pitchpoint.cli import frf_orders
     from pitchpoint.cli.failure import OK, exit_code_of
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import known_scenario, result_path, unless_it_cannot_begin
     from pitchpoint.io.target import check_target
 
-    if options["to"] is None:
+    by_order = options["mesh_orders"] is not None
+    if by_order:
+        frf_orders.check_options(options)
+    elif any(options[key] is not None for key in ("speed_of", "from_speed", "to_speed")):
+        raise click.UsageError("--speed-of, --from-speed and --to-speed require --mesh-orders")
+    elif not options["inputs"]:
+        raise click.UsageError("--input is required: an excitation, such as 'transmission_error[MESH]'")
+    elif options["to"] is None:
         raise click.UsageError("--to is required: the highest frequency, such as --to '2 kHz'")
     model = read_model(file, allow_code, quiet)
     scenario = options["scenario"]
@@ -73,11 +91,15 @@ def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any)
     target = result_path(options["output"], file, name or "") if options["output"] is not None else None
     if options["picture"] is not None:
         options["picture"] = check_target(options["picture"], "page", [file])
+    chosen = frf_orders.compute if by_order else compute
+    empty: dict[str, Any] = {"orders": [], "outputs": []} if by_order else {"inputs": [], "outputs": []}
     summary, error = unless_it_cannot_begin(
-        lambda: compute(model, file, name, target, options, quiet=quiet), {"inputs": [], "outputs": []}
+        lambda: chosen(model, file, name, target, options, quiet=quiet), empty
     )
     if as_json:
         emit_json(summary)
+    elif error is None and by_order:
+        frf_orders.print_orders(f"{model.title or file}: mesh orders", summary, quiet=quiet)
     elif error is None:
         _print(f"{model.title or file}: frequency response", summary, quiet=quiet)
     return OK if error is None else exit_code_of(error)

@@ -23,6 +23,9 @@ STATISTICS = ("mean", "rms", "min", "max")
 ROUND_OFF = 1e-10
 """Alternating part of a constant channel, relative to its largest value."""
 
+FEWEST_STEPS = 5
+"""Steps in a contact below which a note is printed."""
+
 Computed = tuple[dict[str, Any], BaseException | None]
 """Output of `--json` for a computation, and the error that stopped it, if any."""
 
@@ -180,6 +183,52 @@ def statistics_table(
     if rest:
         notes.append(f"{rest} more channel{'s' if rest > 1 else ''} in the file; --all lists all of them")
     table(title, ["channel", "mean", "alternating rms", "min", "max"], rows, notes)
+
+
+def show_planets(loads: Mapping[str, Mapping[str, Any]]) -> None:
+    """Print mean mesh force and share of every planet, and the mesh load factor of every stage."""
+    for stage, found in loads.items():
+        if found["load_sharing_factor"] is None:
+            continue
+        rows = [
+            [planet, mesh, shown(force, "force", 5), f"{100.0 * share:.2f} %"]
+            for planet, mesh, force, share in zip(
+                found["planets"], found["meshes"], found["mean_force"], found["share"], strict=True
+            )
+        ]
+        title = f"{stage}: mesh load factor K_γ = {found['load_sharing_factor']:.4f}"
+        table(title, ["planet", "mesh", "mean mesh force", "share"], rows)
+
+
+def rattle_table(channels: Mapping[str, Mapping[str, Any]]) -> None:
+    """Print impacts and contact loss of the meshes that lose contact."""
+    rows, notes = [], []
+    for name, row in channels.items():
+        if not row.get("contact_loss_share", 0.0) > 0.0:
+            continue
+        mesh = name.partition("[")[2][:-1]
+        index = row["rattle_index"]
+        rows.append(
+            [
+                mesh,
+                f"{100.0 * row['contact_loss_share']:.3g} %",
+                shown(row["longest_loss"], "time", 3),
+                f"{row['front_impacts']} front, {row['back_impacts']} back",
+                f"{1e3 * row['closing_speed_max']:.4g} mm/s",
+                f"{row['impulse_max']:.4g} N s",
+                f"{index:.3g}" if math.isfinite(index) else "not known",
+            ]
+        )
+        shortest = row["shortest_contact"]
+        if 0.0 < shortest < FEWEST_STEPS * row["resolution"]:
+            step = shown(row["resolution"], "time", 3)
+            notes.append(
+                f"{mesh}: the shortest contact lasts {shown(shortest, 'time', 3)}, and contacts are checked "
+                f"every {step}, so impacts may be missed; use a smaller step"
+            )
+    if rows:
+        head = ["mesh", "contact loss", "longest", "impacts", "closing speed", "impulse", "rattle index"]
+        table("contact loss", head, rows, notes)
 
 
 def statistics_cells(row: Mapping[str, Any]) -> list[str]:

@@ -30,7 +30,14 @@ SIZES = [
 ROUND_OFF = 1e-12
 """Lengths below this are shown as zero [m]."""
 
-NOT_BEGUN: dict[str, Any] = {"steps": 0, "mesh": None, "periods_rolled": [], "meshes": {}, "channels": {}}
+NOT_BEGUN: dict[str, Any] = {
+    "steps": 0,
+    "mesh": None,
+    "periods_rolled": [],
+    "meshes": {},
+    "channels": {},
+    "planet_loads": {},
+}
 """Parts of the summary that are empty if a roll fails before its first point."""
 
 
@@ -44,6 +51,7 @@ def compute(
     from pitchpoint.core.status import OK
     from pitchpoint.solvers.quasistatic.roll import roll_through, statistics, tables
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import loads_in
 
     begun = time.perf_counter()
     chosen = model.scenarios[name]
@@ -65,6 +73,7 @@ def compute(
         "periods_rolled": roll.position,
         "meshes": {name: numbers(name, roll, found) for name in roll.meshes},
         "channels": channels,
+        "planet_loads": loads_in(model, channels),
     }
     return summary, None if roll.status == OK else SolverError(roll.sentence, roll.status, str(target))
 

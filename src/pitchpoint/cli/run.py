@@ -76,8 +76,10 @@ def run(
     from pitchpoint.cli.reading import read_model
     from pitchpoint.cli.results import (
         choose_scenario,
+        rattle_table,
         refuse_without_effect,
         result_path,
+        show_planets,
         statistics_table,
         unless_it_cannot_begin,
     )
@@ -124,9 +126,11 @@ def run(
             chosen = None if how["everything"] else main_channels(model, rows, name)
             window = f", {window_words(*summary['window'])}" if summary["window"] else ""
             statistics_table(f"{title}{window}", rows, chosen)
+            rattle_table(rows)
         else:
             show(f"{title}: {no_statistics(model.scenarios[name], summary['t_end'])}")
         size = f" of {shown(summary['step'], 'time', 4)}" if summary["step"] else ""
+        show_planets(summary["planet_loads"])
         show(f"{summary['steps']} steps{size} in {summary['wall_s']:.3g} s, written to {target}")
         show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
@@ -135,7 +139,7 @@ def run(
 def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bool, quiet: bool) -> int:
     """Compute the slow roll of a scenario."""
     from pitchpoint.cli.failure import OK, exit_code_of
-    from pitchpoint.cli.results import result_path, unless_it_cannot_begin
+    from pitchpoint.cli.results import result_path, show_planets, unless_it_cannot_begin
     from pitchpoint.cli.roll import NOT_BEGUN, compute, show_roll
 
     target = result_path(output, file, name)
@@ -146,6 +150,7 @@ def _roll(model: Model, file: str, name: str, output: str | None, *, as_json: bo
         emit_json(summary)
     elif summary["steps"] and not quiet:
         show_roll(f"{model.title or file}: {name}", summary)
+        show_planets(summary["planet_loads"])
         show(f"{summary['steps']} points in {summary['wall_s']:.3g} s, written to {target}")
         show_notes(summary["notes"])
     return OK if error is None else exit_code_of(error)
@@ -174,6 +179,7 @@ def compute(
     from pitchpoint.solvers.time import loop_of, run_time
     from pitchpoint.system.channel_choice import chosen_channels
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import loads_in
 
     chosen = model.scenarios[name]
     expect(loop_of(chosen.method))
@@ -218,6 +224,7 @@ def compute(
         "notes": notes,
         "events": len(done.events),
         "channels": statistics,
+        "planet_loads": loads_in(model, statistics),
         **({"contact_solver": done.contact_solver} if done.contact_solver else {}),
         **inner,
     }

@@ -138,6 +138,7 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
         return shown(frequency / per_speed, "angular_speed", 5)
 
     points = summary["points"]
+    rattles = any(p["impact_rate"] > 0.0 for p in points)
     rows = []
     for direction in dict.fromkeys(p["direction"] for p in points):
         here = [p for p in points if p["direction"] == direction]
@@ -153,9 +154,11 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
                 place(top["mesh_frequency"]),
                 shown(max((greatest(p["mesh_force"]) for p in here), key=abs), "force", 5),
                 f"{100.0 * lost['contact_loss_share']:.1f} %",
+                *([f"{1e3 * max(p['closing_speed_max'] for p in here):.4g} mm/s"] if rattles else []),
                 ", ".join(place(f) for f in jumps) or "none",
             ]
         )
     first = "mesh frequency" if sweep is None or per_speed is None else f"speed of {sweep.body}"
     columns = [first, "points", "maximum rms of deflection", "at", "maximum mesh force"]
-    table(f"{title}, mesh {summary['mesh']}", [*columns, "maximum contact loss", "jumps at"], rows)
+    columns += ["maximum contact loss", *["maximum closing speed"] * rattles, "jumps at"]
+    table(f"{title}, mesh {summary['mesh']}", columns, rows)

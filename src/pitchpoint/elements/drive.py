@@ -3,6 +3,9 @@
 
 g = q - theta(t), with the time derivatives that explicit methods need; q is usually the spin of a body with
 its whole turns. The observation is the torque or force of the drive on the coordinate.
+
+A ripple is added to the prescribed angle phi(t): theta = phi + sum a_k sin(k phi + beta_k), with orders k of
+the angle. Whole revolutions take the time of phi, so the mean speed is that without ripple.
 """
 
 from __future__ import annotations
@@ -10,6 +13,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pitchpoint.core.formula.kernel import evaluate_slope
 from pitchpoint.core.kernel import invoke, kernel, view
@@ -42,6 +46,8 @@ RECORD = np.dtype(
         ("start", "i8"),
         ("n", "i8"),  # pieces or programme words
         ("degree", "i8"),  # SPEED_PIECES: degree of the polynomials
+        ("ripple", "i8"),  # offset in the pool of order, amplitude [rad] and phase [rad] by wave
+        ("waves", "i8"),  # number of waves of the ripple
         ("out", "i8"),
     ],
     align=True,
@@ -70,9 +76,34 @@ def set_angle_formula(record: np.void, pool: Pool, formula: object) -> None:
     pool.add(room)
 
 
+def set_ripple(record: np.void, pool: Pool, waves: ArrayLike) -> None:
+    """Superimpose waves on the prescribed angle: order, amplitude [rad] and phase [rad], shape (n, 3)."""
+    rows = np.asarray(waves, float).reshape(-1, 3)
+    record["ripple"], record["waves"] = pool.add(rows), len(rows)
+
+
 @kernel
 def target(b, t):
-    """Prescribed angle and its first two time derivatives."""
+    """Prescribed angle with its ripple, and its first two time derivatives."""
+    phi, rate, second = _mean(b, t)
+    if b["waves"] == 0:
+        return phi, rate, second
+    waves = view(b["pool"] + 8 * b["ripple"], (b["waves"], 3), F8)
+    angle = phi
+    slope = 1.0
+    bend = 0.0
+    for k in range(b["waves"]):
+        order = waves[k, 0]
+        s = waves[k, 1] * math.sin(order * phi + waves[k, 2])
+        angle += s
+        slope += order * waves[k, 1] * math.cos(order * phi + waves[k, 2])
+        bend -= order * order * s
+    return angle, slope * rate, slope * second + bend * rate * rate
+
+
+@kernel
+def _mean(b, t):
+    """Prescribed angle without ripple, and its first two time derivatives."""
     n = b["n"]
     where = b["pool"] + 8 * b["start"]
     if b["form"] == SPEED_PIECES:

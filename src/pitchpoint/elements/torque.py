@@ -10,11 +10,12 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from pitchpoint.core.kernel import kernel, view
+from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import NOT_FINITE, OK
 from pitchpoint.elements.kind import FRAME, FREE, TORQUE, Kind, Power
-from pitchpoint.elements.signal import CONSTANT, SIGNAL, law_call, signal
+from pitchpoint.elements.signal import CONSTANT, F8, SIGNAL, law_call, signal
 from pitchpoint.elements.torsion import (
     add_torque,
     common_axis,
@@ -65,6 +66,32 @@ def entry(ctl, rec, n):
     """Entry point of the kind."""
     c, fr, kk = frame_args(ctl)
     return torque(view(rec, n, RECORD), c, fr, kk)
+
+
+@kernel
+def values_entry(out, rec, n):
+    """Values of one load at n times, angles and speeds; the first item of each row of `out` is replaced."""
+    rows = view(out, (n, 3), F8)
+    b = view(rec, 1, RECORD)[0]
+    for e in range(n):
+        rows[e, 0] = signal(b, rows[e, 0], rows[e, 1], 0, rows[e, 2], 0)[0]
+    return OK
+
+
+def values_of(record: np.void, t: ArrayLike, angle: ArrayLike, speed: ArrayLike) -> NDArray[np.float64]:
+    """Torque of a load [N m] at times [s], angles [rad] and speeds [rad/s] of equal shape (n,), for Python.
+
+    Parameters
+    ----------
+    record
+        Record of the load, from a system whose addresses are filled in.
+    t, angle, speed
+        Arguments of its law; the angle includes whole turns.
+    """
+    rows = np.ascontiguousarray(np.stack(np.broadcast_arrays(t, angle, speed), axis=-1), float)
+    rec = np.array([record], RECORD)
+    invoke(values_entry, rows.ctypes.data, rec.ctypes.data, len(rows))
+    return np.array(rows[:, 0])
 
 
 KIND = Kind(

@@ -7,13 +7,15 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
-from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
 
 LETTERS = 500
 """Maximum size of the sentence of a case [bytes]."""
+_CONTACT_NAMES = {name for name, _, _ in RATTLE}
 
 
 class CaseWriter(TableWriter):
@@ -27,6 +29,8 @@ class CaseWriter(TableWriter):
         Values of every varied path as texts, one per case.
     channels
         Name, SI unit and description of the channels with stored statistics.
+    meshes
+        Meshes of a time response, with stored contact numbers.
     directions, n_points
         Of speed sweeps: their directions and the number of speeds; no points for other scenarios.
     """
@@ -38,11 +42,13 @@ class CaseWriter(TableWriter):
         values: Mapping[str, Sequence[str]],
         channels: Sequence[tuple[str, str, str]],
         *,
+        meshes: Sequence[str] = (),
         directions: Sequence[str] = (),
         n_points: int = 0,
     ) -> None:
         count = max((len(v) for v in values.values()), default=0)
         self._channels = {name for name, _, _ in channels}
+        self._meshes = list(meshes)
         self._directions = list(directions)
         axes = [Axis("case", list(range(count)), "", "number of the case"), Axis("statistic", STATISTICS)]
         axes.append(Axis("letter", LETTERS))
@@ -50,6 +56,7 @@ class CaseWriter(TableWriter):
             *(Quantity(f"given[{p}]", ("case",), "", f"{p} as given", dtype="text") for p in values),
             *(Quantity(f"value[{p}]", ("case",), "", f"{p} in SI units") for p in values),
             *(Quantity(name, ("case", "statistic"), unit, words) for name, unit, words in channels),
+            *(Quantity(f"{n}[{m}]", ("case",), unit, words) for m in meshes for n, unit, words in RATTLE),
             Quantity("case_status", ("case",), "1", "status of the case; 1 is success", dtype="i4"),
             Quantity("case_sentence", ("case", "letter"), "", "status of the case in words", dtype="S1"),
             Quantity("wall_s", ("case",), "s", "wall time of the case"),
@@ -61,7 +68,7 @@ class CaseWriter(TableWriter):
                 Quantity("speed", at, "rad/s", "speed of the swept body"),
                 Quantity("mesh_frequency", at, "Hz", "mesh frequency"),
                 *(Quantity(name, (*at, "statistic"), unit, words) for name, unit, words in QUANTITIES),
-                *(Quantity(name, at, "1", words) for name, words in SHARES),
+                *(Quantity(name, at, unit, words) for name, unit, words in CONTACTS),
             ]
         texts = {f"given[{p}]": list(v) for p, v in values.items()}
         super().__init__(path, header, axes, quantities, texts=texts)
@@ -74,12 +81,17 @@ class CaseWriter(TableWriter):
         for name, row in result.channels.items():
             if name in self._channels:
                 self.fill(name, k, [row[s] for s in STATISTICS])
+        for mesh in self._meshes:
+            state = result.channels.get(f"contact_state[{mesh}]", {})
+            for name, _, _ in RATTLE:
+                if name in state:
+                    self.fill(f"{name}[{mesh}]", k, state[name])
         for d, direction in enumerate(self._directions):
             here = sorted(
                 (p for p in result.points if p["direction"] == direction), key=lambda p: p["mesh_frequency"]
             )
             for i, point in enumerate(here):
-                for name in ("speed", "mesh_frequency", *(share for share, _ in SHARES)):
+                for name in ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS)):
                     self.fill(name, (k, d, i), point[name])
                 for name, _, _ in QUANTITIES:
                     self.fill(name, (k, d, i), [point[name][s] for s in STATISTICS])
@@ -109,14 +121,22 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
         for n, v in file.items()
         if v.ndim == 2 and v.shape[1] == len(STATISTICS)
     }
+    contacts = {n: v[...] for n, v in file.items() if v.ndim == 1 and n.partition("[")[0] in _CONTACT_NAMES}
     swept = "mesh_frequency" in file
     directions = _texts(file["direction"][...]) if swept else []
-    names = ("speed", "mesh_frequency", *(n for n, _ in SHARES), *(n for n, _, _ in QUANTITIES))
-    points = {n: file[n][...] for n in names} if swept else {}
+    names = ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS), *(n for n, _, _ in QUANTITIES))
+    points = {n: file[n][...] for n in names if n in file} if swept else {}
     found = []
     for k, code in enumerate(status):
         if code < 0:
             continue
+        channels = {
+            n: {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, v[k], strict=True)}
+            for n, (v, unit) in tables.items()
+        }
+        for n, v in contacts.items():
+            name, _, mesh = n.partition("[")
+            channels[f"contact_state[{mesh}"][name] = float(v[k])
         found.append(
             {
                 "case": k,
@@ -124,10 +144,7 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
                 "numbers": {p: float(v[k]) for p, v in numbers.items()},
                 "status": int(code),
                 "sentence": sentences[k],
-                "channels": {
-                    n: {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, v[k], strict=True)}
-                    for n, (v, unit) in tables.items()
-                },
+                "channels": channels,
                 "points": _points(points, directions, k),
             }
         )
@@ -144,8 +161,9 @@ def _points(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> 
             if not frequencies[i] > 0.0:
                 continue
             point: dict[str, Any] = {"direction": direction}
-            for name in ("speed", "mesh_frequency", *(n for n, _ in SHARES)):
-                point[name] = float(tables[name][case, d, i])
+            for name in ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS)):
+                if name in tables:  # files of earlier versions have fewer
+                    point[name] = float(tables[name][case, d, i])
             for name, unit, _ in QUANTITIES:
                 values = tables[name][case, d, i]
                 point[name] = {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, values, strict=True)}

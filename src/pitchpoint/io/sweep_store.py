@@ -7,6 +7,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
@@ -17,10 +18,8 @@ QUANTITIES = (
     ("deflection", "m", "deflection u_bt - e along the base tangent"),
     ("mesh_force", "N", "mesh force along the base tangent"),
 )
-SHARES = (
-    ("contact_loss_share", "share of the time without contact"),
-    ("back_contact_share", "share of the time with contact on the back flank"),
-)
+CONTACTS = RATTLE[:5]
+"""Contact numbers of each point of a sweep."""
 
 
 class SweepWriter(TableWriter):
@@ -31,7 +30,7 @@ class SweepWriter(TableWriter):
     path, header
         File and provenance; the kind of the header is `sweep`.
     mesh
-        Swept mesh: its contact shares are stored, and its statistics in any case.
+        Swept mesh: its contact numbers are stored, and its statistics in any case.
     directions
         `up`, `down` or both, in the order of computation.
     speeds, mesh_frequencies
@@ -65,7 +64,7 @@ class SweepWriter(TableWriter):
             Quantity("speed", ("mesh_frequency",), "rad/s", "speed of the swept body", "omega"),
             *(Quantity(f"{n}[{mesh}]", (*point, "statistic"), unit, words) for n, unit, words in QUANTITIES),
             *(Quantity(name, (*point, "statistic"), unit, words) for name, unit, words in others),
-            *(Quantity(f"{n}[{mesh}]", point, "1", words) for n, words in SHARES),
+            *(Quantity(f"{n}[{mesh}]", point, unit, words) for n, unit, words in CONTACTS),
             Quantity("point_status", point, "1", "status of the computation of the point", dtype="i4"),
         ]
         jumps = [("jump_direction", "", "i4"), ("jump_mesh_frequency", "Hz", "f8")]
@@ -83,7 +82,7 @@ class SweepWriter(TableWriter):
         for name in self._others:
             if name in known:
                 self.fill(name, at, [known[name][key] for key in STATISTICS])
-        for name, _ in SHARES:
+        for name, _, _ in CONTACTS:
             if name in values:
                 self.fill(f"{name}[{self.mesh}]", at, values[name])
         self.complete("point_status", at, status)
@@ -111,13 +110,14 @@ def read_sweep(path: str | os.PathLike[str]) -> dict[str, Any]:
 
 def _plain(file: Mapping[str, Any]) -> dict[str, Any]:
     """Plain data of the variables of a sweep."""
-    first = f"{SHARES[0][0]}["  # only the swept mesh has shares
+    first = f"{CONTACTS[0][0]}["  # only the swept mesh has them
     mesh = next(name for name in file if name.startswith(first))[len(first) : -1]
     directions = [d.decode() if isinstance(d, bytes) else d for d in file["direction"][...]]
     frequencies, speeds = file["mesh_frequency"][...], file["speed"][...]
     status = file["point_status"][...]  # before the values: a running sweep writes them in the opposite order
     tables = {name: file[f"{name}[{mesh}]"][...] for name, _, _ in QUANTITIES}
-    shares = {name: file[f"{name}[{mesh}]"][...] for name, _ in SHARES}
+    # files of earlier versions have the shares only
+    contacts = {name: file[key][...] for name, _, _ in CONTACTS if (key := f"{name}[{mesh}]") in file}
     n = file["jump"].shape[0]
     where, jump_at = file["jump_direction"][:n], file["jump_mesh_frequency"][:n]
     points = []
@@ -134,7 +134,7 @@ def _plain(file: Mapping[str, Any]) -> dict[str, Any]:
             for name, unit, _ in QUANTITIES:
                 values = tables[name][k, i]
                 point[name] = {"unit": unit} | {s: float(v) for s, v in zip(STATISTICS, values, strict=True)}
-            point |= {name: float(share[k, i]) for name, share in shares.items()}
+            point |= {name: float(table[k, i]) for name, table in contacts.items()}
             point["status"] = int(status[k, i])
             points.append(point)
     jumps = [

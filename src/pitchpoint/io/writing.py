@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Self
 from pitchpoint.core import status as st
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.nomenclature import symbol
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.container import FAILED, FINISHED, INTERRUPTED, Container, Header, ResultError
 
 if TYPE_CHECKING:
@@ -227,6 +228,9 @@ class ResultWriter(Closing):
         ]
         for series in self._series:
             series.attrs["statistics"] = [math.nan] * len(RUN_STATISTICS)
+        for channel, series in zip(self.channels, self._series, strict=True):
+            if channel.name.startswith("contact_state["):
+                series.attrs.update({name: math.nan for name, _, _ in RATTLE})
         statistic = container.dimension("statistic", STATISTICS, group=BLOCK_GROUP)
         start = {"units": "s", "long_name": "time of the first sample of the block", "symbol": "t"}
         self._block_time = container.dimension(
@@ -354,7 +358,8 @@ class ResultWriter(Closing):
     ) -> None:
         """Write remaining samples, status and notes; a second call has no effect.
 
-        `statistics` by channel are those of all steps of the run; default: those of the samples.
+        `statistics` by channel are those of all steps of the run; default: those of the samples. Contact
+        states have the contact numbers of their mesh, too.
         """
         if not self._container.is_open:
             return
@@ -364,6 +369,9 @@ class ResultWriter(Closing):
             for channel, series in zip(self.channels, self._series, strict=True):
                 numbers = [known[channel.name][key] for key in RUN_STATISTICS]
                 series.attrs.modify("statistics", [math.nan if n is None else n for n in numbers])
+                for name, _, _ in RATTLE:
+                    if name in known[channel.name]:
+                        series.attrs.modify(name, float(known[channel.name][name]))
         elapsed = time.perf_counter() - self._begun if wall_s is None else wall_s
         self._container.finish(
             status,

@@ -15,18 +15,16 @@ from dataclasses import replace
 import numpy as np
 
 from pitchpoint.core.errors import GeometryError
-from pitchpoint.core.units import format_quantity
 from pitchpoint.model.checks.gear_pairs import check_gear, check_pair
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.gear_axes import ends_of, mesh_frame, orient, settle_twists
+from pitchpoint.model.lines_of_centres import by_couplings, line_up
 from pitchpoint.model.mechanism import hang, place_joined
 from pitchpoint.model.parts import Parts
+from pitchpoint.model.planetary_stages import orient_pins, place_planets
 from pitchpoint.model.reading.reader import Reader
-
-PLACE_TOLERANCE = 1e-6
-"""Relative tolerance for positions that are given twice."""
 
 
 def resolve(parts: Parts, report: Reader) -> None:
@@ -35,6 +33,7 @@ def resolve(parts: Parts, report: Reader) -> None:
     _profile_shifts(parts, report)
     _pairs(parts, report)
     orient(parts)
+    orient_pins(parts)
     settle_twists(parts, report)
     _places(parts, report)
     _widths(parts, report)
@@ -166,7 +165,7 @@ def _places(parts: Parts, report: Reader) -> None:
     if first is not None:
         parts.bodies[first] = replace(parts.bodies[first], origin=(0.0, 0.0, 0.0))
         _spread_all(parts, links)
-    _directions(parts, report)
+    line_up(parts, report)
     if not all_linked_known(parts, report):
         return
     for name, body in parts.bodies.items():
@@ -180,20 +179,27 @@ def _places(parts: Parts, report: Reader) -> None:
 
 def _spread_all(parts: Parts, links: dict[str, list[tuple[str, str]]]) -> None:
     """Locate all bodies that follow from bodies of known position, by joints, meshes and couplings in
-    turn."""
-    before = -1
-    while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
-        before = len(placed)
-        place_joined(parts)
-        _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None])
+    turn; meshes with a direction are first, those without one are at 0 deg."""
+    for given in (True, False):
+        before = -1
+        while len(placed := [n for n, b in parts.bodies.items() if b.origin is not None]) > before:
+            before = len(placed)
+            place_planets(parts)
+            place_joined(parts)
+            _spread(parts, links, [n for n, b in parts.bodies.items() if b.origin is not None], given)
 
 
-def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str]) -> None:
-    """Locate all bodies linked to bodies of known position by meshes and couplings."""
+def _spread(parts: Parts, links: dict[str, list[tuple[str, str]]], placed: list[str], given: bool) -> None:
+    """Locate all bodies linked to bodies of known position by couplings and meshes.
+
+    `given`: only by meshes with a direction.
+    """
     queue = deque(placed)
     while queue:
         here = queue.popleft()
         for kind, link in links.get(here, ()):
+            if given and (kind != "mesh" or parts.meshes[link].direction is None):
+                continue
             there = _place_next(parts, here, kind, link)
             if there is not None:
                 queue.append(there)
@@ -219,7 +225,7 @@ def _links(parts: Parts, report: Reader) -> dict[str, list[tuple[str, str]]]:
                 links.setdefault(end, []).append((kind, link))
 
     for name, mesh in parts.meshes.items():
-        if mesh.a_w is not None and ("meshes", name, "gears") not in report.tainted:
+        if mesh.a_w is not None and mesh.stage is None and ("meshes", name, "gears") not in report.tainted:
             add("mesh", name, [parts.body_of(g) for g in mesh.gears])
     for name, coupling in parts.couplings.items():
         add("coupling", name, coupling.bodies)
@@ -255,60 +261,6 @@ def _place_next(parts: Parts, here: str, kind: str, link: str) -> str | None:
     return there
 
 
-def _by_couplings(parts: Parts, mesh: Mesh) -> str:
-    """Text on the couplings that determine the positions of the bodies of a mesh."""
-    found = []
-    for gear in mesh.gears:
-        name = parts.body_of(gear)
-        while name is not None and name in parts.placed:
-            kind, link, before = parts.placed[name]
-            if kind == "coupling":
-                found.append(f"couplings.{link} locates {name} at {before}")
-            name = before
-    return f" ({', '.join(dict.fromkeys(found))})" if found else ""
-
-
-def _directions(parts: Parts, report: Reader) -> None:
-    """Compute the angle of every line of centres and check positions that are given twice."""
-    for name, mesh in parts.meshes.items():
-        if ("meshes", name, "gears") in report.tainted:
-            continue
-        theta = mesh.direction or 0.0
-        bodies = [parts.body_of(g) for g in mesh.gears]
-        ends = [parts.bodies[b].origin for b in bodies if b is not None]
-        if (
-            len(ends) == 2
-            and ends[0] is not None
-            and ends[1] is not None
-            and mesh.a_w
-            and bodies[0] != bodies[1]
-        ):
-            dx, dy, _ = mesh_frame(parts, bodies[0]).T @ np.subtract(ends[1], ends[0])
-            distance, angle = math.hypot(dx, dy), math.atan2(dy, dx)
-            a = abs(mesh.a_w)
-            if abs(distance - a) > PLACE_TOLERANCE * a:
-                error = format_quantity(abs(distance - a), "length", 3)
-                report.problem(
-                    ("meshes", name, "center_distance"),
-                    f"differs by {error} from the distance between the positions of its bodies, "
-                    f"{distance * 1e3:.9g} mm",
-                    value=f"{a * 1e3:.9g} mm",
-                    remedy="correct center_distance or the positions, or remove the positions"
-                    + _by_couplings(parts, mesh),
-                )
-            elif (
-                mesh.direction is not None and abs(math.remainder(angle - theta, math.tau)) > PLACE_TOLERANCE
-            ):
-                report.problem(
-                    ("meshes", name, "direction"),
-                    f"does not fit the positions of its bodies, which give {math.degrees(angle):.9g} deg",
-                    value=f"{math.degrees(theta):.9g} deg",
-                    remedy="remove direction or the positions" + _by_couplings(parts, mesh),
-                )
-            theta = angle if mesh.direction is None else theta
-        parts.meshes[name] = replace(mesh, theta=theta)
-
-
 def _widths(parts: Parts, report: Reader) -> None:
     """Compute the common face width of every mesh and the axial position of its middle on both gears."""
     for name, mesh in parts.meshes.items():
@@ -327,7 +279,7 @@ def _widths(parts: Parts, report: Reader) -> None:
                 f"do not overlap axially; the gap between their faces is {1e3 * (low - high):.6g} mm",
                 value=" and ".join(mesh.gears),
                 remedy="correct the axial offsets of the gears or the positions of the bodies"
-                + _by_couplings(parts, mesh),
+                + by_couplings(parts, mesh),
             )
             continue
         at = 0.5 * (low + high)

@@ -15,6 +15,7 @@ import numpy as np
 
 from pitchpoint.model.frames import Array, Machine, body_frame
 from pitchpoint.model.keys import Place
+from pitchpoint.model.planetary_stages import axis_bodies
 from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
@@ -35,6 +36,12 @@ def orient(parts: Parts) -> None:
         if one is not None and two is not None:
             mates.setdefault(one, []).append(two)
             mates.setdefault(two, []).append(one)
+    for stage in parts.planetary_stages.values():
+        for central in axis_bodies(parts, stage):
+            for planet in stage.names:
+                if {central, planet} <= parts.bodies.keys():
+                    mates.setdefault(central, []).append(planet)
+                    mates.setdefault(planet, []).append(central)
     queue = deque(n for n, b in parts.bodies.items() if b.axes is not None)
     while queue:
         here = queue.popleft()

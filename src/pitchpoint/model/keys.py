@@ -128,6 +128,15 @@ def component(of: Any, meaning: str, default: Any = None, **more: Any) -> Any:
     return key("component", meaning, default, of=of, **more)
 
 
+def same_key(cls: type, name: str) -> Any:
+    """Field with the key and the default of a field of another component."""
+    found = next(f for f in dataclasses.fields(cls) if f.name == name)
+    default: Any = {"default": found.default}
+    if found.default_factory is not dataclasses.MISSING:
+        default = {"default_factory": found.default_factory}
+    return dataclasses.field(**default, metadata=found.metadata)
+
+
 def derived(default: Any = None) -> Any:
     """Field computed by the model; it is not read, written or compared."""
     return dataclasses.field(default=default, compare=False, repr=False, kw_only=True)

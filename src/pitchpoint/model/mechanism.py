@@ -226,7 +226,7 @@ def place_joined(parts: Parts) -> None:
     Each pass covers the joints in the order of the file; later passes only the joints of bodies that were
     located in the pass before.
     """
-    joints = [j for j in parts.joints.values() if _usable(parts, j)]
+    joints = [j for j in parts.joints.values() if j.stage is None and _usable(parts, j)]
     touching: dict[str, list[int]] = {}
     for k, joint in enumerate(joints):
         for end in joint.bodies:

@@ -32,9 +32,10 @@ from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.replace import changed_parts
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.sections import GROUPS, Contents
-from pitchpoint.model.shafts import own_bodies, station_names, stations_of
+from pitchpoint.model.shafts import station_names, stations_of
 from pitchpoint.model.show import dotted
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
@@ -90,9 +91,8 @@ class Model(Contents):
     """Kinematic tree of the bodies and the cut joints."""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "bodies", own_bodies(self.bodies))
         for group in GROUPS:
-            object.__setattr__(self, group, Frozen(getattr(self, group)))
+            object.__setattr__(self, group, Frozen(own_parts(getattr(self, group))))
         self._set_others(self.others)
         report = Reader()
         for name in self.others:

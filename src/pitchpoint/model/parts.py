@@ -77,6 +77,11 @@ class Parts:
             raise AttributeError(name)
         return self.__dict__.get("sections", {}).get(name, {})
 
+    def section(self, name: str) -> dict[str, Any]:
+        """Section by name, for adding components to it."""
+        own = self.__dict__.get(name)
+        return own if own is not None else self.sections.setdefault(name, {})
+
     @property
     def others(self) -> dict[str, dict[str, Any]]:
         """Sections of other packages."""

@@ -23,6 +23,13 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
 
 
+SMALL = 0.1
+"""Base pitches up to which a loop of meshes misses by errors. Sets of up to nine planets whose teeth do not
+fit miss by a ninth of a pitch at least."""
+ROUNDING = 1e-9
+"""Base pitches by which a loop of meshes misses by rounding."""
+
+
 @dataclass(frozen=True)
 class Phasing:
     """Result of the assembly."""
@@ -36,6 +43,9 @@ class Phasing:
     travel: Mapping[str, float]
     """Base-tangent travel of gear 1 past the state where its nearest tooth is centred on the line of centres,
     in the middle of the common face width, by mesh [m], in (-p_bt/2, p_bt/2]."""
+    loops_close: bool
+    """Whether the teeth of all loops of meshes meet except for small errors, such as those of pins. These are
+    divided over the meshes of the loop."""
 
 
 def pitch_directions(mesh: Mesh, gear1: Gear, gear2: Gear) -> tuple[float, float]:
@@ -100,17 +110,53 @@ def assemble(gears: Mapping[str, Gear], meshes: Mapping[str, Mesh]) -> Phasing:
                     fresh.append(mesh.gears[other])
     for name in gears:
         angle.setdefault(name, 0.0)
+    missed = {name: _pitches(gears, mesh, angle)[0] for name, mesh in meshes.items()}
+    loops_close = max(map(abs, missed.values()), default=0.0) <= SMALL
+    if loops_close and max(map(abs, missed.values()), default=0.0) > ROUNDING:
+        _centre(gears, meshes, angle, missed)
     offset, travel = {}, {}
     for name, mesh in meshes.items():
-        one, two = gears[mesh.gears[0]], gears[mesh.gears[1]]
-        directions = pitch_directions(mesh, one, two)
-        phase1 = _phase(one, angle[mesh.gears[0]], directions[0], mesh.offset1)
-        phase2 = _phase(two, angle[mesh.gears[1]], directions[1], mesh.offset2)
-        p_bt = _base_pitch(one)
-        offset[name] = math.remainder(phase1 + phase2 - math.pi, math.tau) / math.tau * p_bt
-        travel[name] = math.remainder(phase1, math.tau) / math.tau * p_bt
+        p_bt = _base_pitch(gears[mesh.gears[0]])
+        off, moved = _pitches(gears, mesh, angle)
+        offset[name], travel[name] = off * p_bt, moved * p_bt
     wrapped = {name: math.remainder(a, math.tau) for name, a in angle.items()}
-    return Phasing(wrapped, offset, travel)
+    return Phasing(wrapped, offset, travel, loops_close)
+
+
+def _pitches(gears: Mapping[str, Gear], mesh: Mesh, angle: Mapping[str, float]) -> tuple[float, float]:
+    """Distance of a mesh from the middle of its backlash, and travel of gear 1 [base pitches]."""
+    one, two = gears[mesh.gears[0]], gears[mesh.gears[1]]
+    directions = pitch_directions(mesh, one, two)
+    phase1 = _phase(one, angle[mesh.gears[0]], directions[0], mesh.offset1)
+    phase2 = _phase(two, angle[mesh.gears[1]], directions[1], mesh.offset2)
+    off = math.remainder(phase1 + phase2 - math.pi, math.tau) / math.tau
+    return off, math.remainder(phase1, math.tau) / math.tau
+
+
+def _centre(
+    gears: Mapping[str, Gear],
+    meshes: Mapping[str, Mesh],
+    angle: dict[str, float],
+    missed: Mapping[str, float],
+) -> None:
+    """Divide what the loops of meshes miss [base pitches] over their meshes, by least squares.
+
+    Gears with an `initial_angle` keep it.
+    """
+    import numpy as np
+
+    free = [n for n, g in gears.items() if g.initial_angle is None]
+    place = {name: k for k, name in enumerate(free)}
+    rows = np.zeros((len(meshes), len(free)))
+    for row, mesh in zip(rows, meshes.values(), strict=True):
+        for gear in mesh.gears:
+            if gear in place:
+                row[place[gear]] += 1.0
+    # the least change of all: trains without errors stay as they are
+    moved = np.linalg.lstsq(rows, -np.array(list(missed.values())), rcond=None)[0]
+    for name, pitches in zip(free, moved.tolist(), strict=True):
+        if abs(pitches) > ROUNDING:
+            angle[name] += math.tau * pitches / (gears[name].sign * gears[name].number_of_teeth)
 
 
 def _turned(gears: Mapping[str, Gear], mesh: Mesh, fixed: int, angle: float) -> float:

@@ -13,8 +13,8 @@ from pitchpoint.model.keys import BAD, TYPE, Key, defaults_of, keys_of
 from pitchpoint.model.origin import drop
 from pitchpoint.model.parameters import SECTION, check_units, replaced, resolve
 from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.shafts import own_bodies
 from pitchpoint.model.show import shown
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -72,7 +72,8 @@ def _change(
     keys = keys_of(type(model))
     if rest and name in keys:
         part = tops.get(name, getattr(model, name))
-        part = own_bodies(part) if name == "bodies" else part
+        if isinstance(part, Mapping):
+            part = _own(part, name, str(rest[0]), report)
         tops[name] = replace_at(part, tuple(rest), value, report, (name,), keys[name])
     else:
         whole = replace_at(model, (name, *rest), value, report)
@@ -81,6 +82,18 @@ def _change(
     problems = list(report.problems)
     report.problems.clear()
     return problems
+
+
+def _own(parts: Mapping[str, Any], section: str, name: str, report: Reader) -> dict[str, Any]:
+    """Components of a section that can be replaced; reports one that belongs to a planetary stage."""
+    stage = getattr(parts.get(name), "stage", None)
+    if stage is not None:
+        report.problem(
+            (section, name),
+            f"belongs to the planetary stage {stage}",
+            remedy=f"replace keys of planetary_stages.{stage}",
+        )
+    return own_parts(parts)
 
 
 def replace_at(

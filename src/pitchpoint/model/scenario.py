@@ -21,8 +21,44 @@ EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal", "stick_slip"
 
 
 @dataclass(frozen=True, kw_only=True)
+class Ripple:
+    """Harmonic fluctuation about the mean rotation of a drive; the mean speed is unchanged.
+
+    The angle is phi + a sin(order phi + phase) with the mean angle phi.
+    """
+
+    order: float = positive("dimensionless", "periods per revolution of the mean angle", maximum=1e4)
+    fluctuation: float | None = quantity(
+        "dimensionless",
+        "difference of highest and lowest speed over the mean speed",
+        None,
+        minimum=0.0,
+        one_of="amplitude",
+        sample="2 %",
+    )
+    angle: float | None = quantity(
+        "angle", "amplitude of the angle", None, minimum=0.0, one_of="amplitude", sample="0.2 deg"
+    )
+    phase: float = quantity("angle", "phase at mean angle zero", 0.0)
+
+    @property
+    def amplitude(self) -> float:
+        """Amplitude of the angle [rad].
+
+        Examples
+        --------
+        >>> Ripple(order=2.0, fluctuation=0.02).amplitude
+        0.005
+        """
+        return self.angle if self.angle is not None else (self.fluctuation or 0.0) / (2.0 * self.order)
+
+
+@dataclass(frozen=True, kw_only=True)
 class Drive:
-    """Prescribed motion of the spin of a body or of a joint coordinate; give exactly one key."""
+    """Prescribed motion of the spin of a body or of a joint coordinate: one of the four laws, and a ripple.
+
+    In a speed sweep, which prescribes the mean speed, a ripple only.
+    """
 
     speed: Law | None = key(
         "law",
@@ -50,6 +86,13 @@ class Drive:
         None,
         dimension="length",
         sample="3 mm",
+    )
+    ripple: dict[str, Ripple] = key(
+        "components",
+        "waves by NAME, added to the prescribed rotation",
+        {},
+        of=Ripple,
+        later=True,
     )
 
     @property
@@ -117,7 +160,8 @@ class Scenario:
 
     speed: dict[str, float] = key(
         "speeds",
-        "initial speeds of bodies; those of other bodies follow from the gear ratios",
+        "initial speeds of bodies, mean speeds if a torque balances pulsating loads; those of other bodies "
+        "follow from the gear ratios",
         {},
         dimension="angular_speed",
     )

@@ -34,6 +34,7 @@ from pitchpoint.model.components.load import Load
 from pitchpoint.model.components.marker import Triple
 from pitchpoint.model.components.mesh import Mesh
 from pitchpoint.model.components.parameter import Parameter
+from pitchpoint.model.components.planetary_stage import PlanetaryStage
 from pitchpoint.model.components.ratio import Ratio
 from pitchpoint.model.components.rod import Rod
 from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
@@ -98,6 +99,9 @@ class Contents:
         ElasticBody,
         "elastic_body:elastic_bank",
         "guide:guide_bank",
+    )
+    planetary_stages: Mapping[str, PlanetaryStage] = section(
+        "planetary stages: planets with their pins and meshes", PlanetaryStage, later=True
     )
     joints: Mapping[str, Joint] = section(
         "joints between bodies",

@@ -8,7 +8,7 @@ the rules of the system divide it into stations.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,11 +44,6 @@ def stand_in(shaft: Shaft) -> Body:
         markers=shaft.markers,
         shaft=shaft,
     )
-
-
-def own_bodies(bodies: Mapping[str, Body]) -> dict[str, Body]:
-    """Bodies without those that represent elastic shafts and bodies."""
-    return {name: body for name, body in bodies.items() if not body.stands_in}
 
 
 def add_shafts(parts: Parts, report: Reader) -> None:

@@ -16,7 +16,7 @@ from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import TYPE, Key, Place, defaults_of, keys_of
 from pitchpoint.model.origin import Source
-from pitchpoint.model.shafts import own_bodies
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.tooth_profile import Points
@@ -85,8 +85,8 @@ class _Writer:
         for name, key in keys_of(type(part)).items():
             self.within, self.at = part, (*at, name)
             value = getattr(part, name)
-            if name == "bodies" and isinstance(value, Mapping):
-                value = own_bodies(value)  # without the bodies that represent shafts
+            if key.kind == "components" and isinstance(value, Mapping):
+                value = own_parts(value)  # without those that represent shafts and planets
             # the stiffness law is always written: its default should not need looking up
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue

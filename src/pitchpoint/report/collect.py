@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pitchpoint.core.errors import PitchpointError
+from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
-from pitchpoint.io.sweep_store import QUANTITIES, SHARES
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.main_channels import drawn_groups
 from pitchpoint.report.rolls import POSITION, given_roll, without_given
@@ -220,11 +220,13 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
 
 
 def _time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str = "") -> TimeRun:
-    """Time response with its window of statistics and its mesh frequencies."""
+    """Time response with its window of statistics, its notes and its mesh frequencies."""
     settle = settle_time_of(attrs)
     meshes = mean_mesh_frequencies(model, data, settle)
     groups = drawn_groups(model, map(str, data.data_vars), str(attrs.get("scenario", "")))
-    return TimeRun(data=data, settle_time=settle, note=note, mesh_frequencies=meshes, groups=groups)
+    notes = split_notes(str(data.attrs.get("notes", "")))
+    about: dict[str, Any] = {"note": note, "remarks": notes, "groups": groups}
+    return TimeRun(data=data, settle_time=settle, mesh_frequencies=meshes, **about)
 
 
 def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:
@@ -284,7 +286,8 @@ def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
         frequencies = one["mesh_frequency"].values
         order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
         for i in order:
-            values = {name: float(one[name].values[i]) for name in ("speed", *(share for share, _ in SHARES))}
+            known = ("speed", *(name for name, _, _ in CONTACTS))
+            values = {name: float(one[name].values[i]) for name in known if name in one}
             if not np.isfinite(values["speed"]):
                 continue
             point: dict[str, Any] = {"direction": str(direction), "mesh_frequency": float(frequencies[i])}

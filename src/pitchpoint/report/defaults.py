@@ -14,7 +14,7 @@ from pitchpoint.model.keys import defaults_of, keys_of
 from pitchpoint.model.remarks.collect import follows_flanks
 from pitchpoint.model.scenario import ERROR_METHODS, STIFF_METHODS
 from pitchpoint.model.sections import groups_of
-from pitchpoint.model.shafts import own_bodies
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -33,8 +33,8 @@ def defaults(model: Model) -> list[tuple[str, str]]:
         merged.setdefault((group, key, value), []).append(name)
     lines = []
     for (group, key, value), names in merged.items():
-        every = own_bodies(model.bodies) if group == "bodies" else getattr(model, group, None)
-        whole = isinstance(every, Mapping) and len(names) == len(every) > 1
+        every = getattr(model, group, None)
+        whole = isinstance(every, Mapping) and len(names) == len(own_parts(every)) > 1
         where = group if not names[0] else f"{group}.{'*' if whole else ','.join(names)}"
         lines.append((f"{where}.{key}", value))
     return lines
@@ -43,7 +43,7 @@ def defaults(model: Model) -> list[tuple[str, str]]:
 def _walk(model: Model) -> Iterator[tuple[str, str, str, str]]:
     """Yield (group, name, key, default in words) for every key at its default."""
     for group in groups_of(model):
-        found = own_bodies(model.bodies) if group == "bodies" else getattr(model, group)
+        found = own_parts(getattr(model, group))
         for name, part in found.items():
             idle = _keys_without_effect(part)
             if getattr(part, "contact", None) is not None and group == "meshes":

@@ -41,6 +41,8 @@ def scenario_speeds(model: Model, name: str) -> tuple[dict[str, float], list[str
     speeds, remarks = dict(scenario.speed), []
     for body, drive in scenario.drive.items():
         end = scenario.duration or 0.0
+        if drive.rate is None and drive.value is None:
+            continue  # a ripple about the speed of a sweep
         if isinstance(drive.speed, Constant):
             speeds[body] = drive.speed.value
             continue

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.model.inertia import bevel_gear_inertia, body_inertia, gear_by_geometry, gear_inertia
-from pitchpoint.model.shafts import own_bodies
 from pitchpoint.model.solids import solid_mass, solid_of_gear
 
 if TYPE_CHECKING:
@@ -55,8 +54,8 @@ def masses(model: Model) -> list[dict[str, Any]]:
         _entry("shaft", name, _of_shaft(shaft), shaft.solid, shaft.material)
         for name, shaft in model.shafts.items()
     ]
-    for name, body in own_bodies(model.bodies).items():
-        if body.elastic is None:
+    for name, body in model.bodies.items():
+        if body.shaft is None and body.elastic is None:
             found.append(_entry("body", name, _of_body(model, body), body.solid, "steel"))
     return found
 

@@ -13,6 +13,7 @@ from collections.abc import Callable, Mapping
 from html import escape
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.core.errors import split_notes
 from pitchpoint.viz import notebook as drawings
 
 if TYPE_CHECKING:
@@ -123,6 +124,7 @@ def _summary(data: xr.Dataset) -> str:
     attrs = data.attrs
     bold = escape(str(attrs.get("title") or "Result"))
     sentence = f"<p><b>{bold}</b><br>{escape('; '.join(_facts(data)))}</p>{_ending(data)}"
+    sentence += "".join(_sentence(note) for note in split_notes(str(attrs.get("notes", ""))))
     return sentence + _numbers(data) + _modes(data) + _sweep(data)
 
 

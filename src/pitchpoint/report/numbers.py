@@ -203,6 +203,9 @@ def _cycle(pair: GearPair, law: Description, points: int) -> tuple[MeshCycle, st
 def geometry_of_model(model: Model) -> dict[str, Any]:
     """Output of `gears --json`."""
 
+    from pitchpoint.report.planets import stages_of_model
+
+    stages = {"planetary_stages": stages_of_model(model)} if model.planetary_stages else {}
     return {
         "gears": {
             name: gear_numbers(model, name) | measure_numbers(gear.geometry)
@@ -211,6 +214,7 @@ def geometry_of_model(model: Model) -> dict[str, Any]:
         "meshes": {name: mesh_numbers(model, name) for name in model.meshes},
         "bevel_gears": {name: bevel_gear_numbers(model, name) for name in model.bevel_gears},
         "bevel_meshes": {name: bevel_mesh_numbers(model, name) for name in model.bevel_meshes},
+        **stages,
     }
 
 

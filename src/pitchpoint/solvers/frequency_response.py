@@ -109,17 +109,17 @@ def find_response(
         else body_rates(linear.system, synchronous, scenario_named(linear.system, scenario))
     )
     found = np.zeros((hertz.size, len(outs.names), len(ins)), complex)
-    matrices = _matrices(linear)
+    matrices = matrices_of(linear)
     for f, omega in enumerate(2.0 * np.pi * hertz):
         at = linear if rates is None else at_speeds(linear, omega * rates)
-        matrices = matrices if rates is None else _matrices(at)
-        found[f] = _respond(at, matrices, basis, ins, outs, float(omega))
+        matrices = matrices if rates is None else matrices_of(at)
+        found[f] = respond(at, matrices, basis, ins, outs, float(omega))
         progress(f + 1, hertz.size, "frequencies")
     names, units = tuple(i.name for i in ins), tuple(i.unit for i in ins)
     return FrequencyResponse(hertz, found, outs.names, names, outs.units, units, linear.notes)
 
 
-def _matrices(linear: Linearised) -> tuple[Any, Any, Any]:
+def matrices_of(linear: Linearised) -> tuple[Any, Any, Any]:
     """M, D and K at speed, sparse if the system is large."""
     whole = (linear.at_rest.M, linear.D, linear.K)
     if len(linear.K) < LARGE:
@@ -130,7 +130,7 @@ def _matrices(linear: Linearised) -> tuple[Any, Any, Any]:
     return M, D, K
 
 
-def _respond(
+def respond(
     linear: Linearised,
     matrices: tuple[Any, Any, Any],
     basis: Any,

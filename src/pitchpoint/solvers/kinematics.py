@@ -15,7 +15,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.core.kernel import plain
 from pitchpoint.core.status import INCONSISTENT, OK
 from pitchpoint.solvers.constraints.assembly import assemble_state
-from pitchpoint.solvers.sampling import Chunk, accumulate
+from pitchpoint.solvers.sampling import Accumulators, Chunk, accumulate
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 
@@ -90,7 +90,7 @@ class KinematicRun:
         n: int,
         *,
         every: int = 0,
-        statistics: Array | None = None,
+        statistics: Accumulators | None = None,
         stride: int = 1,
         events: int = 0,
     ) -> Chunk:
@@ -99,7 +99,7 @@ class KinematicRun:
         Parameters
         ----------
         every, statistics, stride
-            As in `generalized_alpha.Run.advance`.
+            As in `generalized_alpha.Run.advance`; impacts are not counted, since there are no forces.
         """
         rows: list[Array] = []
         status = OK
@@ -112,7 +112,7 @@ class KinematicRun:
             self.steps += 1
             row = evaluate.observe(self.system, self.here)
             if statistics is not None and self.steps % stride == 0:
-                plain(accumulate)(row, statistics)
+                plain(accumulate)(row, statistics.sums)
             if every and self.steps % every == 0:
                 rows.append(np.concatenate([[self.here.t], row]))
         width = self.system.sizes["no"] + 1

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.kernel import invoke, kernel, view
 from pitchpoint.core.status import OK, UNBOUNDED
 from pitchpoint.multibody.channels import CTL, F8, I8
+from pitchpoint.solvers.contact_counts import COUNTS, count_contacts
 from pitchpoint.system.residual import evaluate_events, observe
 from pitchpoint.system.workspace import MACH
 
@@ -42,6 +43,8 @@ class Recorder(NamedTuple):
         Sample buffer (time, channel values ...), shape (n, no + 1).
     sums
         Running statistics, shape (no, 8); disabled if empty.
+    counts
+        Counters of the contacts of every mesh, updated with the statistics.
     found
         Event buffer (time, event function, direction), shape (n, 3); event detection is disabled if empty.
     done
@@ -54,9 +57,30 @@ class Recorder(NamedTuple):
     stride: int
     rows: NDArray[np.float64]
     sums: NDArray[np.float64]
+    counts: NDArray[np.void]
     found: NDArray[np.float64]
     done: NDArray[np.int64]
     picked: NDArray[np.int64]
+
+
+@dataclass
+class Accumulators:
+    """Running statistics of a window, updated in place by a time loop.
+
+    Parameters
+    ----------
+    sums
+        Sums of the channels, shape (no, 8).
+    counts
+        Counters of the contacts of every mesh, see `contact_counts`.
+    """
+
+    sums: NDArray[np.float64]
+    counts: NDArray[np.void]
+
+    def copy(self) -> Accumulators:
+        """Independent copy."""
+        return Accumulators(self.sums.copy(), self.counts.copy())
 
 
 def new_recorder(
@@ -65,7 +89,7 @@ def new_recorder(
     every: int = 0,
     stride: int = 1,
     rows: int = 0,
-    sums: NDArray[np.float64] | None,
+    sums: Accumulators | None,
     events: int,
     picked: NDArray[np.int64] | None = None,
 ) -> Recorder:
@@ -75,7 +99,8 @@ def new_recorder(
         every,
         stride,
         np.empty((rows, (len(chosen) or no) + 1)),
-        np.zeros((0, 8)) if sums is None else sums,
+        np.zeros((0, 8)) if sums is None else sums.sums,
+        np.zeros(0, COUNTS) if sums is None else sums.counts,
         np.empty((events, EVENT_COLUMNS)),
         np.zeros(3, np.int64),
         chosen,
@@ -119,6 +144,8 @@ RECORDER = np.dtype(
             "columns",
             "sums",
             "n_sums",
+            "counts",
+            "n_counts",
             "found",
             "n_found",
             "done",
@@ -151,7 +178,13 @@ def advance_into(entry: Any, at: int, order: NDArray[np.void], recorder: Recorde
         recorder.stride,
         rows.shape[1],
     )
-    buffers = (("rows", rows), ("sums", sums), ("found", found), ("picked", recorder.picked))
+    buffers = (
+        ("rows", rows),
+        ("sums", sums),
+        ("counts", recorder.counts),
+        ("found", found),
+        ("picked", recorder.picked),
+    )
     for name, array in buffers:
         record[0][name], record[0][f"n_{name}"] = array.ctypes.data, len(array)
     record[0]["done"] = done.ctypes.data
@@ -186,6 +219,7 @@ def recorder_at(where):
         b["stride"],
         view(b["rows"], (b["n_rows"], b["columns"]), F8),
         view(b["sums"], (b["n_sums"], 8), F8),
+        view(b["counts"], b["n_counts"], COUNTS),
         view(b["found"], (b["n_found"], EVENT_COLUMNS), F8),
         view(b["done"], 3, I8),
         view(b["picked"], b["n_picked"], I8),
@@ -216,13 +250,14 @@ class Statistics:
     share_zero: NDArray[np.float64]
 
 
-def new_statistics(n: int) -> NDArray[np.float64]:
-    """Empty accumulators for n channels, shape (n, 8)."""
-    return np.zeros((n, 8))
+def new_statistics(n: int, counts: NDArray[np.void] | None = None) -> Accumulators:
+    """Empty accumulators for n channels, and the counters of `contact_counts.new_counts`."""
+    return Accumulators(np.zeros((n, 8)), np.zeros(0, COUNTS) if counts is None else counts)
 
 
-def read_statistics(sums: NDArray[np.float64]) -> Statistics:
+def read_statistics(accumulators: Accumulators) -> Statistics:
     """Compute statistics from the accumulators."""
+    sums = accumulators.sums
     n = np.where(sums[:, COUNT] > 0.0, sums[:, COUNT], np.nan)
     mean = sums[:, SUM] / n
     variance = np.maximum(sums[:, SQUARES] / n - mean**2, 0.0)
@@ -273,6 +308,7 @@ def keep(at, t, recorder, measure, sample):
     row = view(view(c["mach"], 1, MACH)[0]["row"], c["no"], F8)
     if measure != 0:
         accumulate(row, recorder.sums)
+        count_contacts(t, row, recorder.counts)
     filled = recorder.done[1]
     if sample != 0 and filled < recorder.rows.shape[0]:
         recorder.rows[filled, 0] = t

@@ -31,6 +31,9 @@ For a spur pair excited at resonance by its mesh, the relative error of the rms 
 steps and 1.1e-3 with 100 steps; it is second order in the step.
 """
 
+CHUNK_SECONDS = 0.15
+"""Target wall time of one call of the compiled loop; progress and Ctrl-C are handled between calls."""
+
 
 def fastest_mesh(system: System, scenario: Scenario) -> float:
     """Highest mesh frequency [Hz] of a scenario, from its initial speeds and drives."""
@@ -65,8 +68,16 @@ def mesh_mode(row: np.void, system: System) -> float:
     return math.sqrt(float(row["k_step"]) * inverse) / (2.0 * math.pi)
 
 
+def fastest_ripple(system: System, scenario: Scenario) -> float:
+    """Highest frequency of the ripples of the drives of a scenario [Hz]."""
+    orders = {body: max(w.order for w in d.ripple.values()) for body, d in scenario.drive.items() if d.ripple}
+    speeds = highest_speeds(system, scenario) if orders else {}
+    found = (order * abs(speeds.get(body, 0.0)) for body, order in orders.items())
+    return max(found, default=0.0) / (2.0 * math.pi)
+
+
 def shortest_period(start: Start, scenario: Scenario) -> float:
-    """Period of the fastest mode or mesh of a run, or a tenth of its duration if that is shorter [s].
+    """Period of the fastest mode, mesh or ripple of a run, or a tenth of its duration if that is shorter [s].
 
     Of the modes of finite-element bodies only the excited ones count: see `step_modes`.
     """
@@ -74,6 +85,7 @@ def shortest_period(start: Start, scenario: Scenario) -> float:
         counted_frequency(start, scenario.method in EXPLICIT_METHODS),
         fastest_mesh(start.system, scenario),
         *(mesh_mode(row, start.system) for row in mesh_records(start.system)),
+        fastest_ripple(start.system, scenario),
         10.0 / (scenario.duration or 1.0),
     )
     return 1.0 / fastest
@@ -89,12 +101,13 @@ def largest_step(start: Start, scenario: Scenario) -> float:
 
 
 def largest_stiff_step(start: Start, scenario: Scenario) -> float:
-    """Longest step of a stiff method with error control [s]: the given step, or a quarter of a mesh period.
+    """Longest step of a stiff method with error control [s]: the given step, or a quarter of a period
+    of the fastest mesh or ripple.
 
     Modes do not limit it: stiff methods may step over the periods of modes that are not excited.
     """
-    mesh = fastest_mesh(start.system, scenario)
-    return scenario.step or 0.25 / max(mesh, 10.0 / (scenario.duration or 1.0))
+    fastest = max(fastest_mesh(start.system, scenario), fastest_ripple(start.system, scenario))
+    return scenario.step or 0.25 / max(fastest, 10.0 / (scenario.duration or 1.0))
 
 
 def choose_step(start: Start, scenario: Scenario) -> tuple[float, int]:
@@ -142,3 +155,14 @@ def whole_steps(span: float, h: float) -> tuple[int, float]:
     count = math.floor(span / h * (1.0 + ROUND_OFF))
     rest = span - count * h
     return count, rest if rest > ROUND_OFF * span else 0.0
+
+
+def next_chunk(n: int, seconds: float) -> int:
+    """Number of steps of the next chunk, from the wall time [s] of the last n steps.
+
+    Examples
+    --------
+    >>> next_chunk(1000, 0.3), next_chunk(1000, 0.001)
+    (500, 8000)
+    """
+    return max(1, int(n * min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4)))))

@@ -18,14 +18,22 @@ from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK, UNBOUNDED
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
+from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS, new_counts, read_counts
 from pitchpoint.solvers.divergence import fastest, remedy, sentence_of
 from pitchpoint.solvers.event_watch import EventWatch
 from pitchpoint.solvers.implicit import generalized_alpha
-from pitchpoint.solvers.initial_state.start import UNBALANCED, Start, prepare_start
-from pitchpoint.solvers.mean_balance import drift_notes
+from pitchpoint.solvers.initial_state.start import Start, prepare_start
 from pitchpoint.solvers.sampling import new_statistics, read_statistics
-from pitchpoint.solvers.step_choice import choose_step, largest_step, largest_stiff_step, whole_steps
+from pitchpoint.solvers.speed_drift import drift_notes
+from pitchpoint.solvers.step_choice import (
+    choose_step,
+    largest_step,
+    largest_stiff_step,
+    next_chunk,
+    whole_steps,
+)
 from pitchpoint.solvers.time_summary import Memory, Sink, TimeSummary, channel_statistics
+from pitchpoint.solvers.vibration_losses import with_vibration_losses
 from pitchpoint.system import evaluate
 from pitchpoint.system.channel_choice import chosen_channels
 from pitchpoint.system.flank_remarks import contact_counters
@@ -39,10 +47,7 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.scenario import Scenario
     from pitchpoint.solvers.sampled_control import Sampler
-    from pitchpoint.solvers.sampling import Chunk
-
-CHUNK_SECONDS = 0.15
-"""Target wall time of one call of the compiled loop; progress and Ctrl-C are handled between calls."""
+    from pitchpoint.solvers.sampling import Accumulators, Chunk
 
 MAX_EVENTS = 100_000
 """Maximum number of events recorded per chunk."""
@@ -102,7 +107,7 @@ def run_time(
     if chosen.duration is None:
         raise SolverError("the scenario has no duration; it is a sweep or a slow roll", NOT_FINITE)
     begun = time.perf_counter()
-    begin = prepare_start(system, chosen) if start is None else start
+    begin = start or with_vibration_losses(prepare_start(system, chosen), chosen, run_time)
     forget_contacts(begin.system)  # trial states of the start do not count
     loop = _Loop(begin, chosen, sink, channels)
     status = loop.run(progress)
@@ -117,10 +122,7 @@ def loop_of(method: str) -> Any:
         from pitchpoint.solvers.multistep import step as multistep
 
         return multistep.entry
-    from pitchpoint.solvers.explicit import (
-        dormand_prince,
-        equal_steps,  # imported on demand
-    )
+    from pitchpoint.solvers.explicit import dormand_prince, equal_steps  # imported on demand
 
     return dormand_prince.entry if method == "runge_kutta" else equal_steps.entry
 
@@ -138,7 +140,7 @@ class _Loop:
         self.t0 = start.state.t
         self.t_end = self.t0 + float(scenario.duration or 0.0)
         self.window = self.t0 + scenario.statistics_start
-        self.sums = new_statistics(self.system.sizes["no"])
+        self.sums = new_statistics(self.system.sizes["no"], new_counts(self.system))
         self.events: list[NDArray[np.float64]] = []
         self.watch = EventWatch(self.system, scenario)
         self.adaptive = scenario.method in ERROR_METHODS
@@ -269,7 +271,7 @@ class _Loop:
             n = min(next_chunk(n, time.perf_counter() - begun), most)
         return OK
 
-    def _take(self, chunk: Chunk, sums: NDArray[np.float64] | None) -> int:
+    def _take(self, chunk: Chunk, sums: Accumulators | None) -> int:
         """Store the results of a chunk and call the controllers that are due; returns the status.
 
         Statistics of a chunk in which the solution diverged are discarded.
@@ -308,14 +310,15 @@ class _Loop:
     def summary(self, status: int, wall_s: float) -> TimeSummary:
         """Summary of the run: status, times, statistics by channel, events, remarks."""
         found = read_statistics(self.sums)
-        channels = channel_statistics(self.system.layout.channels, found)
+        rattle = read_counts(self.system, self.sums.counts)
+        channels = channel_statistics(self.system.layout.channels, found, rattle)
         remarks = run_remarks(self.system, channels)
-        if status == OK and not any(note.startswith(UNBALANCED) for note in self.start.notes):
-            remarks = (*remarks, *drift_notes(self.system, self.scenario, channels))
+        t, state = float(self.run_.t), self.run_.state()
+        if status == OK:
+            remarks = (*remarks, *drift_notes(self.start, self.scenario, channels, state, t - self.t0))
         if status == OK and found.count == 0:  # dense-output methods feed the statistics at samples
             remarks = (note("the window of the statistics contains no sample", remedy="raise sample_rate"),)
         remarks = (*remarks, *self._divisions())
-        t = float(self.run_.t)
         return TimeSummary(
             status=status,
             sentence=(self.sampler.failure if self.sampler is not None else "") or self._sentence(status),
@@ -328,20 +331,9 @@ class _Loop:
             events=np.concatenate(self.events) if self.events else np.zeros((0, 3)),
             event_names=tuple(e.name for e in self.system.layout.events),
             notes=(*self.start.notes, *row_notes(self.system), *remarks),
-            state=self.run_.state(),
+            state=state,
             contact_solver=contact_counters(self.system),
         )
-
-
-def next_chunk(n: int, seconds: float) -> int:
-    """Number of steps of the next chunk, from the wall time [s] of the last n steps.
-
-    Examples
-    --------
-    >>> next_chunk(1000, 0.3), next_chunk(1000, 0.001)
-    (500, 8000)
-    """
-    return max(1, int(n * min(8.0, max(0.2, CHUNK_SECONDS / max(seconds, 1e-4)))))
 
 
 def solve_time(
@@ -369,8 +361,9 @@ def solve_time(
     -------
     xarray.Dataset
         The channels of the scenario (default all) over time [s], with units and `statistics` over all steps
-        (mean, rms of the alternating part, min, max); provenance, steps and status in the attributes. With
-        events in the scenario also `event_time` [s], `event_name` and `event_direction` over `event`.
+        (mean, rms of the alternating part, min, max), contact states also with the numbers of
+        `analysis.rattle.Rattle`; provenance, steps and status in the attributes. With events in the scenario
+        also `event_time` [s], `event_name` and `event_direction` over `event`.
 
     Raises
     ------
@@ -384,13 +377,14 @@ def solve_time(
     done = run_time(system, chosen, sink=memory, progress=progress, channels=stored)
     settled = chosen.statistics_start
     attrs = attributes(system, chosen.method, done.status, done.wall_s, step=done.step, settle_time=settled)
-    solver = json.dumps(done.contact_solver)
-    attrs |= {"steps": done.steps, "notes": join_notes(done.notes), "contact_solver": solver}
+    attrs |= {"steps": done.steps, "notes": join_notes(done.notes)}
+    attrs["contact_solver"] = json.dumps(done.contact_solver)
     times, rows = np.concatenate(memory.times), np.concatenate(memory.rows)
     data = channel_dataset(system, "time", times, rows, attrs, stored)
     data["time"].attrs = {"units": "s", "long_name": "time"}
     for name, numbers in ((n, x) for n, x in done.channels.items() if n in data):
         data[name].attrs["statistics"] = [numbers[key] for key in ("mean", "rms", "min", "max")]
+        data[name].attrs |= {key: numbers[key] for key in CONTACT_NUMBERS if key in numbers}
     if chosen.events:
         when, index, direction = done.events.T
         data = data.assign(event_variables(when, index, direction, done.event_names))

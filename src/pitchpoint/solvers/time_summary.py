@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -53,7 +53,8 @@ class TimeSummary:
         Start and end of the statistics [s].
     channels
         Statistics by channel over all steps of the window: unit, mean, rms of the alternating part, min, max,
-        and share_zero of a contact state: the fraction of the steps without contact. NaN without steps.
+        and of a contact state also share_zero, the fraction of the steps without contact, and the numbers of
+        `analysis.rattle.Rattle`. NaN without steps.
     events
         Time [s], index in `event_names`, direction; shape (n, 3).
     event_names
@@ -82,8 +83,10 @@ class TimeSummary:
     contact_solver: dict[str, dict[str, int]]
 
 
-def channel_statistics(channels: Sequence[Channel], found: Statistics) -> dict[str, dict[str, Any]]:
-    """Statistics by name of the channel, see `TimeSummary`."""
+def channel_statistics(
+    channels: Sequence[Channel], found: Statistics, rattle: Mapping[str, Mapping[str, Any]]
+) -> dict[str, dict[str, Any]]:
+    """Statistics by name of the channel, see `TimeSummary`; `rattle` by mesh."""
     rows: dict[str, dict[str, Any]] = {}
     for k, channel in enumerate(channels):
         row = rows[channel.name] = {
@@ -95,4 +98,5 @@ def channel_statistics(channels: Sequence[Channel], found: Statistics) -> dict[s
         }
         if channel.name.startswith("contact_state["):
             row["share_zero"] = float(found.share_zero[k])
+            row |= rattle[channel.name[len("contact_state[") : -1]]
     return rows

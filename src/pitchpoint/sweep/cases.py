@@ -20,7 +20,8 @@ import numpy as np
 from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
-from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
+from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.model.numbers import number_at
 from pitchpoint.sweep.threads import on_all_cores
 
@@ -204,6 +205,7 @@ def _run(
 ) -> CaseResult:
     """Compile and run one case."""
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import with_factors
 
     begun = time.perf_counter()
     system = compile_model(model, scenario)
@@ -220,13 +222,13 @@ def _run(
 
         roll = roll_through(system, scenario, progress=listen)
         channels = {t.name: statistics(t) for t in tables(system, roll) if np.size(t.values) and t.rolled}
-        found = {"channels": channels, "steps": len(roll.position)}
+        found = {"channels": with_factors(model, channels), "steps": len(roll.position)}
         status, words, notes = roll.status, roll.sentence, (*roll.notes, *roll.cycle_notes)
     else:
         from pitchpoint.solvers.time import run_time
 
         done = run_time(system, scenario, progress=listen)
-        found = {"channels": done.channels, "steps": done.steps}
+        found = {"channels": with_factors(model, done.channels), "steps": done.steps}
         status, words, notes = done.status, done.sentence, done.notes
         if status != OK:
             words = f"{words} (at t = {done.t_end:.6g} s)"
@@ -250,10 +252,10 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        All channels over `case` and `statistic` (mean, rms, min, max); status and changed values (by path)
-        over `case`. For speed sweeps over `case`, `direction`, `point` and `statistic`, with speed,
-        mesh_frequency and the shares of contact loss and back contact of every point. Missing values are
-        NaN. The attributes contain message and notes of every case.
+        All channels over `case` and `statistic` (mean, rms, min, max); the contact numbers of each mesh, such
+        as `impact_rate[stage]`, status and changed values (by path) over `case`. For speed sweeps over
+        `case`, `direction`, `point` and `statistic`, with speed, mesh_frequency and the contact numbers of
+        every point. Missing values are NaN. The attributes contain message and notes of every case.
     """
     import xarray as xr
 
@@ -268,6 +270,8 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
         table = [[r.channels[name][s] if name in r.channels else np.nan for s in STATISTICS] for r in results]
         words = {"units": unit, "long_name": name.partition("[")[0].replace("_", " ")}
         data[name] = (("case", "statistic"), np.array(table, float), {**words, "symbol": symbol(name)})
+    for key, numbers, unit, meaning in contact_tables(results):
+        data[key] = ("case", numbers, {"units": unit, "long_name": meaning})
     coords: dict[str, Any] = {"case": np.arange(len(results)), "statistic": list(STATISTICS)}
     if any(r.points for r in results):
         directions, tables = sweep_tables(results)
@@ -286,6 +290,21 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
     return xr.Dataset(data, coords=coords, attrs=attrs)
 
 
+def contact_tables(results: Sequence[CaseResult]) -> list[tuple[str, list[float], str, str]]:
+    """Contact numbers of each mesh over the cases of time responses: name, values, unit, description."""
+    states = {n: None for r in results for n, row in r.channels.items() if RATTLE[0][0] in row}
+    return [
+        (
+            f"{name}{state.removeprefix('contact_state')}",
+            [float(r.channels.get(state, {}).get(name, np.nan)) for r in results],
+            unit,
+            words,
+        )
+        for state in states
+        for name, unit, words in RATTLE
+    ]
+
+
 def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tuple[np.ndarray, str]]]:
     """Sweep points of all cases as tables: directions, and (values, unit) by name.
 
@@ -298,7 +317,7 @@ def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tu
     )
     shape = (len(results), len(directions), most)
     tables = {name: (np.full((*shape, 4), np.nan), unit) for name, unit, _ in QUANTITIES}
-    scalars = {"speed": "rad/s", "mesh_frequency": "Hz", **{name: "1" for name, _ in SHARES}}
+    scalars = {"speed": "rad/s", "mesh_frequency": "Hz", **{name: unit for name, unit, _ in CONTACTS}}
     tables |= {name: (np.full(shape, np.nan), unit) for name, unit in scalars.items()}
     for c, result in enumerate(results):
         for d, direction in enumerate(directions):

@@ -29,6 +29,7 @@ from pitchpoint.core.errors import PitchpointError, SolverError
 from pitchpoint.core.nomenclature import can_be_filtered
 from pitchpoint.core.provenance import content_hash, package_version
 from pitchpoint.core.status import OK, REFUSED
+from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.model.dataset_plan import DatasetPlan, ObservedChannel, PlannedCase
 from pitchpoint.model.numbers import number_at
 from pitchpoint.sweep.cases import how_it_failed
@@ -64,7 +65,8 @@ class CaseRecord:
     status, sentence
         Final status (`pitchpoint.core.status`) and its message.
     numbers
-        SI value and unit at each varied path, including jitter.
+        SI value and unit at each varied path, including jitter, and of the contact numbers of each mesh whose
+        contact state is recorded.
     channels
         Samples by channel name; empty if the case failed.
     pulses
@@ -136,6 +138,12 @@ def lead(plan: DatasetPlan) -> int:
 def reach(plan: DatasetPlan) -> int:
     """Half length of the anti-aliasing filter in samples."""
     return REACH if plan.oversampling > 1 else 0
+
+
+def contact_states(plan: DatasetPlan) -> list[str]:
+    """Recorded contact states, whose meshes have contact numbers in the table."""
+    names = dict.fromkeys(c.channel for c in plan.channels.values() if isinstance(c, ObservedChannel))
+    return [name for name in names if name.startswith("contact_state[")]
 
 
 def treatment(plan: DatasetPlan) -> str:
@@ -246,7 +254,8 @@ def _compute(
         model.scenarios[str(plan.scenario)],
         duration=duration,
         sample_rate=times * rate,
-        settle_time=duration,  # statistics of all channels are not needed
+        # statistics are needed for recorded contact states only
+        settle_time=before / rate if contact_states(plan) else duration,
     )
     system = compile_model(model, scenario)
     known = [c.name for c in system.layout.channels]
@@ -285,6 +294,10 @@ def _compute(
             channels[name] = RecordedChannel(levels, "1", words)
             begun = pulse_times(t, recorded[name], channel.pulses)
             pulses[name] = begun[(begun >= 0.0) & (begun <= (plan.samples - 1) / rate)]
+    for state in contact_states(plan):
+        mesh = state.removeprefix("contact_state")
+        for name, unit, _ in RATTLE:
+            numbers[f"{name}{mesh}"] = (float(done.channels[state][name]), unit)
     notes = tuple(n for n in done.notes if "window of the statistics" not in n)
     return CaseRecord(case, key, OK, "finished", numbers, channels, pulses, done.steps, notes)
 

@@ -21,16 +21,18 @@ from pitchpoint.analysis.jumps import sweep_jumps
 from pitchpoint.core.errors import SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import INCONSISTENT, INTERRUPTED, NOT_FINITE, OK
+from pitchpoint.elements.drive import target_of
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.io.sweep_store import QUANTITIES, STATISTICS
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.constraints.row_notes import explain, row_notes
+from pitchpoint.solvers.contact_counts import new_counts, read_counts
 from pitchpoint.solvers.controls import refuse_sampled
 from pitchpoint.solvers.gear_trains import mesh_orders
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import body_rates, prepare_start
-from pitchpoint.solvers.sampling import new_statistics, read_statistics
-from pitchpoint.solvers.step_choice import mesh_mode
-from pitchpoint.solvers.time import next_chunk, scenario_of
+from pitchpoint.solvers.sampling import Accumulators, new_statistics, read_statistics
+from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
+from pitchpoint.solvers.time import scenario_of
 from pitchpoint.sweep.tables import channel_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
 from pitchpoint.system.remarks import deep_contacts
@@ -61,8 +63,8 @@ class SweepSummary:
         Final status and its message.
     points
         One mapping per point in the order of computation: direction, speed [rad/s], mesh_frequency [Hz],
-        statistics of the swept mesh by quantity (unit, mean, rms, min, max), contact_loss_share and
-        back_contact_share; `channels` contains the statistics of all channels.
+        statistics of the swept mesh by quantity (unit, mean, rms, min, max), and the numbers of its contact
+        (`io.sweep_store.CONTACTS`); `channels` contains the statistics of all channels.
     jumps
         Direction and mesh frequency [Hz] of each jump.
     steps, wall_s
@@ -162,8 +164,11 @@ class _SweepRun:
     def __init__(self, system: System, scenario: Scenario, plan: SweepPlan) -> None:
         self.plan = plan
         first = next(plan.points())[1]
-        body = scenario.sweep.body  # type: ignore[union-attr]
-        start = prepare_start(system, replace(scenario, speed={body: first}, duration=1.0))
+        self.body = body = scenario.sweep.body  # type: ignore[union-attr]
+        own = system.copy()
+        for record in own.rows(DRIVE):
+            record["speed"] = first * plan.ratio[own.layout.bodies[int(record["i"])]]
+        start = prepare_start(own, replace(scenario, speed={body: first}, duration=1.0))
         self.system, self.notes = start.system, start.notes
         self.mode = max(mesh_mode(row, self.system) for row in mesh_records(self.system))
         self.speed = first
@@ -180,20 +185,22 @@ class _SweepRun:
 
     def go_to(self, speed: float) -> None:
         """Change the mean speed of the whole train, including drives with constant speed."""
-        w = self.system.workspace
-        for name, ratio in self.plan.ratio.items():
-            if ratio != 0.0:
-                w.v[self.system.spin(name)] += (speed - self.speed) * ratio
+        w, t = self.system.workspace, self.run.t
+        share = 1.0  # of the ripple of the swept body in its present speed
         for record in self.system.rows(DRIVE):
             name = self.system.layout.bodies[int(record["i"])]
-            spin = self.system.spin(name)
-            turned = w.q[spin] + 2.0 * math.pi * w.fr["turns"][int(record["i"])]
+            before, mean = target_of(record, t)[1], float(record["speed"])
             record["speed"] = speed * self.plan.ratio[name]
-            record["angle"] = turned - record["speed"] * self.run.t
+            record["angle"] += (mean - record["speed"]) * t
+            if name == self.body and mean != 0.0:
+                share = before / mean
+        for name, ratio in self.plan.ratio.items():
+            if ratio != 0.0:
+                w.v[self.system.spin(name)] += (speed - self.speed) * ratio * share
         self.speed = speed
         self.run.change_step(self._step(speed))
 
-    def advance(self, periods: int, sums: NDArray[np.float64] | None) -> int:
+    def advance(self, periods: int, sums: Accumulators | None) -> int:
         """Integrate over some mesh periods, with statistics unless `sums` is None; returns the status."""
         f = self._frequency(self.speed)
         left = periods * self.plan.steps_at(f, self.mode)
@@ -208,7 +215,7 @@ class _SweepRun:
                 self.chunk = next_chunk(n, time.perf_counter() - begun)
         return OK
 
-    def point(self, direction: str, sums: NDArray[np.float64]) -> dict[str, Any]:
+    def point(self, direction: str, sums: Accumulators) -> dict[str, Any]:
         """Results of one point of the sweep."""
         found = read_statistics(sums)
         channels = {
@@ -221,6 +228,7 @@ class _SweepRun:
             }
             for k, c in enumerate(self.system.layout.channels)
         }
+        numbers = read_counts(self.system, sums.counts)[self.plan.mesh]
         state = self.system.layout.channel(f"contact_state[{self.plan.mesh}]")
         # simultaneous contact of both flanks (state 2) counts as neither contact loss nor back contact
         return {
@@ -228,6 +236,7 @@ class _SweepRun:
             "speed": self.speed,
             "mesh_frequency": self._frequency(self.speed),
             **{q: channels[f"{q}[{self.plan.mesh}]"] for q, _, _ in QUANTITIES},
+            **{name: numbers[name] for name, _, _ in CONTACTS},
             "contact_loss_share": float(found.share_zero[state]),
             "back_contact_share": float(found.share_negative[state]),
             "channels": channels,
@@ -275,7 +284,7 @@ def run_sweep(
         for direction, speed in plan.points():
             walk.go_to(speed)
             status = walk.advance(plan.settle, None)
-            sums = new_statistics(walk.system.sizes["no"])
+            sums = new_statistics(walk.system.sizes["no"], new_counts(walk.system))
             status = status if status != OK else walk.advance(plan.measure, sums)
             if status != OK:
                 break
@@ -327,11 +336,12 @@ def sweep_speed(
     -------
     xarray.Dataset
         Dimensions `direction` and `mesh_frequency` [Hz]; for each quantity of the swept mesh
-        `QUANTITY_mean`, `_rms`, `_min`, `_max`, and the shares of contact loss and back contact; all
-        channels of the system by name, such as `bearing_force[left.fx]`, with the third dimension
-        `statistic` (mean, rms, min, max); `jump_direction` (index in `direction`) and `jump_mesh_frequency`
-        [Hz] over `jump`. Missing points are NaN. The attributes contain the notes. Result files of
-        `pitchpoint sweep` have the same names of channels and jumps.
+        `QUANTITY_mean`, `_rms`, `_min`, `_max`, and the numbers of its contact, such as
+        `contact_loss_share`, `impact_rate` [1/s] and `closing_speed_max` [m/s]; all channels of the system
+        by name, such as `bearing_force[left.fx]`, with the third dimension `statistic` (mean, rms, min,
+        max); `jump_direction` (index in `direction`) and `jump_mesh_frequency` [Hz] over `jump`. Missing
+        points are NaN. The attributes contain the notes. Result files of `pitchpoint sweep` have the same
+        names of channels and jumps.
 
     Raises
     ------

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.io.sweep_store import QUANTITIES, SHARES, STATISTICS
+from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.dataset import channel_attributes
 from pitchpoint.system.layout import Channel
 
@@ -57,15 +57,15 @@ def places(points: Sequence[Point], directions: Sequence[str], grid: Sequence[fl
 
 
 def mesh_tables(points: Sequence[Point], at: Places) -> dict[str, Variable]:
-    """One variable per statistic of the swept mesh, and the shares and the speed."""
+    """One variable per statistic of the swept mesh, the numbers of its contact, and the speed."""
     data: dict[str, Variable] = {}
     for name, _, _ in QUANTITIES:
         for key in STATISTICS:
             unit = points[0][name]["unit"] if points else ""
             described = {"units": unit, "long_name": f"{name.replace('_', ' ')}, {key}"}
             data[f"{name}_{key}"] = (DIMENSIONS, at.table([p[name][key] for p in points]), described)
-    for name in (*(share for share, _ in SHARES), "speed"):
-        described = {"units": "rad/s" if name == "speed" else "1", "long_name": name.replace("_", " ")}
+    for name, unit in (*((name, unit) for name, unit, _ in CONTACTS), ("speed", "rad/s")):
+        described = {"units": unit, "long_name": name.replace("_", " ")}
         data[name] = (DIMENSIONS, at.table([p[name] for p in points]), described)
     return data
 

@@ -60,7 +60,8 @@ class Channel:
     """One variable of a result: name, values in SI (n,), SI unit, description.
 
     `statistics` are those of all steps of a run (mean, rms of the alternating part, min, max): samples
-    synchronous with the mesh would miss extremes between them.
+    synchronous with the mesh would miss extremes between them. `contact`: numbers of the impacts of a mesh at
+    all steps, of a contact state only.
     """
 
     name: str
@@ -69,6 +70,7 @@ class Channel:
     long_name: str = ""
     symbol: str = ""
     statistics: Mapping[str, float] | None = None
+    contact: Mapping[str, float] | None = None
 
     @property
     def label(self) -> str:
@@ -246,6 +248,7 @@ def channels(data: Any) -> tuple[Array, dict[str, Channel]]:
             str(attrs.get("long_name", "")),
             str(attrs.get("symbol", "")),
             stored_statistics(attrs),
+            stored_contact(attrs),
         )
     return time, found
 
@@ -291,3 +294,25 @@ def stored_statistics(attrs: Mapping[str, Any]) -> dict[str, float] | None:
     if numbers.shape != (4,) or numbers.dtype.kind not in "fiu" or not np.all(np.isfinite(numbers)):
         return None
     return dict(zip(("mean", "rms", "min", "max"), map(float, numbers), strict=True))
+
+
+IMPACTS = (
+    *("contact_loss_share", "back_contact_share", "longest_loss", "front_impacts", "back_impacts"),
+    *("closing_speed_max", "impulse_max", "rattle_index"),
+)
+"""Contact numbers of a mesh that are shown."""
+
+
+def stored_contact(attrs: Mapping[str, Any]) -> dict[str, float] | None:
+    """Contact numbers that a run stored with a contact state; None if there are none.
+
+    Examples
+    --------
+    >>> stored_contact({"units": "1"})
+    >>> stored_contact(dict.fromkeys(IMPACTS, 0.5))["closing_speed_max"]
+    0.5
+    """
+    if not all(isinstance(attrs.get(name), int | float | np.number) for name in IMPACTS):
+        return None
+    found = {name: float(attrs[name]) for name in IMPACTS}
+    return found if np.isfinite(found["contact_loss_share"]) else None

@@ -23,6 +23,7 @@ ANGLE = 2 * np.pi * (3.0 * TIME + 2.0 * TIME**2)  # a run-up
 FORCE = 5.0 + 2.0 * np.cos(17 * ANGLE)
 OPTIONS = {
     "tracked_spectrum": {"highest_order": 40},
+    "order_levels": {"order": 17.0, "reference": 1e-6, "harmonics": 1},
     "order_map": {"highest_order": 40.0, "frames": 20},
     "resample_over_angle": {"samples_per_revolution": 128},
     "harmonic_table": {"fundamental": 300.0},

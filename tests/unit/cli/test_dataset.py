@@ -269,3 +269,25 @@ def test_a_table_of_cases_holds_no_formulas(tmp_path: Path, capsys: pytest.Captu
     text = (tmp_path / "out" / "index.csv").read_text()
     assert ",'=HYPERLINK(1)" in text
     assert ",=" not in text
+
+
+def test_contact_numbers_of_a_recorded_contact_state(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Impacts are columns of the table, and of that of a second run, which reads them from the files."""
+    plan, out = Path(written(tmp_path)), tmp_path / "out"
+    text = plan.read_text(encoding="utf-8")
+    plan.write_text(
+        text.replace(
+            "channels:\n", 'channels:\n  state: {type: observation, channel: "contact_state[stage]"}\n', 1
+        ),
+        encoding="utf-8",
+    )
+    for _ in range(2):
+        json_of(["dataset", str(plan), "-o", str(out)], capsys)
+        for row in table(out):
+            assert float(row["contact_loss_share[stage] [1]"]) + float(
+                row["front_contact_share[stage] [1]"]
+            ) == pytest.approx(1.0, abs=1e-9)
+            assert float(row["impact_rate[stage] [1/s]"]) >= 0.0
+        (out / "index.csv").unlink()

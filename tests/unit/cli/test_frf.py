@@ -60,3 +60,42 @@ def test_modes_for_animation(tmp_path: Path, capsys: pytest.CaptureFixture[str],
     # turns of the gears at radius 0.1 m reach 10 mm; both halves of the cycle are opposite
     assert np.abs(data["motion"][..., 5]).max() == pytest.approx(0.1, rel=1e-9)
     assert data["motion"][:, 12] == pytest.approx(-data["motion"][:, 0], abs=1e-15)
+
+
+ORDERS = ["--mesh-orders", "2", "--speed-of", "driver", "--to-speed", "2000 rpm", "-r", "mesh_force[stage]"]
+
+
+def test_levels_by_mesh_order(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """JSON, file and page of the response to the loaded transmission error."""
+    file, target, page = written(tmp_path, TORSION), tmp_path / "orders.h5", tmp_path / "orders.html"
+    command = ["frf", file, *ORDERS, "--points", "20", "-o", str(target), "--picture", str(page)]
+    found = json_of(command, capsys)
+    assert [(o["mesh"], o["harmonic"]) for o in found["orders"]] == [("stage", 1), ("stage", 2)]
+    assert found["outputs"] == [{"name": "mesh_force[stage]", "unit": "N", "reference": 1e-6}]
+    assert np.shape(found["level"]) == (1, 20, 2)
+    with open_result(target) as data:
+        rms = np.hypot(data["response_real"].values, data["response_imag"].values)[:, 0, 0] / math.sqrt(2.0)
+    known = rms > 0.0
+    expected = 20.0 * np.log10(rms[known] / 1e-6)
+    assert np.array(found["level"], float)[0, known, 0] == pytest.approx(expected, abs=1e-4)
+    assert "plotly" in page.read_text(encoding="utf-8")
+    assert run_command(["frf", file, *ORDERS]) == 0
+    printed = capsys.readouterr().out
+    assert "mesh_force[stage], 1 × stage" in printed
+    assert "dB re 1 µN" in printed
+
+
+@pytest.mark.parametrize(
+    ("more", "message"),
+    [
+        (["--mesh-orders", "2"], "--mesh-orders needs the speeds"),
+        ([*ORDERS, "--to", "1 kHz"], "--to has no effect with --mesh-orders"),
+        (["--to", "1 kHz"], "--input is required"),
+        ([*ERROR[:2], "--to", "1 kHz", "--speed-of", "driver"], "require --mesh-orders"),
+    ],
+)
+def test_options_that_do_not_fit(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], more: list[str], message: str
+) -> None:
+    assert run_command(["frf", written(tmp_path, TORSION), "-r", "mesh_force[stage]", *more]) == 2
+    assert message in capsys.readouterr().err

@@ -216,7 +216,7 @@ CASES: dict[str, tuple[str, str, int, str]] = {
         ),
         "meshes.m.center_distance",
         5,
-        "differs by 1 mm from the distance between the positions of its bodies, 91 mm",
+        "is 1 mm less than the distance between the positions of its bodies, 91 mm",
     ),
     "faces apart": (
         pair(gear("a"), gear("b"), "", BODIES % (", position: [0, 0, 0]", ", position: [90 mm, 0, 30 mm]")),

@@ -440,3 +440,31 @@ def test_no_sensor_is_blamed_for_what_could_not_be_read(folder: Path) -> None:
     with pytest.raises(ModelError) as error:
         load_model(folder / "model.yaml", allow_code=True)
     assert sorted(p.where for p in error.value.problems) == ["joints.pin.type", "torsion_spring"]
+
+
+CARRIED = """
+bodies:
+  carrier: {inertia: 1 kg m^2, mass: 5 kg, position: [0, 0, 0]}
+  wheel: {inertia: 0.1 kg m^2, mass: 1 kg, position: [0.2 m, 0, 0], axes: {z: AXIS}}
+joints:
+  pin: {type: revolute, bodies: [carrier, wheel], axes: {z: AXIS}}
+sensors:
+  speed: {type: joint, coordinate: wheel, derivative: 1}
+actuators:
+  motor: {type: torque, signal: speed, bodies: [wheel, carrier]}
+"""
+
+
+@pytest.mark.parametrize(("axis", "ok"), [("[1, 0, 0]", True), ("[0, 0, 1]", True), ("[1, 0, 2]", False)])
+def test_a_torque_between_a_body_and_its_carrier(axis, ok):
+    """A motor on the carrier turns the wheel about the axis of the wheel, across that of the carrier. Where
+    the axes are less than 45 deg apart, the remedy is not what the model has already."""
+    text = CARRIED.replace("AXIS", axis)
+    if ok:
+        assert loads_model(text).actuators["motor"].bodies == ("wheel", "carrier")
+        return
+    with pytest.raises(ModelError) as caught:
+        loads_model(text)
+    (problem,) = caught.value.problems
+    assert str(problem).startswith("actuators.motor.bodies (line 10): are tilted by 26.57 deg")
+    assert str(problem).endswith("(limit 0 deg, or above 45 deg); write {type: force, quantity: moment, ...}")

@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from pitchpoint.core.errors import ValidityWarning
+from pitchpoint.core.errors import ModelError, ValidityWarning
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.model.remarks.collect import warn_of_remarks
 from pitchpoint.model.remarks.places import places_left_open
@@ -45,7 +45,7 @@ def test_nothing_is_said_where_places_are_given() -> None:
 
 
 def test_a_carrier_without_a_place_would_turn_about_a_pin() -> None:
-    text = SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg")
+    text = SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg").partition("meshes:")[0]
     (sentence,) = told(text)
     assert sentence == (
         "bodies.carrier: has no position and takes that of joints.pin0, [120 mm, 0 mm, 0 mm], so that it "
@@ -53,6 +53,20 @@ def test_a_carrier_without_a_place_would_turn_about_a_pin() -> None:
     )
     with pytest.warns(ValidityWarning, match="takes that of joints.pin0"):
         warn_of_remarks(loads_model(text))
+
+
+def test_a_carrier_beside_the_axis_of_the_sun() -> None:
+    """The pins would go round another axis than that of sun and ring: an error, or as small as 20 µm said."""
+    with pytest.raises(ModelError) as caught:
+        loads_model(SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg, position: [5 mm, 0, 0]"))
+    assert str(caught.value).splitlines()[1].strip() == (
+        "bodies.carrier.position (line 12): has its axis 5 mm off that of sun, so that the centre "
+        "distance of s0 varies by 10 mm in a revolution of the carrier (limit 0.4 mm, a tenth of a module); "
+        "give carrier the position of sun"
+    )
+    near = SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg, position: [0, 20 um, 0]")
+    assert told(near)[0].startswith("bodies.carrier.position: has its axis 20 µm off that of sun")
+    assert told(SET.replace("mass: 10 kg, position: [0, 0, 0]", "mass: 10 kg, position: [0, 1 um, 0]")) == ()
 
 
 def test_planets_without_directions_stand_in_each_other() -> None:

@@ -86,7 +86,7 @@ def test_rows_told_with_the_slope_have_the_bits_of_rows_told_at_once(begin: Any)
         run.change_step(2e-6)
         chunks.append(run.advance(30, every=1))
         assert all(chunk.status == OK for chunk in chunks)
-        found.append([*(c.rows for c in chunks), *(c.events for c in chunks), sums, run.state().q])
+        found.append([*(c.rows for c in chunks), *(c.events for c in chunks), sums.sums, run.state().q])
     for told, whole in zip(*found, strict=True):
         np.testing.assert_array_equal(told, whole)
 

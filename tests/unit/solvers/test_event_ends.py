@@ -66,6 +66,7 @@ def vibration(method: str, tolerance: float, events: str = "[]"):
         f"sample_rate: 1 kHz, method: {method}, tolerance: {tolerance}, events: {events}}}\n"
     )
     text = pair(CONSTANT, torque='"200 N m + 50 N m*sin(2*pi*t/(2 ms))"', rest=rest)
+    text = text.replace("torque: balance", "torque: 300 N m")
     system = compiled(text, "on")[1]
     done = run_time(system)
     assert done.status == OK, done.sentence

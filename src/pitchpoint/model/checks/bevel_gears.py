@@ -11,7 +11,8 @@ import numpy as np
 
 from pitchpoint.core.errors import GeometryError, Message
 from pitchpoint.model.bevel_places import apex_of, assemble_bevels, bevel_gap, bevel_pair, tooth_phases
-from pitchpoint.model.checks.gear_pairs import OFFSET_TOLERANCE, impossible_shape
+from pitchpoint.model.checks.gear_pairs import impossible_shape
+from pitchpoint.model.checks.phasing import OFFSET_TOLERANCE
 from pitchpoint.model.checks.references import carriers_of_gears
 from pitchpoint.model.checks.tooth_faults import check_faults
 from pitchpoint.model.keys import Place

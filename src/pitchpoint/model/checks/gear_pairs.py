@@ -12,7 +12,6 @@ from pitchpoint.core.errors import GeometryError, Message, PitchpointError
 from pitchpoint.geometry.tooth_problems import TIP_THICKNESS_LIMIT, at_key
 from pitchpoint.model.checks.tooth_faults import check_faults
 from pitchpoint.model.keys import Place
-from pitchpoint.model.phasing import assemble
 from pitchpoint.model.reading.reader import Reader
 
 if TYPE_CHECKING:
@@ -21,9 +20,6 @@ if TYPE_CHECKING:
     from pitchpoint.model.components.gear import Gear
     from pitchpoint.model.components.mesh import Backlash, Mesh
     from pitchpoint.model.parts import Parts
-
-OFFSET_TOLERANCE = 1e-4
-"""Base pitches by which an assembly may exceed its backlash: the elastic deflection of the teeth."""
 
 
 def check_gear(parts: Parts, name: str, report: Reader) -> None:
@@ -170,7 +166,7 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
         return
     before = len(report.problems)
     try:
-        pair = _pair(one.geometry, two.geometry, mesh.center_distance)
+        pair = pair_of(one.geometry, two.geometry, mesh.center_distance)
         for problem in pair.problems("", mesh.gears, gears=False):
             report.hand_on(("meshes", name), problem)
         if len(report.problems) > before or not parts.misshapen.isdisjoint(mesh.gears):
@@ -182,6 +178,21 @@ def check_pair(parts: Parts, name: str, mesh: Mesh, report: Reader) -> None:
     else:
         parts.pairs[name] = pair
         parts.meshes[name] = replace(mesh, a_w=pair.a_w)
+
+
+def pair_at_distance(parts: Parts, name: str, distance: float, report: Reader) -> None:
+    """Set the centre distance of a mesh to the distance of its bodies [m] and report problems there."""
+    pair, mesh = parts.pairs[name], parts.meshes[name]
+    try:
+        moved = pair_of(pair.gear1, pair.gear2, distance)
+        for problem in moved.problems("", mesh.gears, gears=False):
+            report.hand_on(("meshes", name), problem)
+        _ = moved.eps_alpha, moved.j_bt
+    except GeometryError as error:
+        report.hand_on(("meshes", name), error.problem)
+    else:
+        parts.pairs[name] = moved
+        parts.meshes[name] = replace(mesh, a_w=moved.a_w)
 
 
 def _check_misalignment(mesh: Mesh, at: Place, report: Reader) -> None:
@@ -201,7 +212,8 @@ def _check_misalignment(mesh: Mesh, at: Place, report: Reader) -> None:
         )
 
 
-def _pair(one: CylindricalGear, two: CylindricalGear, distance: float | None) -> GearPair:
+def pair_of(one: CylindricalGear, two: CylindricalGear, distance: float | None) -> GearPair:
+    """Pair of two gears at a centre distance [m], or at that without backlash."""
     from pitchpoint.geometry.gear_pair import GearPair
 
     if distance is not None:
@@ -218,29 +230,6 @@ def _pair(one: CylindricalGear, two: CylindricalGear, distance: float | None) ->
 
 def _mismatched(one: CylindricalGear, two: CylindricalGear) -> bool:
     return one.is_internal or (two.is_internal and -two.z <= one.z) or one.m_n != two.m_n
-
-
-def check_phasing(parts: Parts, report: Reader) -> None:
-    """Check that teeth do not overlap if the angle of a gear is determined twice."""
-    meshes = {n: m for n, m in parts.meshes.items() if n in parts.pairs}
-    offsets = assemble(parts.gears, meshes).offset
-    for name, offset in offsets.items():
-        if ("meshes", name) in report.tainted:
-            continue
-        pair, mesh = parts.pairs[name], meshes[name]
-        room = 0.5 * max(0.0, gap(pair, mesh)) + OFFSET_TOLERANCE * abs(pair.p_et)
-        if abs(offset) <= room:
-            continue
-        second = mesh.gears[1]
-        given = all(parts.gears[g].initial_angle is not None for g in mesh.gears)
-        report.problem(
-            ("gears", second, "initial_angle") if given else ("meshes", name),
-            f"lets teeth of {mesh.gears[0]} and {second} overlap by {(abs(offset) - room) * 1e3:.4g} mm",
-            limit=f"{room * 1e3:.4g} mm off the middle of the gap",
-            remedy="remove initial_angle of one of the gears"
-            if given
-            else "change the directions or teeth of the loop of meshes",
-        )
 
 
 def gap(pair: GearPair, mesh: Mesh) -> float:

@@ -24,7 +24,7 @@ from pitchpoint.model.speed_ratios import (
 
 if TYPE_CHECKING:
     from pitchpoint.model.parts import Parts
-    from pitchpoint.model.scenario import Scenario
+    from pitchpoint.model.scenario import Drive, Scenario
 
 MAX_STEPS = 1e12
 """Maximum number of steps of a run; more indicate a wrong time step or sampling rate."""
@@ -58,6 +58,9 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
             if known(parts, "bodies", body, place, report):
                 _turns(parts, body, place, report)
     for body, drive in scenario.drive.items():
+        _ripple(drive, (*at, "drive", body), report)
+        if scenario.sweep is not None and drive.ripple:
+            continue  # see `_sweep`
         keys = ("speed", "angle", "velocity", "position") if "." in body else ("speed", "angle")
         exactly_one(drive, keys, (*at, "drive", body), report)
     if scenario.sweep is not None and known(
@@ -75,6 +78,22 @@ def _names(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
             (*at, "quasi_static", "mesh"),
             f"is missing, and there are {count} meshes",
             remedy=f"name one of {', '.join(names) or 'them'}",
+        )
+
+
+def _ripple(drive: Drive, at: Place, report: Reader) -> None:
+    """Check the waves of a ripple: a rotation that does not reverse."""
+    at = (*at, "ripple")
+    if drive.ripple and (drive.velocity is not None or drive.position is not None):
+        report.problem(at, "applies to rotations only", remedy="add the waves to the velocity or position")
+    share = sum(wave.order * wave.amplitude for wave in drive.ripple.values())
+    if share >= 1.0 and at not in report.tainted:
+        report.problem(
+            at,
+            "reverses the rotation: the amplitudes of the speed add up to more than the mean speed",
+            value=f"{100.0 * share:.4g} %",
+            limit="< 100 %",
+            remedy="reduce fluctuation or angle; a wave of the angle changes the speed by order times angle",
         )
 
 
@@ -217,11 +236,13 @@ def _sweep(parts: Parts, scenario: Scenario, at: Place, report: Reader) -> None:
     sweep = scenario.sweep
     if sweep is None:
         return
-    if scenario.drive:
+    timed = [b for b, d in scenario.drive.items() if not (d.ripple and d.rate is None and d.value is None)]
+    if timed:
         report.problem(
             (*at[:-1], "drive"),
             "cannot be combined with sweep, which prescribes the speed itself",
-            remedy=f"write hold: [{', '.join(scenario.drive)}] for bodies that keep the speed of each point",
+            remedy=f"write hold: [{', '.join(timed)}] for bodies that keep the speed of each point, or give "
+            "a drive with ripple only",
         )
     bounds = sweep.mesh_frequency or sweep.speed
     key = "mesh_frequency" if sweep.mesh_frequency is not None else "speed"

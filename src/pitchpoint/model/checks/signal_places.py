@@ -191,15 +191,16 @@ def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader, w
         return
     one, two = (_spin_axis(parts, body) for body in bodies)
     along = abs(float(one @ two))
-    spins = not isinstance(coordinate(parts.mechanism, parts, bodies[1]), str)
-    # a body without spin takes the torque about any axis, except one nearly parallel
+    carries = bodies[0] in parts.mechanism.carried_by(bodies[1])
+    spins = not carries and not isinstance(coordinate(parts.mechanism, parts, bodies[1]), str)
+    # a carrier, or a body without spin, takes the torque about any axis, except one nearly parallel
     if along < SAME if spins else SAME < along < PARALLEL:
         report.problem(
             at,
             f"are tilted by {math.degrees(math.acos(along)):.4g} deg: {bodies[0]} and {bodies[1]}",
             limit="45 deg" if spins else "0 deg, or above 45 deg",
-            remedy="let the reaction act on the body that carries the driven one, or write "
-            "{type: force, quantity: moment, ...}",
+            remedy=("" if carries else "let the reaction act on the body that carries the driven one, or ")
+            + "write {type: force, quantity: moment, ...}",
         )
 
 

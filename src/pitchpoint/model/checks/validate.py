@@ -6,17 +6,19 @@ from __future__ import annotations
 from pitchpoint.model.assembly import resolve
 from pitchpoint.model.checks.beams import check_beams
 from pitchpoint.model.checks.bevel_gears import check_bevel_gears, check_bevel_names, check_bevel_pairs
+from pitchpoint.model.checks.carried_meshes import check_carried_meshes
 from pitchpoint.model.checks.choices import check_given
 from pitchpoint.model.checks.contacts import check_contacts
 from pitchpoint.model.checks.elastic_bodies import add_elastic_bodies, check_elastic_bodies
 from pitchpoint.model.checks.flank_contact import check_flank_contacts
 from pitchpoint.model.checks.forces import check_forces, check_loads, check_unbalances
 from pitchpoint.model.checks.functions import check_functions
-from pitchpoint.model.checks.gear_pairs import check_phasing
 from pitchpoint.model.checks.gears import check_choices
 from pitchpoint.model.checks.joints import check_joints
 from pitchpoint.model.checks.masses import check_masses, check_motions
 from pitchpoint.model.checks.mechanism import check_mechanism
+from pitchpoint.model.checks.phasing import check_phasing
+from pitchpoint.model.checks.planetary_stages import check_planets, check_spacing
 from pitchpoint.model.checks.references import check_carriers, check_places, check_references
 from pitchpoint.model.checks.scenarios import check_scenarios
 from pitchpoint.model.checks.signal_places import check_signal_places
@@ -31,11 +33,13 @@ from pitchpoint.model.checks.supports import (
 )
 from pitchpoint.model.checks.tooth_faults import check_fault_laws
 from pitchpoint.model.parts import Parts
+from pitchpoint.model.planetary_stages import add_planetary_stages, told_once
 from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.shafts import add_shafts, check_shaft_places
 
 CHECKS = (
     check_given,
+    add_planetary_stages,
     check_solids,
     add_shafts,
     add_elastic_bodies,
@@ -54,11 +58,14 @@ CHECKS = (
     check_signals,
     check_functions,
     check_positions,
+    check_spacing,
     resolve,
+    check_planets,
     check_fault_laws,
     check_flank_contacts,
     check_shaft_places,
     check_mechanism,
+    check_carried_meshes,
     check_signal_places,
     check_beams,
     check_couplings,
@@ -79,3 +86,4 @@ def check(parts: Parts, report: Reader) -> None:
     """Check the parts of a model and compute the derived data; problems are added to `report`."""
     for each in CHECKS:
         each(parts, report)
+    report.problems[:] = told_once(parts.planetary_stages, report.problems)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from pitchpoint.model.components.bearing_fault import SEAT_FAULTS, LooseBearing
 from pitchpoint.model.components.six import Damping6, Stiffness6
-from pitchpoint.model.keys import component, end, key, quantities, text
+from pitchpoint.model.keys import component, derived, end, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -32,3 +32,5 @@ class Bearing:
     faults: Mapping[str, LooseBearing] = key(
         "components", "faults by name", {}, isolated=True, of=SEAT_FAULTS
     )
+    stage: str | None = derived()
+    """Planetary stage that contains the bearing, if any."""

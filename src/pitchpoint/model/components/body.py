@@ -112,6 +112,9 @@ class Body:
     elastic: ElasticBody | None = derived()
     """The elastic body that the body represents, if any; its markers are the nodes."""
 
+    stage: str | None = derived()
+    """Planetary stage that contains the body, if any."""
+
     @property
     def moves(self) -> str:
         """Type of motion: `motion` against ground, or 'joint' for a body on a joint."""
@@ -119,8 +122,8 @@ class Body:
 
     @property
     def stands_in(self) -> bool:
-        """Whether the body represents an elastic shaft or an elastic body of the model."""
-        return self.shaft is not None or self.elastic is not None
+        """Whether the body represents an elastic shaft, an elastic body or a planet of the model."""
+        return self.shaft is not None or self.elastic is not None or self.stage is not None
 
     @property
     def center(self) -> Triple | None:

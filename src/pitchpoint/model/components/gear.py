@@ -154,6 +154,8 @@ class Gear:
     tooth_profile: ToothProfile | None = key(
         "tooth_profile", "measured or calculated points of the tooth, from a file", None, of=ToothProfile
     )
+    stage: str | None = derived()
+    """Planetary stage that contains the gear, if any."""
     x: float | None = derived()
     """Effective profile shift coefficient: as given, or from the centre distance."""
 

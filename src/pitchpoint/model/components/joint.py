@@ -12,6 +12,7 @@ from pitchpoint.model.keys import (
     boolean,
     choice,
     component,
+    derived,
     ends,
     key,
     positive,
@@ -134,6 +135,9 @@ class Joint:
         "{x: 2 mm * sin(2*pi*25 Hz*t)}, {x: {table: [[t, x], ...]}}; a list of functions is added up",
         {},
     )
+
+    stage: str | None = derived()
+    """Planetary stage that contains the joint, if any."""
 
     @property
     def names(self) -> tuple[str, ...]:

@@ -70,7 +70,7 @@ class PythonLaw:
 
 @dataclass(frozen=True)
 class Balance:
-    """The constant value that balances all other loads at the start; periodic loads count with their mean."""
+    """The constant value that balances all other loads; those that repeat count with their mean."""
 
 
 Law: TypeAlias = Constant | FormulaLaw | TableLaw | PythonLaw | Balance

@@ -238,6 +238,8 @@ class Mesh:
         """Contact of the tooth surfaces if it is given, else the stiffness law."""
         return self.stiffness if self.contact is None else self.contact
 
+    stage: str | None = derived()
+    """Planetary stage that contains the mesh, if any."""
     a_w: float | None = derived()
     """Effective centre distance [m], signed as in ISO 21771 (negative for internal pairs)."""
     offset1: float = derived(0.0)

@@ -41,7 +41,7 @@ class Reader:
     within
         Data of the component that is being read, for values that depend on other keys.
     aliases
-        Paths in the file of components that represent others: SECTION, NAME -> SECTION, NAME.
+        Paths in the file of components that represent others: SECTION, NAME or SECTION, NAME, KEY.
     parameters, unreadable
         Values of the parameters by name, and the names of those without value.
     used
@@ -85,7 +85,7 @@ class Reader:
         """Add a problem; `taint` marks the path, so that consequential problems are not reported."""
         if taint:
             self.taint(path)
-        path = (*self.aliases.get(path[:2], path[:2]), *path[2:])
+        path = self._in_file(path)
         self.problems.append(Message(dotted(path), message, value, limit or None, remedy, self.line(path)))
         if taint:
             self.taint(path)
@@ -95,6 +95,13 @@ class Reader:
         """Mark a path as unreadable, so that consequential problems are not reported."""
         self.tainted.update(path[:n] for n in range(1, len(path) + 1))
         return BAD
+
+    def _in_file(self, path: Place) -> Place:
+        """Path in the file of a key of a component that represents another."""
+        for n in (3, 2):
+            if path[:n] in self.aliases:
+                return (*self.aliases[path[:n]], *path[n:])
+        return path
 
     def hand_on(self, base: Place, found: Message, taint: bool = True) -> Any:
         """Add a problem of another layer, such as geometry, at the key below `base` that it names."""

@@ -16,6 +16,7 @@ from pitchpoint.model.checks.bearing_faults import track_radius
 from pitchpoint.model.checks.gear_pairs import at_tip_diameter
 from pitchpoint.model.components.stiffness import OF_PAIRS
 from pitchpoint.model.frames import GROUND, place_of
+from pitchpoint.model.planetary_stages import at_stages
 from pitchpoint.model.remarks.beams import ends_left_behind
 from pitchpoint.model.remarks.file import numbers_without_unit, unused_parameters
 from pitchpoint.model.remarks.flank_contact import inaccurate_tables
@@ -177,7 +178,9 @@ def odd_shapes(model: Model) -> tuple[Message, ...]:
     for name, cone in model.bevel_gears.items():
         found += [("bevel_gears", each) for each in cone.geometry.warnings(name)]
     found += [(at, each) for at, each in _odd_pairs(model) if each.text != NO_PAIR_IN_CONTACT]
-    return tuple(each.changed(where=f"{group}.{each.where}", kind="warning") for group, each in found)
+    return at_stages(
+        model, (each.changed(where=f"{group}.{each.where}", kind="warning") for group, each in found)
+    )
 
 
 def gaps_in_contact(model: Model) -> tuple[Message, ...]:
@@ -210,7 +213,7 @@ def remarks_of(model: Model) -> tuple[Message, ...]:
         keys_without_effect,
         inaccurate_tables,
     )
-    found = [each for find in finders for each in find(model)]
+    found = at_stages(model, (each for find in finders for each in find(model)))
     return tuple(e if e.line is not None else e.changed(line=model.line_of(e.where)) for e in found)
 
 

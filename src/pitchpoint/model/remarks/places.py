@@ -10,7 +10,9 @@ import numpy as np
 
 from pitchpoint.core.errors import Message, remark
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.checks.carried_meshes import off_axis
 from pitchpoint.model.frames import GROUND, Array, body_frame, split
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -24,8 +26,10 @@ SAME = 1e-6
 
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
-    """A remark for every axis that is located by a joint, overlapping gears, and the far end of a shaft."""
-    return (*_axes_by_joints(model), *_gears_in_gears(model), *_far_ends(model))
+    """A remark for every axis that is located by a joint, overlapping gears, the far end of a
+    shaft, and carriers off the axis of their central gears."""
+    beside = (remark(f"bodies.{o.carrier}.position", o.words, o.remedy) for o in off_axis(model))
+    return (*_axes_by_joints(model), *_gears_in_gears(model), *_far_ends(model), *beside)
 
 
 def _axes_by_joints(model: Model) -> Iterator[Message]:
@@ -34,7 +38,7 @@ def _axes_by_joints(model: Model) -> Iterator[Message]:
     A planet carrier without position would rotate about the pin of its first planet.
     """
     joined: dict[str, list[str]] = {}
-    for joint, part in model.joints.items():
+    for joint, part in own_parts(model.joints).items():  # a stage locates its carrier
         for body_name in dict.fromkeys(split(end)[0] for end in part.bodies):
             joined.setdefault(body_name, []).append(joint)
     coupled = {name for coupling in model.couplings.values() for name in coupling.bodies}

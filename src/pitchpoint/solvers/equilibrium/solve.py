@@ -31,6 +31,7 @@ from pitchpoint.core.progress import report_step
 from pitchpoint.core.status import DIVERGED, SINGULAR
 from pitchpoint.elements import torque
 from pitchpoint.model.components.law import Balance
+from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped, rest_of_mechanism
 from pitchpoint.solvers.equilibrium.failure import advice, broken_tooth, unconstrained
 from pitchpoint.solvers.equilibrium.force_jumps import (
@@ -141,9 +142,9 @@ def find_equilibrium(
     SolverError
         If no equilibrium is found: a loaded direction is unconstrained, or a force law has no equilibrium.
     """
-    state = (system.initial_state() if start is None else start).copy()
-    state.a[:] = 0.0
     kept = free_spins(system) if held is None else tuple(held)
+    state = (centred(system, system.initial_state(), kept) if start is None else start).copy()
+    state.a[:] = 0.0
     free = np.setdiff1d(np.arange(system.sizes["nd"]), kept)
     evaluate.prepare(system)
     idle = unsettled_states(system, state, free)
@@ -308,7 +309,7 @@ def balance_torques(
     acting = system.records[LOAD]["i"]  # for a shaft: the station of the torque
     spins = [system.spin(system.layout.bodies[int(acting[k])]) for k in wanted]
     let_go = exchange_all(system, held, spins, state)
-    found = find_equilibrium(system, state, let_go)
+    found = find_equilibrium(system, centred(system, state, let_go), let_go)
     reaction = _mean_reaction(system, found, *instants)
     records = system.records[LOAD].copy()
     for k, spin in zip(wanted, spins, strict=True):
@@ -379,4 +380,5 @@ def solve_equilibrium(
         start.v[system.spin(name)] = speed
     settled, balanced, kept = balance_torques(system, _wrapped(system, start), held)
     held = tuple(kept) if balanced and is_looped(settled) else held
-    return point_dataset(settled, find_equilibrium(settled, _wrapped(settled, start), held))
+    start = centred(settled, _wrapped(settled, start), held)
+    return point_dataset(settled, find_equilibrium(settled, start, held))

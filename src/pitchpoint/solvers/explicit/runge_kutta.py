@@ -27,7 +27,7 @@ from pitchpoint.solvers.explicit.dormand_prince import (
 )
 from pitchpoint.solvers.explicit.dormand_prince import entry as adaptive_entry
 from pitchpoint.solvers.explicit.equal_steps import ADAMS, CLASSICAL, ORDER, PAST, entry
-from pitchpoint.solvers.sampling import Chunk, advance_into, new_recorder
+from pitchpoint.solvers.sampling import Accumulators, Chunk, advance_into, new_recorder
 from pitchpoint.system import evaluate
 from pitchpoint.system.link import heard
 from pitchpoint.system.system import State, System
@@ -74,7 +74,7 @@ class ExplicitRun:
         n: int,
         *,
         every: int = 0,
-        statistics: NDArray[np.float64] | None = None,
+        statistics: Accumulators | None = None,
         stride: int = 1,
         events: int = 0,
         picked: NDArray[np.int64] | None = None,
@@ -115,7 +115,7 @@ class ExplicitRun:
         t_end: float,
         *,
         sample: float = 0.0,
-        statistics: NDArray[np.float64] | None = None,
+        statistics: Accumulators | None = None,
         events: int = 0,
         restart: bool = False,
         most: int = 1_000_000_000,

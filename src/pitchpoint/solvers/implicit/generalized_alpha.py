@@ -25,7 +25,14 @@ from pitchpoint.multibody.channels import CTL, I8
 from pitchpoint.solvers.implicit.constrained_newton import iterate, new_iteration
 from pitchpoint.solvers.implicit.start_values import first_slopes, shift_rates
 from pitchpoint.solvers.implicit.step import alpha_step, bring_step, divided_step
-from pitchpoint.solvers.sampling import Chunk, advance_into, new_recorder, record_step, recorder_at
+from pitchpoint.solvers.sampling import (
+    Accumulators,
+    Chunk,
+    advance_into,
+    new_recorder,
+    record_step,
+    recorder_at,
+)
 from pitchpoint.system import evaluate
 from pitchpoint.system.residual import wrap
 from pitchpoint.system.system import State, System
@@ -133,7 +140,7 @@ class Run:
         n: int,
         *,
         every: int = 0,
-        statistics: NDArray[np.float64] | None = None,
+        statistics: Accumulators | None = None,
         stride: int = 1,
         events: int = 0,
     ) -> Chunk:

@@ -20,6 +20,7 @@ from pitchpoint.model.mechanism import given
 from pitchpoint.model.scenario import Scenario
 from pitchpoint.model.shafts import station_names
 from pitchpoint.solvers.constraints.assembly import assemble_state, close_loops
+from pitchpoint.solvers.equilibrium.centring import centred
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
 from pitchpoint.solvers.equilibrium.solve import LOAD, NOW, Equilibrium, balance_torques, balancing_loads
 from pitchpoint.solvers.equilibrium.unknowns import ROUNDING, rest_matrix
@@ -32,8 +33,10 @@ from pitchpoint.solvers.gear_trains import (
 )
 from pitchpoint.solvers.initial_state.clutches import settle_clutches
 from pitchpoint.solvers.initial_state.filters import rest_of_controls, states_of_inputs
-from pitchpoint.solvers.mean_balance import cycle_instants, with_mean_loads
+from pitchpoint.solvers.load_cycle import LoadCycle, load_cycle
+from pitchpoint.solvers.mean_balance import cycle_instants, cycle_notes
 from pitchpoint.solvers.model_damping import with_damping
+from pitchpoint.solvers.speed_drift import UNBALANCED
 from pitchpoint.system.meshes import forget_contacts
 from pitchpoint.system.residual import NEWTON
 from pitchpoint.system.system import State, System
@@ -120,8 +123,6 @@ def _tumbled(system: System, state: State, name: str) -> bool:
     return chart >= 0 and not np.allclose(state.charts[chart], np.eye(3))
 
 
-UNBALANCED = "the loads do not balance"
-"""Start of the note that the speed will change."""
 IMBALANCE = 1e-6
 """Net torque over the largest torque above which a run notes that its loads do not balance."""
 
@@ -138,11 +139,14 @@ class Start:
         State at t = 0.
     notes
         Notes for the user.
+    cycle
+        Mean torques of pulsating loads that balancing torques balance, if there are any.
     """
 
     system: System
     state: State
     notes: tuple[str, ...] = ()
+    cycle: LoadCycle | None = None
 
 
 def speeds_of(system: System, scenario: Scenario) -> dict[str, float]:
@@ -231,39 +235,49 @@ def prepare_start(system: System, scenario: Scenario) -> Start:
             _turn_to(system, state, name, value)
     held = list(held_spins(system))
     if scenario.start == "assembled":
+        state = centred(system, state, {*held, *driven}, loaded=False)
+        cycle = None
         state, notes = _closed(system, scenario, state, driven)
         if balancing_loads(system):
-            system = _at_rest(system, state, held, driven)[0]
+            system, *_, cycle = _at_rest(system, state, held, driven)
+            if cycle is not None:
+                notes = (*notes, *cycle_notes(system, state, cycle))
+                state.v += cycle.offset
         state = states_of_inputs(system, state)
-        return Start(with_damping(system, state), state, (*notes, *start_notes(system, state, driven)))
+        notes = (*notes, *start_notes(system, state, driven))
+        return Start(with_damping(system, state), state, notes, cycle)
     state = _from_given(system, state, driven)
-    system, found, notes = _at_rest(system, state, held, driven)
+    system, found, notes, cycle = _at_rest(system, state, held, driven)
     state, more = _closed(system, scenario, found.state, driven, rest=True)
     more = (*more, *start_notes(system, state, driven))
-    return Start(with_damping(system, state), state, (*notes, *more))
+    if cycle is not None:
+        more = (*more, *cycle_notes(system, state, cycle))
+        state.v += cycle.offset
+    return Start(with_damping(system, state), state, (*notes, *more), cycle)
 
 
 def _at_rest(
     system: System, state: State, held: Sequence[int], driven: Sequence[int]
-) -> tuple[System, Equilibrium, tuple[str, ...]]:
-    """The system with its balancing torques, its equilibrium, and notes.
+) -> tuple[System, Equilibrium, tuple[str, ...], LoadCycle | None]:
+    """The system with its balancing torques, its equilibrium, notes, and the steady motion under its loads.
 
     Torques balance the mean of pulsating loads; the equilibrium is that under the initial loads.
     """
     balancing = balancing_loads(system)
-    mean = with_mean_loads(system, state) if balancing else system
-    pulsates = mean is not system
+    cycle = load_cycle(system, state, held, driven) if balancing else None
+    mean = system if cycle is None else cycle.applied(system)
     instants = cycle_instants(system, state) if balancing else NOW
     mean, balanced, held = balance_torques(mean, state, held, driven, instants)
     known = {*driven, *balanced}
+    state = centred(mean, state, {*held, *known})
     found, signal_notes = rest_of_controls(mean, state, held, known)
     mean, found, remarks = settle_clutches(mean, found, driven, balanced)
-    if pulsates:
+    if cycle is not None:
         records = system.records[LOAD].copy()
         records["value"][balancing] = mean.records[LOAD]["value"][balancing]
         mean = system.with_params({LOAD: records})
         found, signal_notes = rest_of_controls(mean, found.state, held, known)
-    return mean, found, (*signal_notes, *_notes(mean, found, known), *remarks)
+    return mean, found, (*signal_notes, *_notes(mean, found, known), *remarks), cycle
 
 
 def _turn_to(system: System, state: State, body: str, angle: float) -> None:

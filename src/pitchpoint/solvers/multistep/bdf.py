@@ -26,7 +26,7 @@ from pitchpoint.solvers.multistep.history import DEPTH
 from pitchpoint.solvers.multistep.order_control import CONSTANT, FIXED, LARGEST, LEADING, PAST, VARIABLE
 from pitchpoint.solvers.multistep.restart import resume
 from pitchpoint.solvers.multistep.step import ORDER, entry, step
-from pitchpoint.solvers.sampling import Chunk, advance_into, new_recorder
+from pitchpoint.solvers.sampling import Accumulators, Chunk, advance_into, new_recorder
 from pitchpoint.system import evaluate
 from pitchpoint.system.system import State, System
 from pitchpoint.system.workspace import VALID
@@ -87,7 +87,7 @@ class StiffRun:
         t_end: float,
         *,
         sample: float = 0.0,
-        statistics: NDArray[np.float64] | None = None,
+        statistics: Accumulators | None = None,
         events: int = 0,
         restart: bool = False,
         most: int = 1_000_000_000,

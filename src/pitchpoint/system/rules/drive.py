@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 def drive_bank(model: Model, scenario: Scenario) -> Bank:
-    """Constraint rows of all driven and held bodies of a scenario."""
+    """Constraint rows of all driven and held bodies of a scenario, with their ripple."""
     number = body_numbers(model)
     pool = Pool()
     rows, names = [], []
@@ -40,9 +40,15 @@ def drive_bank(model: Model, scenario: Scenario) -> Bank:
             raise CompileError(f"drive.{word}: {found}")
         body, row["q_i"], dimension = found
         row["i"], row["linear"] = number[body], dimension == "length"
-        _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{word}")
-        if drive.rate is not None:  # a speed without a start angle
+        if drive.rate is None and drive.value is None:  # of a sweep, which prescribes the mean speed
+            row["form"], row["speed"] = element.SPEED, speeds[body]
+        else:
+            _prescribe(row, pool, drive, scenario.duration or 1.0, f"drive.{word}")
+        if drive.value is None:  # a speed without a start angle
             row["angle"] = _start(model, body, int(row["q_i"]))
+        if drive.ripple:
+            waves = [(wave.order, wave.amplitude, wave.phase) for wave in drive.ripple.values()]
+            element.set_ripple(row, pool, waves)
         rows.append(row)
         names.append(word)
     for body in scenario.hold:

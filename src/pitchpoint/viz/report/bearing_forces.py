@@ -124,8 +124,8 @@ def bearing_table(rows: Mapping[str, BearingForce]) -> str:
         )
     words = f"Largest radial force: {amount(rows[most].maximum, 'N')}, {most}. " if len(rows) > 1 else ""
     words += (
-        "Forces on the shaft; direction of the mean radial force from the x axis of the bearing towards its y axis, "
-        "in the plane normal to the shaft."
+        "Forces on the shaft; direction of the mean radial force in the plane normal to the shaft, "
+        "from the x axis of the bearing towards its y axis."
     )
     return f"{plain_table(head, body, words=1)}<p>{escape(words)}</p>"
 

@@ -234,6 +234,8 @@ class TimeRun:
         Titles and names of the channels to be drawn, by meaning; default: the main quantities.
     note
         Sentence above the signals (status of an unfinished run).
+    remarks
+        Notes of the run, listed above the signals.
     """
 
     data: Any
@@ -241,6 +243,7 @@ class TimeRun:
     angle: str | None = None
     highest_order: float | None = None
     note: str = ""
+    remarks: Sequence[str] = ()
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
     groups: Sequence[tuple[str, Sequence[str]]] = ()
 

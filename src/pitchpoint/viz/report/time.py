@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from pitchpoint.analysis.spectra import amplitude_spectrum
-from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.viz.quantities import Array, Channel, amount, channels, number, window_words
 from pitchpoint.viz.report.bearing_forces import QUANTITY, bearing_forces, bearing_table, with_resultants
+from pitchpoint.viz.report.contact_times import contact_table
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.run_record import (
     FORCE_PARTS,
@@ -27,7 +27,6 @@ from pitchpoint.viz.run_record import (
     uniform,
 )
 from pitchpoint.viz.signals_plot import NOISE, plot_force_parts, plot_signals, signal_rows
-from pitchpoint.viz.tables import plain_table
 
 MAX_LINES = 8
 MAX_PARTS = 2
@@ -57,11 +56,13 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         found = with_resultants(found)
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
+        notes = "".join(f"<li>{escape(remark)}</li>" for remark in run.remarks)
+        section.add(f'<ul class="notes">{notes}</ul>' if notes else "")
         section.add('<div class="linked">' if name == seen else "")
         settled = settled_part(time, run.settle_time)
         steady = not changes_speed(time[settled], turning_angle(run, found), settled)
         states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
-        contact = _contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled)
+        contact = contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled)
         table = bearing_table(bearing_forces(time, found, settled))
         begin, end = (float(t) for t in time[settled][[0, -1]])
         words = f"<p>{escape(window_words(begin, end).capitalize())}.</p>"
@@ -132,7 +133,8 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str]]:
         more = len(others) - MAX_LINES
         is_are = "is" if more == 1 else "are"
         words.append(
-            f"The {MAX_LINES} curves with the largest values; {more} more {channel_word(more)} {is_are} in the result."
+            f"Drawn: the {MAX_LINES} curves with the largest values; "
+            f"{more} more {channel_word(more)} {is_are} in the result."
         )
         others = [c for c in others if any(c is one for one in order)]
     return others, words
@@ -197,46 +199,3 @@ def _last_periods(time: Array, values: Array) -> slice:
     if spectrum.amplitude[top] <= 1e-9 * abs(spectrum.mean) or top < DETAIL_PERIODS * 2:
         return slice(None)
     return slice(int(np.searchsorted(time, time[-1] - DETAIL_PERIODS / spectrum.frequency[top])), None)
-
-
-def _contact_table(
-    time: Array, states: Mapping[str, Array], found: Mapping[str, Channel], settled: np.ndarray
-) -> str:
-    """Table of flank in work, contact loss, back contact and impacts per mesh."""
-    body = []
-    for mesh, state in states.items():
-        force = found.get(f"mesh_force[{mesh}]")
-        c = contact_statistics(time, state, None if force is None else force.values[settled])
-        peaks = [i.peak for i in c.impacts if i.peak is not None]
-        cells = (
-            f"{100.0 * c.loss_share:.3g} %",
-            f"{100.0 * c.back_contact_share:.3g} %",
-            amount(c.longest_loss, "s") if c.separations else "–",
-            str(len(c.impacts)),
-            amount(max(peaks), "N") if peaks else "–",
-        )
-        body.append(
-            f'<tr><th scope="row">{escape(mesh)}</th><td>{working_flank(state)}</td>'
-            + "".join(f'<td class="num">{x}</td>' for x in cells)
-            + "</tr>"
-        )
-    head = ("mesh", "flank", "contact loss", "back contact", "longest loss", "impacts", "largest impact")
-    return plain_table(head, body) if body else ""
-
-
-def working_flank(state: Array) -> str:
-    """Flank in work over a record of contact states, in words.
-
-    Examples
-    --------
-    >>> [working_flank(np.array(s)) for s in ([1, 1], [-1, -1, 0], [1, -1, 0], [0, 0], [2, 2])]
-    ['front', 'works on back flank', 'both, alternating', 'no contact', 'both at once']
-    """
-    codes = np.rint(state)
-    front, back, both = (bool(np.any(codes == k)) for k in (1, -1, 2))
-    if front and back:
-        share = float(np.mean(codes == -1)) / float(np.mean(np.abs(codes) == 1))
-        return "works on back flank" if share > 0.9 else "front" if share < 0.1 else "both, alternating"
-    if front or back:
-        return "works on back flank" if back else "front"
-    return "both at once" if both else "no contact"

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Numbers of the contact of a mesh in result files: impacts, closing speeds, impulses, contact shares."""
+
+from __future__ import annotations
+
+RATTLE = (
+    ("contact_loss_share", "1", "share of the time without contact"),
+    ("back_contact_share", "1", "share of the time with contact on the back flank"),
+    ("impact_rate", "1/s", "impacts per time after separations"),
+    ("closing_speed_max", "m/s", "largest speed at which flanks meet, normal to them"),
+    ("impulse_max", "N s", "largest impulse of an impact"),
+    ("front_impacts", "1", "number of impacts on the front flank"),
+    ("back_impacts", "1", "number of impacts on the back flank"),
+    ("closing_speed_mean", "m/s", "mean speed at which flanks meet"),
+    ("closing_speed_rms", "m/s", "rms of the speed at which flanks meet"),
+    ("impulse_mean", "N s", "mean impulse of an impact"),
+    ("front_contact_share", "1", "share of the time with contact on the front flank"),
+    ("both_flanks_share", "1", "share of the time with contact on both flanks"),
+    ("longest_loss", "s", "longest time without contact"),
+    ("shortest_contact", "s", "shortest contact after an impact"),
+    ("resolution", "s", "largest step between two checks of the contact"),
+    ("rattle_index", "1", "inertia torque of the idle gear over its drag torque"),
+)
+"""Numbers of the contact of a mesh: name, unit, description; see `analysis.rattle.Rattle`."""

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Components that represent others of the model file, such as the body of a shaft or a planet of a stage."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, TypeVar
+
+T = TypeVar("T")
+
+
+def stands_in(part: Any) -> bool:
+    """Whether a component represents one of another section and is not written to a file."""
+    return bool(getattr(part, "stands_in", False)) or getattr(part, "stage", None) is not None
+
+
+def own_parts(parts: Mapping[str, T]) -> dict[str, T]:
+    """Components of a section without those that represent others."""
+    return {name: part for name, part in parts.items() if not stands_in(part)}

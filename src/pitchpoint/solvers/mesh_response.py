@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forced response to the transmission errors of the meshes: from flanks to bearings and housing, by order.
+
+The loaded transmission error of each mesh, from a slow roll under the load of the scenario, excites the
+linear system as a displacement between its flanks. Its harmonics at all speeds give the response by mesh
+order.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from pitchpoint.core.errors import SolverError, join_notes
+from pitchpoint.core.nearest import hint
+from pitchpoint.core.progress import Progress, silent
+from pitchpoint.core.status import INCONSISTENT, OK
+from pitchpoint.model.scenario import Scenario
+from pitchpoint.solvers.campbell import at_speeds
+from pitchpoint.solvers.frequency_response import matrices_of, respond
+from pitchpoint.solvers.gear_trains import mesh_orders
+from pitchpoint.solvers.initial_state.start import body_rates
+from pitchpoint.solvers.inputs_outputs import find_inputs, find_outputs
+from pitchpoint.solvers.linear_system import linearise
+from pitchpoint.solvers.modal import find_modes
+from pitchpoint.solvers.operating_point import scenario_named
+from pitchpoint.solvers.quasistatic.roll import roll_through
+from pitchpoint.system.system import System
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+RATES = {"displacement": 0, "velocity": 1, "acceleration": 2}
+"""Powers of i omega of a motion."""
+
+
+@dataclass(frozen=True)
+class MeshResponse:
+    """Complex peak amplitudes by mesh order and speed.
+
+    Parameters
+    ----------
+    body
+        Body of the speed.
+    speed
+        Its speeds [rad/s], shape (n_speed,).
+    meshes, harmonics
+        Mesh and multiple of the mesh frequency of every order, shape (n_order,).
+    order
+        Orders of the body: periods per revolution [-], shape (n_order,).
+    error
+        Loaded transmission error along the base tangent [m], e^(i order angle), shape (n_order,).
+    response
+        Response of each output, in its unit, shape (n_speed, n_order, n_output).
+    outputs, units
+        Names and SI units.
+    mode_frequency, mode_names
+        Natural frequencies [Hz] and names of the undamped modes at rest.
+    notes
+        Notes for the user.
+    """
+
+    body: str
+    speed: Array
+    meshes: tuple[str, ...]
+    harmonics: tuple[int, ...]
+    order: Array
+    error: Complex
+    response: Complex
+    outputs: tuple[str, ...]
+    units: tuple[str, ...]
+    mode_frequency: Array
+    mode_names: tuple[str, ...]
+    notes: tuple[str, ...] = ()
+
+    @property
+    def frequency(self) -> Array:
+        """Excitation frequency [Hz], shape (n_speed, n_order)."""
+        return np.abs(self.speed)[:, None] * self.order / (2.0 * np.pi)
+
+
+def motion_of(name: str) -> tuple[str, int]:
+    """Split an output such as `acceleration[housing.uz]` into the displacement and the power of i omega.
+
+    Examples
+    --------
+    >>> motion_of("acceleration[housing.uz]"), motion_of("bearing_force[left.fx]")
+    (('housing.uz', 2), ('bearing_force[left.fx]', 0))
+    """
+    word, _, inside = name.partition("[")
+    if word in ("velocity", "acceleration") and inside.endswith("]"):
+        return inside[:-1], RATES[word]
+    return name, 0
+
+
+def find_mesh_response(
+    system: System,
+    outputs: Sequence[str],
+    body: str,
+    speeds: ArrayLike,
+    scenario: Scenario | str | None = None,
+    *,
+    harmonics: int = 3,
+    points: int = 64,
+    progress: Progress = silent,
+) -> MeshResponse:
+    """Response to the loaded transmission error of every mesh, over the speed of a body.
+
+    Parameters
+    ----------
+    system
+        The compiled model.
+    outputs
+        Outputs as in `inputs_outputs`, and `velocity[NAME]` and `acceleration[NAME]` of a displacement.
+    body
+        Body of the speed.
+    speeds
+        [rad/s], shape (n_speed,), not zero.
+    scenario
+        Scenario with the loads; as in `modal.find_modes`.
+    harmonics
+        Number of multiples of each mesh frequency.
+    points
+        Positions of the slow roll per mesh period; harmonics up to a quarter of it.
+    progress
+        Called after every speed.
+
+    Raises
+    ------
+    SolverError
+        If a name is unknown, a speed is zero, there is no equilibrium, or no mesh turns with the body.
+
+    Notes
+    -----
+    y(i omega) = H(i omega) e(i omega), omega = h z n: H is the response to a transmission error through the
+    mean mesh stiffness (`frequency_response`), e the loaded transmission error at constant torque. At low
+    speed the gears follow e. Valid while the flanks stay in contact and the dynamic mesh force is small
+    against the mean force, since the variation of the stiffness then excites with the static deflection; near
+    parametric resonances and after contact loss run a time response. Errors of different meshes have the
+    phases of the initial position.
+    """
+    known = system.layout.bodies[1:]
+    if body not in known:
+        raise SolverError(f"no body is called {body!r}; {hint(body, known)}", INCONSISTENT)
+    turning = np.atleast_1d(np.asarray(speeds, dtype=np.float64))
+    if not np.all(np.abs(turning) > 0.0):
+        raise SolverError("a speed is zero, at which no mesh excites; use speeds above zero", INCONSISTENT)
+    if not 1 <= harmonics <= points // 4:
+        raise SolverError(f"harmonics: {harmonics} (limit 1 to {points // 4})", INCONSISTENT)
+    linear = linearise(system, scenario)
+    rates = body_rates(linear.system, body, scenario_named(linear.system, scenario))
+    orders = {m: o for m, o in mesh_orders(linear.system, rates).items() if o > 0.0}
+    if not orders:
+        raise SolverError(f"no mesh turns with {body}; choose another body", INCONSISTENT)
+    displacements, powers = zip(*(motion_of(name) for name in outputs), strict=True)
+    outs = find_outputs(linear, displacements)
+    errors, notes = [], list(linear.notes)
+    for mesh in orders:
+        found, more = loaded_error(system, scenario, mesh, harmonics, points)
+        errors.append(found)
+        notes += [n for n in more if n not in notes]
+    ins = find_inputs(linear, [f"transmission_error[{m}]" for m in orders])
+    response = np.zeros((turning.size, len(orders), harmonics, len(outputs)), complex)
+    rise = np.array(powers)
+    for s, speed in enumerate(turning):
+        at = at_speeds(linear, speed * rates)
+        matrices = matrices_of(at)
+        for m, order in enumerate(orders.values()):
+            for h in range(1, harmonics + 1):
+                omega = abs(speed) * h * order
+                per_unit = respond(at, matrices, at.basis, [ins[m]], outs, omega)[:, 0]
+                response[s, m, h - 1] = per_unit * errors[m][h - 1] * (1j * omega) ** rise
+        progress(s + 1, turning.size, "speeds")
+    modes = find_modes(system, scenario, linear=linear)
+    return MeshResponse(
+        body,
+        turning,
+        tuple(m for m in orders for _ in range(harmonics)),
+        tuple(h for _ in orders for h in range(1, harmonics + 1)),
+        np.array([h * o for o in orders.values() for h in range(1, harmonics + 1)]),
+        np.concatenate(errors),
+        response.reshape(turning.size, -1, len(outputs)),
+        tuple(outputs),
+        tuple(f"{u}{('', '/s', '/s^2')[p]}" for u, p in zip(outs.units, powers, strict=True)),
+        modes.frequency,
+        modes.names,
+        tuple(notes),
+    )
+
+
+def loaded_error(
+    system: System, scenario: Scenario | str | None, mesh: str, harmonics: int, points: int
+) -> tuple[Complex, tuple[str, ...]]:
+    """Harmonics of the loaded transmission error of a mesh, complex peak amplitudes [m], and notes."""
+    chosen = scenario_named(system, scenario)
+    roll = roll_through(system, chosen, points, 1, mesh=mesh, others=False)
+    if roll.status != OK:
+        raise SolverError(f"slow roll of {mesh}: {roll.sentence}", roll.status)
+    curve = roll.rows[:-1, system.layout.channel(f"transmission_error[{mesh}]")]
+    series = 2.0 * np.fft.rfft(curve) / curve.size
+    return series[1 : harmonics + 1], roll.notes
+
+
+def solve_mesh_response(
+    system: System,
+    outputs: Sequence[str],
+    body: str,
+    speeds: ArrayLike,
+    scenario: Scenario | str | None = None,
+    *,
+    harmonics: int = 3,
+    points: int = 64,
+    progress: Progress = silent,
+) -> xr.Dataset:
+    """Response to the loaded transmission errors as a dataset; parameters as in `find_mesh_response`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over `speed` [rad/s], `order` (of the body) and `output`: response (complex peak amplitude),
+        amplitude; over `speed` and `order`: frequency [Hz]; over `order`: mesh, harmonic, error [m]; over
+        `output`: unit; over `mode`: mode_frequency [Hz], mode_name.
+    """
+    import xarray as xr
+
+    from pitchpoint.solvers.dataset import attributes
+
+    began = time.perf_counter()
+    found = find_mesh_response(
+        system, outputs, body, speeds, scenario, harmonics=harmonics, points=points, progress=progress
+    )
+    dims = ("speed", "order", "output")
+    data = {
+        "response": (dims, found.response, {"long_name": "response to the loaded transmission error"}),
+        "amplitude": (dims, np.abs(found.response), {"long_name": "peak amplitude"}),
+        "frequency": (dims[:2], found.frequency, {"units": "Hz", "long_name": "excitation frequency"}),
+        "error": ("order", np.abs(found.error), {"units": "m", "long_name": "loaded transmission error"}),
+        "mode_frequency": ("mode", found.mode_frequency, {"units": "Hz", "long_name": "natural frequency"}),
+    }
+    coords: dict[str, Any] = {
+        "speed": ("speed", found.speed, {"units": "rad/s", "long_name": f"speed of {body}"}),
+        "order": ("order", found.order, {"units": "1", "long_name": f"order of {body}"}),
+        "output": list(found.outputs),
+        "unit": ("output", list(found.units)),
+        "mesh": ("order", list(found.meshes)),
+        "harmonic": ("order", list(found.harmonics)),
+        "mode_name": ("mode", list(found.mode_names)),
+    }
+    attrs = attributes(system, "mesh_response", wall_s=time.perf_counter() - began, body=body)
+    return xr.Dataset(data, coords=coords, attrs={**attrs, "notes": join_notes(found.notes)})

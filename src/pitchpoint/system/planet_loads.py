@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Load sharing of the planets of a stage, from the mean forces of their meshes.
+
+The mesh load factor K_gamma is the largest load of the parallel meshes over their mean (ISO 6336-1:2019,
+clause 7): 1 for equal planets, N if one of N planets carries all.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from pitchpoint.model.model import Model
+
+FACTOR = "load_sharing_factor"
+"""Name of the factor in tables, with the stage in brackets."""
+WORDS = "mesh load factor of the planets, from mean mesh forces"
+
+
+@dataclass(frozen=True)
+class PlanetLoads:
+    """Loads of the planets of one stage.
+
+    Parameters
+    ----------
+    meshes
+        Names of the parallel meshes, in the order of the planets: with the sun, or with the ring of a stage
+        without sun.
+    force
+        Mean mesh force along the base tangent by planet [N].
+    share
+        Share of the sum of the forces by planet [-].
+    factor
+        Mesh load factor K_gamma [-]; None without load.
+    """
+
+    meshes: tuple[str, ...]
+    force: tuple[float, ...]
+    share: tuple[float, ...]
+    factor: float | None
+
+
+def mesh_load_factor(forces: Sequence[float]) -> float | None:
+    """Largest of parallel mesh forces over their mean; None without load.
+
+    Parameters
+    ----------
+    forces
+        Mean force of every mesh, of one sign or zero [N].
+
+    Examples
+    --------
+    >>> mesh_load_factor([1200.0, 900.0, 900.0])
+    1.2
+    """
+    total = abs(math.fsum(forces))
+    if not total > 0.0 or not math.isfinite(total):
+        return None
+    return len(forces) * max(map(abs, forces)) / total
+
+
+def loads_of_planets(model: Model, mean: Callable[[str], float | None]) -> dict[str, PlanetLoads]:
+    """Loads of the planets of all stages.
+
+    Parameters
+    ----------
+    model
+        The model.
+    mean
+        Returns the mean of a channel; None if it is not known. Stages without known forces are omitted.
+    """
+    found = {}
+    for name, stage in model.planetary_stages.items():
+        meshes = stage.sun_meshes() or stage.ring_meshes()
+        forces = [mean(f"mesh_force[{mesh}]") for mesh in meshes]
+        known = [force for force in forces if force is not None and math.isfinite(force)]
+        if len(known) < len(meshes):
+            continue
+        total = math.fsum(known)
+        share = tuple(force / total if total != 0.0 else math.nan for force in known)
+        found[name] = PlanetLoads(meshes, tuple(known), share, mesh_load_factor(known))
+    return found
+
+
+def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> dict[str, PlanetLoads]:
+    """Loads of the planets of all stages in a result: static solution, slow roll or time response.
+
+    Parameters
+    ----------
+    model
+        The model of the result.
+    result
+        The result, with the mesh forces.
+    settle_time
+        Time at the start of a time response that is omitted from the means [s].
+    """
+
+    def mean(channel: str) -> float | None:
+        """Mean of a channel over its samples; the last point of a roll repeats the first one."""
+        if channel not in result:
+            return None
+        values = result[channel]
+        if "time" in values.dims:
+            values = values.sel(time=slice(settle_time, None))
+        elif "mesh_phase_position" in values.dims and values.size > 1:
+            values = values.isel(mesh_phase_position=slice(None, -1))
+        return float(values.mean()) if values.size else None
+
+    return loads_of_planets(model, mean)
+
+
+def with_factors(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
+    """Statistics of channels with a row for the mesh load factor of every stage."""
+    rows = {}
+    for name, loads in loads_of_planets(model, lambda c: _mean_of(channels, c)).items():
+        value = math.nan if loads.factor is None else loads.factor
+        rows[f"{FACTOR}[{name}]"] = {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
+    return {**channels, **rows}
+
+
+def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Loads of the planets from statistics of channels, as plain data for files and tables."""
+    return {
+        name: {
+            "planets": list(model.planetary_stages[name].names),
+            "meshes": list(loads.meshes),
+            "mean_force": list(loads.force),
+            "share": list(loads.share),
+            FACTOR: loads.factor,
+        }
+        for name, loads in loads_of_planets(model, lambda c: _mean_of(channels, c)).items()
+    }
+
+
+def _mean_of(channels: Mapping[str, Mapping[str, Any]], channel: str) -> float | None:
+    row = channels.get(channel)
+    return None if row is None else row["mean"]

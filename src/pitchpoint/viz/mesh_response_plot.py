@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Levels of the response to transmission errors: order cuts over speed, map over speed and frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from pitchpoint.analysis.levels import level, reference_of
+from pitchpoint.viz import theme
+from pitchpoint.viz.quantities import Array, scale
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+ROW, GAP, TOP, BOTTOM = 330, 80, 60, 50
+"""Height of a row, gap between rows, and margins [pixels]."""
+MAX_LABELS = 4
+"""Resonances with a label per order."""
+
+
+def plot_mesh_response(
+    speed: ArrayLike,
+    frequency: ArrayLike,
+    amplitude: ArrayLike,
+    orders: Sequence[str],
+    outputs: Sequence[str],
+    units: Sequence[str],
+    *,
+    modes: ArrayLike = (),
+    shaft: str = "",
+) -> go.Figure:
+    """Order cuts on the left, map on the right; one row per output.
+
+    Parameters
+    ----------
+    speed
+        Speeds [rad/s], shape (n_speed,).
+    frequency
+        Excitation frequencies [Hz], shape (n_speed, n_order).
+    amplitude
+        Peak amplitudes, SI, shape (n_speed, n_order, n_output).
+    orders
+        Names of the orders, such as `2 x stage`.
+    outputs, units
+        Names and SI units.
+    modes
+        Natural frequencies [Hz], drawn as lines in the map.
+    shaft
+        Name of the body of the speed.
+    """
+    omega, hertz = np.asarray(speed, dtype=np.float64), np.asarray(frequency, dtype=np.float64)
+    size = np.asarray(amplitude, dtype=np.float64) / np.sqrt(2.0)
+    turning, pitch = scale("rad/s", omega), scale("Hz", [float(hertz.max())])
+    words = turning.title(f"speed of {shaft}" if shaft else "speed")
+    count = len(outputs)
+    total = TOP + BOTTOM + count * ROW + (count - 1) * GAP
+    figure = theme.figure(words, "", height=total, margin={"l": 64, "r": 20, "t": TOP, "b": BOTTOM})
+    inside = total - TOP - BOTTOM
+    top = float(hertz.max())
+    lines = [f for f in np.asarray(modes, dtype=np.float64) if 0.0 < f <= top]
+    for row, (name, unit) in enumerate(zip(outputs, units, strict=True)):
+        ends = [1.0 - (row * (ROW + GAP) + part) / inside for part in (ROW, 0)]
+        ends[0] = max(ends[0], 0.0)
+        left, right = (2 * row + 1, 2 * row + 2)
+        reference = reference_of(unit)[1]
+        decibels = level(size[:, :, row], unit)
+        _add_axes(figure, left, ends, (0.0, 0.46), words, f"{name} [dB re {reference}]")
+        _add_axes(figure, right, ends, (0.56, 0.9), words, pitch.title("frequency"))
+        for k, order in enumerate(orders):
+            figure.add_scatter(
+                x=omega * turning.factor,
+                y=decibels[:, k],
+                mode="lines",
+                name=order,
+                legendgroup=order,
+                showlegend=row == 0,
+                line={"color": theme.SERIES[k % len(theme.SERIES)], "width": 1.8},
+                xaxis=f"x{left}",
+                yaxis=f"y{left}",
+            )
+            _label_peaks(figure, omega * turning.factor, decibels[:, k], hertz[:, k], left)
+        _add_map(figure, (omega * turning.factor, hertz * pitch.factor, decibels), right, ends)
+        for k, order in enumerate(orders):
+            figure.add_annotation(
+                x=float(omega[-1] * turning.factor),
+                y=float(hertz[-1, k] * pitch.factor),
+                xref=f"x{right}",
+                yref=f"y{right}",
+                text=order,
+                showarrow=False,
+                xanchor="right",
+                xshift=-8,
+                yshift=9,
+                font={"size": 11},
+            )
+        for mode in lines:
+            figure.add_shape(
+                type="line",
+                x0=float(omega.min() * turning.factor),
+                x1=float(omega.max() * turning.factor),
+                y0=mode * pitch.factor,
+                y1=mode * pitch.factor,
+                xref=f"x{right}",
+                yref=f"y{right}",
+                line={"color": theme.GREY, "width": 1, "dash": "dot"},
+            )
+    figure.update_layout(showlegend=True, legend={"y": 1.0 + 12.0 / inside})
+    return figure
+
+
+def _add_axes(
+    figure: go.Figure, number: int, ends: Sequence[float], sides: tuple[float, float], x: str, y: str
+) -> None:
+    """Add one pair of axes; the first pair has no number in plotly, but 1 is accepted."""
+    suffix = "" if number == 1 else str(number)
+    figure.update_layout(
+        {
+            f"xaxis{suffix}": theme.axis(x, domain=list(sides), anchor=f"y{suffix}"),
+            f"yaxis{suffix}": theme.axis(y, domain=list(ends), anchor=f"x{suffix}"),
+        }
+    )
+
+
+def _add_map(figure: go.Figure, data: tuple[Array, Array, Array], number: int, ends: Sequence[float]) -> None:
+    """Orders over speed and frequency, coloured by their level."""
+    speed, frequency, decibels = data
+    top = float(decibels[np.isfinite(decibels)].max(initial=0.0))
+    figure.add_scatter(
+        x=np.repeat(speed, frequency.shape[1]),
+        y=frequency.ravel(),
+        mode="markers",
+        showlegend=False,
+        marker={
+            "color": decibels.ravel(),
+            "colorscale": theme.MAP_SCALE,
+            "cmin": top - theme.MAP_RANGE_DB,
+            "cmax": top,
+            "size": 6,
+            "colorbar": {
+                "x": 0.92,
+                "y": 0.5 * (ends[0] + ends[1]),
+                "len": ends[1] - ends[0],
+                "thickness": 12,
+                "title": {"text": "dB"},
+            },
+        },
+        xaxis=f"x{number}",
+        yaxis=f"y{number}",
+    )
+
+
+def _label_peaks(figure: go.Figure, speed: Array, decibels: Array, frequency: Array, number: int) -> None:
+    """Mark the highest resonances of a curve with their frequency."""
+    for k in peaks(decibels)[:MAX_LABELS]:
+        figure.add_annotation(
+            x=float(speed[k]),
+            y=float(decibels[k]),
+            xref=f"x{number}",
+            yref=f"y{number}",
+            text=f"{frequency[k]:.0f} Hz",
+            showarrow=False,
+            yshift=9,
+            font={"size": 10, "color": theme.LIGHT["soft"]},
+        )
+
+
+def peaks(decibels: ArrayLike, prominence: float = 6.0) -> list[int]:
+    """Maxima of a curve of levels that stand out of their neighbourhood, highest first.
+
+    Parameters
+    ----------
+    decibels
+        Levels [dB], shape (n,).
+    prominence
+        Height above the higher of the minima on both sides of a maximum [dB].
+
+    Examples
+    --------
+    >>> peaks([0.0, 10.0, 1.0, 3.0, 2.0, 20.0, 4.0])
+    [5, 1]
+    """
+    from scipy.signal import find_peaks
+
+    values = np.asarray(decibels, dtype=np.float64)
+    found, _ = find_peaks(np.where(np.isfinite(values), values, -1e3), prominence=prominence)
+    return [int(k) for k in found[np.argsort(-values[found], kind="stable")]]

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The example `planetary-set`: numbers of its page, and the closed form of its fixed sun.
+
+Closed form: planets as springs in parallel, see `tests/validation/test_planet_load_sharing.py`, with the mean
+stiffness of the meshes over their cycle. The stiffness of both meshes varies by a fifth and in phase, and the
+mean of a quotient is not the quotient of the means: 5 % of the difference between the planets.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+
+import pytest
+
+import pitchpoint
+from pitchpoint.io.yaml_model import load_model
+from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
+from pitchpoint.system.compile import compile_model
+
+FOLDER = Path(__file__).parents[2] / "examples" / "planetary-set"
+ROWS = {"1e6 N/m": "10⁶ N/m, floating", "1e10 N/m": "10¹⁰ N/m, fixed"}
+
+
+@pytest.fixture(scope="module")
+def model():
+    return load_model(FOLDER / "model.yaml")
+
+
+def rolled(model, spline, torque):
+    """Loads of the planets in a slow roll, and its result."""
+    changed = model.replace_all(
+        {"bearings.spline.stiffness.radial": spline, "loads.motor.torque": f"{torque} N m"}
+    )
+    found = solve_quasistatic(compile_model(changed, "slow"))
+    return pitchpoint.planet_loads(changed, found)["set"], found
+
+
+@pytest.mark.parametrize(("column", "torque"), [(0, 300), (1, 600), (2, 1200)])
+@pytest.mark.parametrize("spline", ROWS)
+def test_the_factors_of_the_page(model, spline, column, torque):
+    text = (FOLDER / "README.md").read_text("utf-8")
+    line = next(line for line in text.splitlines() if ROWS[spline] in line)
+    printed = [float(x) for x in re.findall(r"\d\.\d{3}", line)][column]
+    assert rolled(model, spline, torque)[0].factor == pytest.approx(printed, abs=5e-4)
+
+
+def test_the_fixed_sun_against_springs_in_parallel(model):
+    loads, found = rolled(model, "1e10 N/m", 1200)
+    k = [float(found[f"tangent_stiffness[{mesh}]"][:-1].mean()) for mesh in ("sun-planet_1", "planet_1-ring")]
+    alpha = math.radians(20.0)
+    k_pin = 1.0 / (1.0 / 8e8 + 1.0 / 1.5e9)
+    each = 1.0 / (sum(1.0 / x for x in k) + 4.0 * math.cos(alpha) ** 2 / k_pin)
+    shift = each * 2.0 * math.cos(alpha) * 30e-6
+    mean = 1200.0 / (3.0 * 0.5 * 63e-3 * math.cos(alpha))
+    assert loads.force[0] == pytest.approx(mean - 2.0 / 3.0 * shift, abs=0.05 * shift)
+    assert loads.force[1:] == pytest.approx([mean + shift / 3.0] * 2, abs=0.05 * shift)
+
+
+def test_planets_fit_in_phase(model):
+    from pitchpoint.report.planets import stages_of_model
+
+    straight = model.replace("planetary_stages.set.pin_errors.planet_1.tangential", 0.0)
+    planets = stages_of_model(straight)["set"]["planets"].values()
+    assert [row["phase_sun"] for row in planets] == pytest.approx([0.0] * 3, abs=1e-9)

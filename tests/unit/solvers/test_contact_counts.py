@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Impacts counted in the loop: closed form of the free gap, agreement with stored samples, rattle index."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import asdict, fields
+
+import numpy as np
+import pytest
+
+from pitchpoint import compile_model, solve_time
+from pitchpoint.analysis.rattle import Rattle, rattle
+from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS, new_counts, read_counts
+from pitchpoint.solvers.time import run_time
+from tests.support.planetary import gear_pairs, planetary
+from tests.validation.test_free_gap import INERTIA, MODEL, RADIUS, STIFFNESS, closed_form
+
+TORQUE, GAP = 5.0, 0.43
+
+
+def test_names_agree():
+    """The solver, the files and the analysis have the same numbers."""
+    assert {name for name, _, _ in RATTLE} == set(CONTACT_NUMBERS)
+    assert {f.name for f in fields(Rattle)} == set(CONTACT_NUMBERS) - {"rattle_index"}
+
+
+@pytest.fixture(scope="module")
+def free_gap():
+    """Free vibration through the backlash: statistics over five periods, from one front contact on."""
+    share, frequency = closed_form(TORQUE, GAP)
+    text = MODEL.format(torque=TORQUE, gap=GAP).replace("duration: 1.3 s, step: 10 us", "{}")
+    # the gear is let go in contact with the front flank, which it leaves a quarter of a period later
+    natural = math.sqrt(STIFFNESS * RADIUS**2 / INERTIA)
+    begin = 0.1 + 0.25 * 2.0 * math.pi / natural + 2e-3
+    times = f"duration: {begin + 5.0 / frequency} s, settle_time: {begin} s, step: 20 us"
+    model = loads_model(text.replace("{}", times))
+    return solve_time(compile_model(model, "fixed"))["contact_state[pair]"], share, frequency, natural
+
+
+def test_free_gap(free_gap):
+    """Closing speed omega delta_0, impulse 2 m omega delta_0, two impacts per period, time in the gap j/v."""
+    state, share, frequency, natural = free_gap
+    found = state.attrs
+    speed = natural * TORQUE / RADIUS / STIFFNESS
+    assert (found["front_impacts"], found["back_impacts"]) == (5, 5)
+    assert found["impact_rate"] == pytest.approx(2.0 * frequency, rel=1e-4)
+    assert found["contact_loss_share"] == pytest.approx(share, abs=1e-4)
+    assert found["front_contact_share"] == pytest.approx(0.5 * (1.0 - share), abs=1e-4)
+    for word in ("mean", "rms", "max"):
+        assert found[f"closing_speed_{word}"] == pytest.approx(speed, rel=1e-6)  # (omega h)^2/6 = 6e-8
+    assert found["impulse_max"] == pytest.approx(2.0 * INERTIA / RADIUS**2 * speed, rel=1e-6)
+    assert found["longest_loss"] == pytest.approx(GAP * 1e-3 / speed, abs=40e-6)
+    assert found["shortest_contact"] == pytest.approx(math.pi / natural, abs=40e-6)
+    assert found["resolution"] == pytest.approx(20e-6, rel=1e-3)
+
+
+IDLE = """\
+gears:
+  driver: {number_of_teeth: 20, normal_module: 2 mm, face_width: 10 mm, profile_shift_coefficient: 0}
+  idle: {number_of_teeth: 40, normal_module: 2 mm, face_width: 10 mm, profile_shift_coefficient: 0}
+bodies:
+  input: {gears: [driver], inertia: 1e-3 kg m^2}
+  output: {gears: [idle], inertia: 2e-4 kg m^2}
+meshes:
+  stage: {gears: [driver, idle], backlash: {base_tangent: 0.1 mm},
+          stiffness: {law: constant, value: 1e8 N/m}, damping: {ratio: 0.05, s_0: 0.001 um}}
+loads:
+  drag: {body: output, torque: DRAG}
+scenarios:
+  idle: {drive: {input: {angle: "TURN*(25*pi*t + RIPPLE*sin(50*pi*t))"}}, duration: 0.28 s,
+         settle_time: 0.12 s, step: 10 us}
+"""
+
+
+def idle_gear(index: float, *, turn: int = 1, drag: float = 0.2):
+    """Contact numbers of an idle gear with this index; alpha has the amplitude (50 pi)^2 RIPPLE/2."""
+    ripple = index * abs(drag) / 2e-4 / (0.5 * (50.0 * math.pi) ** 2)
+    text = IDLE.replace("RIPPLE", repr(ripple)).replace("TURN", str(turn)).replace("DRAG", f"{drag} N m")
+    model = loads_model(text)
+    return run_time(compile_model(model, "idle")).channels["contact_state[stage]"]
+
+
+@pytest.mark.parametrize(("turn", "drag"), [(1, 0.2), (-1, -0.2), (1, -0.2)])
+def test_index_of_an_idle_gear(turn: int, drag: float):
+    """Below one the flanks stay in contact, above one they separate: J alpha/T, on either flank."""
+    quiet, loud = (idle_gear(index, turn=turn, drag=drag) for index in (0.95, 1.05))
+    assert quiet["rattle_index"] == pytest.approx(0.95, rel=2e-3)
+    assert quiet["contact_loss_share"] == 0.0
+    assert loud["rattle_index"] == pytest.approx(1.05, rel=2e-3)
+    assert loud["contact_loss_share"] > 0.0
+    assert loud["front_impacts"] + loud["back_impacts"] > 0
+
+
+def test_counters_equal_the_analysis_of_all_samples():
+    """Hammering on both flanks: the numbers of the loop are those of the stored samples at every step."""
+    ripple = 6.0 * 0.2 / 2e-4 / (0.5 * (50.0 * math.pi) ** 2)
+    text = IDLE.replace("RIPPLE", repr(ripple)).replace("TURN", "1").replace("DRAG", "0.2 N m")
+    found = solve_time(
+        compile_model(loads_model(text.replace("settle_time: 0.12", "settle_time: 0")), "idle")
+    )
+    # the statistics begin after the first step
+    names = ("contact_state", "deflection", "mesh_force")
+    later = [found[f"{name}[stage]"].values[1:] for name in names]
+    whole = rattle(found["time"].values[1:], *later)
+    counted = found["contact_state[stage]"].attrs
+    assert whole.front_impacts > 5
+    assert whole.back_impacts > 5
+    for name, value in asdict(whole).items():
+        assert counted[name] == pytest.approx(value, rel=1e-9), name
+    assert np.isfinite(counted["rattle_index"])
+
+
+def test_no_index_for_gears_on_a_carrier():
+    """The acceleration of a planet is not that of its mesh; the other numbers are known."""
+    pairs = gear_pairs(20, 25, 2e-3, math.radians(20.0))
+    system = planetary(pairs, (1e-4, 1e-3, 1e-2, 1e-4), (1e8, 1e8))
+    counts = new_counts(system)
+    counts["total"], counts["momentum"], counts["front"], counts["least_1"] = 1.0, 5.0, 1.0, -7.0
+    for numbers in read_counts(system, counts).values():
+        assert math.isnan(numbers["rattle_index"])
+        assert numbers["front_contact_share"] == 1.0
