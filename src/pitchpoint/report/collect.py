@@ -47,7 +47,7 @@ def describe(model: Model) -> ReportModel:
     """Collector of the contents of a report on a model."""
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.model.signals import signal_lines
-    from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.assumptions import assumptions_of
     from pitchpoint.report.flanks import flank_lines, inactive_faults
     from pitchpoint.report.numbers import geometry_of_model
     from pitchpoint.report.overview import counts_of
@@ -69,7 +69,7 @@ def describe(model: Model) -> ReportModel:
         counts=counts_of(model),
         signals=signal_lines(model),
         parameters=parameter_lines(model),
-        assumptions=[f"{key}: {value}" for key, value in defaults(model)],
+        assumptions=assumptions_of(model),
         sources=_sources(model),
     )
 

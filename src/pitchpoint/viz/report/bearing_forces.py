@@ -17,6 +17,9 @@ QUANTITY = "bearing_force"
 ROTATES = 0.1
 """Largest ratio of the mean vector to the mean radial force at which no direction is given."""
 
+NOTHING = 1e-8
+"""Forces and moments [N, N m] relative to the largest radial force [N] that count as round-off."""
+
 
 @dataclass(frozen=True)
 class BearingForce:
@@ -104,8 +107,9 @@ def bearing_table(rows: Mapping[str, BearingForce]) -> str:
         return ""
     force = scale("N", [max(row.maximum, row.axial_maximum) for row in rows.values()])
     moment = scale("N m", [row.moment for row in rows.values()])
-    with_axial = any(row.axial_maximum > 1e-6 * row.maximum for row in rows.values())
-    with_moment = any(row.moment > 0.0 for row in rows.values())
+    size = max(row.maximum for row in rows.values())
+    with_axial = any(row.axial_maximum > NOTHING * size for row in rows.values())
+    with_moment = any(row.moment > NOTHING * size for row in rows.values())
     head = ["bearing", f"radial, mean [{force.unit}]", "rms (alternating)", "maximum", "direction [°]"]
     head += [f"axial, mean [{force.unit}]", "maximum"] if with_axial else []
     head += [f"tilting moment, maximum [{moment.unit}]"] if with_moment else []
@@ -116,7 +120,10 @@ def bearing_table(rows: Mapping[str, BearingForce]) -> str:
         cells = [number(v * force.factor, 4) for v in (row.mean, row.rms, row.maximum)]
         cells.append("rotates" if np.isnan(angle) else number(float(round(angle)), 4))
         if with_axial:
-            cells += [number(v * force.factor, 4) for v in (row.axial_mean, row.axial_maximum)]
+            free = row.axial_maximum <= NOTHING * size
+            cells += [
+                "–" if free else number(v * force.factor, 4) for v in (row.axial_mean, row.axial_maximum)
+            ]
         cells += [number(row.moment * moment.factor, 4)] if with_moment else []
         label = f"<b>{escape(name)}</b>" if name == most else escape(name)
         body.append(

@@ -14,16 +14,18 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz.power_flow import PowerFlow
+from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.report import sections as parts
 from pitchpoint.viz.report.campbell import campbell_section
 from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report.extremes import extreme_section
-from pitchpoint.viz.report.overview import provenance_section, scene_section, summary_section
+from pitchpoint.viz.report.overview import provenance_section, scene_section
 from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.spectra import spectrum_section
+from pitchpoint.viz.report.summary import summary_section
 from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
 from pitchpoint.viz.report.time import time_section
 from pitchpoint.viz.scene.content import Scene
@@ -62,8 +64,12 @@ class ReportModel:
         Sensors, blocks, controllers and actuators: signal, type, inputs, users.
     parameters
         Parameters: name, text of the file, value, description.
-    warnings, assumptions, sources
-        Sentences for the last section.
+    warnings
+        Remarks on the model and its results, for the summary.
+    assumptions
+        Omitted keys and the values in effect, by component in words.
+    sources
+        Standards and papers.
     """
 
     title: str
@@ -81,7 +87,7 @@ class ReportModel:
     signals: Sequence[Sequence[str]] = ()
     parameters: Sequence[Sequence[str]] = ()
     warnings: Sequence[str] = ()
-    assumptions: Sequence[str] = ()
+    assumptions: Sequence[tuple[str, Sequence[tuple[str, str]]]] = ()
     sources: Sequence[str] = ()
 
 
@@ -303,29 +309,29 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     highest = 3.2 * max(teeth) if teeth else 100.0
     seen = results.scene.run if results.scene.scene is not None else ""
     sections = [
-        summary_section(model.counts, results),
+        summary_section(model.counts, results, model.warnings),
         scene_section(results.scene),
         power_section(results.powers),
+        time_section(results.runs, seen),
+        parts.sweep_section(results.sweeps),
+        case_section(results.cases),
+        spectrum_section(results.runs, highest, model.shafts),
+        campbell_section(results.campbells),
+        mode_section(results.modes),
+        contact_section(results.contacts),
+        relief_section(results.reliefs),
+        roll_section(results.rolls),
+        mesh_cycle_section(results.mesh_cycles),
         parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels, model.inactive_faults),
         parts.drawing_section(model.pairs),
         parameter_section(model.parameters),
         signal_section(model.signals),
-        mesh_cycle_section(results.mesh_cycles),
-        roll_section(results.rolls),
-        contact_section(results.contacts),
-        relief_section(results.reliefs),
-        mode_section(results.modes),
-        campbell_section(results.campbells),
-        parts.sweep_section(results.sweeps),
-        case_section(results.cases),
-        time_section(results.runs, seen),
-        spectrum_section(results.runs, highest, model.shafts),
         extreme_section(results.runs, seen),
         provenance_section(results.sources),
-        parts.notes_section(model.warnings, model.assumptions, model.sources),
+        parts.notes_section(model.assumptions, model.sources),
     ]
     footer = f"Made by pitchpoint {model.version}".rstrip()
     if model.model_hash:
         footer += f" from the model {model.model_hash}"
     alerts = [f"{s.name} is not complete: {s.sentence}." for s in results.sources if not s.finished]
-    return page(model.title, facts, sections, footer + ".", alerts)
+    return page(printed(model.title), facts, sections, footer + ".", alerts)

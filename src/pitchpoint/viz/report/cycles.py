@@ -17,6 +17,7 @@ from pitchpoint.viz.mesh_cycle_plot import (
 )
 from pitchpoint.viz.quantities import number, scale
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.tables import common_name
 
 MAX_CYCLES = 4
 """Maximum number of stiffness cycles in a plot."""
@@ -27,7 +28,8 @@ ROUND_OFF_WAY = 1e-6
 def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
     """Section with stiffness and transmission error over the mesh cycle."""
     section = Section("cycle", "Mesh cycle")
-    for mesh, cycle in cycles.items():
+    for meshes, cycle in _distinct(cycles):
+        mesh = common_name(meshes)
         section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
         if cycle.stiffness is not None:
             _add_stiffness(section, mesh, cycle)
@@ -41,6 +43,38 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
                 words += "; helical teeth touch at one end of the face before mid-face"
             section.add_figure(plot_load_sharing(cycle.share_way, cycle.share), f"{words}.")
     return section
+
+
+def _distinct(cycles: Mapping[str, Any]) -> list[tuple[list[str], Any]]:
+    """Cycles with the names of all meshes that have the same curves."""
+    found: list[tuple[list[str], Any]] = []
+    for mesh, cycle in cycles.items():
+        for names, other in found:
+            if _same(cycle, other):
+                names.append(mesh)
+                break
+        else:
+            found.append(([mesh], cycle))
+    return found
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether two cycles have the same stiffness, errors and load share; errors with their sign."""
+    if (one.stiffness is None) != (other.stiffness is None) or one.cycles != other.cycles:
+        return False
+    if one.stiffness is not None and one.stiffness_unit != other.stiffness_unit:
+        return False
+    pairs = [(one.share, other.share), (one.loaded_ratio, other.loaded_ratio)]
+    if one.stiffness is not None:
+        pairs.append((one.stiffness.stiffness_ratio, other.stiffness.stiffness_ratio))
+    if list(one.errors) != list(other.errors):
+        return False
+    pairs += [(one.errors[k], other.errors[k]) for k in one.errors]
+    return all(_close(np.asarray(a, float), np.asarray(b, float)) for a, b in pairs)
+
+
+def _close(a: Any, b: Any) -> bool:
+    return a.shape == b.shape and bool(np.allclose(a, b, rtol=1e-3, atol=1e-9))
 
 
 def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:

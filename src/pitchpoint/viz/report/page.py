@@ -40,13 +40,20 @@ class Section:
         if html:
             self.parts.append(html)
 
-    def add_figure(self, figure: go.Figure, caption: str = "", *, beside: go.Figure | None = None) -> None:
+    def add_figure(
+        self,
+        figure: go.Figure,
+        caption: str = "",
+        *,
+        beside: go.Figure | None = None,
+        beside_caption: str = "The last periods, magnified.",
+    ) -> None:
         """Append a plot, or two next to each other; plots without data are omitted."""
         if not any(_has_data(trace) for trace in figure.data):
             return
         html = figure_html(figure, caption)
         if beside is not None:
-            end = figure_html(beside, "The last periods, magnified.")
+            end = figure_html(beside, beside_caption)
             html = f'<div class="pair">{html}{end}</div>'
         self.parts.append(html)
 

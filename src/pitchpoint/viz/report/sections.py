@@ -17,8 +17,11 @@ from pitchpoint.viz.tables import (
     GEAR_ROWS,
     MEASURE_ROWS,
     MESH_ROWS,
+    common_name,
+    key_html,
     plain_table,
     quantity_table,
+    value_html,
 )
 
 
@@ -61,8 +64,13 @@ def gear_section(
 def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
     """Section with drawings of both gears in mesh and of the mesh zone, per pair."""
     section = Section("drawing", "Gears in mesh")
-    for mesh, (pair, first, second) in pairs.items():
-        heading = f"<h3>{escape(mesh)}</h3>" if len(pairs) > 1 else ""
+    # mirrored gears and planets look alike in the transverse section
+    looks: dict[tuple[str, str], list[str]] = {}
+    for mesh, (pair, _, _) in pairs.items():
+        looks.setdefault((pair_svg(pair), mesh_zone_svg(pair)), []).append(mesh)
+    for meshes in looks.values():
+        pair, first, second = pairs[meshes[0]]
+        heading = f"<h3>{escape(common_name(meshes))}</h3>" if len(pairs) > 1 else ""
         section.add(
             f'{heading}<div class="pair"><figure>{pair_svg(pair, names=(first, second))}</figure>'
             f"<figure>{mesh_zone_svg(pair)}</figure></div>"
@@ -91,16 +99,21 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
     return section
 
 
-def notes_section(warnings: Sequence[str], assumptions: Sequence[str], sources: Sequence[str]) -> Section:
-    """Section with warnings, assumptions and sources."""
-    section = Section("notes", "Warnings, assumptions, sources")
-    for heading, lines, css in (
-        ("Warnings", warnings, "notes warnings"),
-        ("Assumptions", assumptions, "notes"),
-        ("Sources", sources, "notes"),
-    ):
-        items = "".join(f"<li>{escape(line)}</li>" for line in lines)
-        section.add(f'<h3>{heading}</h3><ul class="{css}">{items}</ul>' if items else "")
+def notes_section(
+    assumptions: Sequence[tuple[str, Sequence[tuple[str, str]]]], sources: Sequence[str]
+) -> Section:
+    """Section with assumptions, as component and values in effect, and sources."""
+    section = Section("notes", "Assumptions and sources")
+    rows = [
+        f'<tr><th scope="row">{escape(part)}</th>'
+        f"<td>{'; '.join(f'{key_html(key)}: {value_html(value)}' for key, value in keys)}</td></tr>"
+        for part, keys in assumptions
+    ]
+    if rows:
+        section.add("<h3>Assumptions</h3><p>Keys that the model file omits, with the values in effect.</p>")
+        section.add(f'<div class="scroll"><table class="plain"><tbody>{"".join(rows)}</tbody></table></div>')
+    items = "".join(f"<li>{escape(line)}</li>" for line in sources)
+    section.add(f'<h3>Sources</h3><ul class="notes">{items}</ul>' if items else "")
     return section
 
 

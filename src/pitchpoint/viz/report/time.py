@@ -32,6 +32,8 @@ MAX_LINES = 8
 MAX_PARTS = 2
 """Meshes up to which the components of their tooth forces are drawn."""
 DETAIL_PERIODS = 12
+ROUND_OFF = 1e-8
+"""Size of a channel relative to the largest one of the same unit in its group that counts as zero."""
 WIDE, HALF = 5000, 2400
 """Points of a curve across the page, and of one of two next to each other: above one bucket per pixel."""
 SAME = 2e-3
@@ -94,9 +96,14 @@ def _add_group(
 ) -> None:
     """Add the pictures of one group: one per quantity and unit, and per component of bearing forces."""
     pictures: dict[tuple[str, str], list[Channel]] = {}
+    sizes: dict[str, float] = {}
     for channel in group:
+        size = float(np.nanmax(np.abs(channel.values), initial=0.0))
+        sizes[channel.unit] = max(sizes.get(channel.unit, 0.0), size)
+    for channel in group:
+        size = float(np.nanmax(np.abs(channel.values), initial=0.0))
         # contact states are in the table, and shaded where a mesh has a picture of its own
-        if channel.quantity != "contact_state" and np.any(channel.values != 0.0):
+        if channel.quantity != "contact_state" and size > ROUND_OFF * sizes[channel.unit]:
             key = channel.quantity + (channel.name.rpartition(".")[2] if channel.quantity == QUANTITY else "")
             pictures.setdefault((key, channel.unit), []).append(channel)
     section.add(f"<h4>{escape(title)}</h4>" if pictures and title else "")
@@ -124,10 +131,11 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str]]:
         if twin is None:
             others.append(channel)
         else:
-            factor = "" if twin[1] == 1.0 else f"{number(twin[1], 4)} times "
-            copies.append(f"{channel.label}: {factor}{twin[0].label}")
+            place, other = (c.label.partition(", ")[2] or c.label for c in (channel, twin[0]))
+            factor = "" if twin[1] == 1.0 else f" times {number(twin[1], 4)}"
+            copies.append(f"{place} as {other}{factor}")
     words = [f"Constant: {'; '.join(constant)}."] if constant else []
-    words += [f"Same curve, drawn once: {'; '.join(copies)}."] if copies else []
+    words += [f"Equal curves are drawn once: {', '.join(copies)}."] if copies else []
     if len(others) > MAX_LINES:
         order = sorted(others, key=lambda c: -float(np.nanmax(np.abs(c.values))))[:MAX_LINES]
         more = len(others) - MAX_LINES
@@ -175,7 +183,9 @@ def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel]
     parts = [c for q in FORCE_PARTS for c in found.values() if c.quantity == q and np.any(c.values != 0.0)]
     pictures = dict.fromkeys((owner(c), c.unit) for c in parts)
     if len(pictures) > MAX_PARTS:
-        section.add(f"<p>Components of the tooth forces of {len(pictures)} meshes: section Extremes.</p>")
+        section.add(
+            f"<p>Components of the tooth forces of {len(pictures)} meshes are in the section Extremes.</p>"
+        )
         return
     for mesh, unit in pictures:
         tooth = [c for c in parts if owner(c) == mesh and c.unit == unit]
