@@ -96,7 +96,7 @@ def with_rolls(
         notes.append(
             f"Slow rolls have at most {POINTS_OF_LARGE} points instead of {ALL_POINTS}, because the machine "
             f"has more than {LARGE} coordinates: {', '.join(fewer)}. "
-            "A scenario with quasi_static sets its own number."
+            "A scenario with a slow roll sets its own number."
         )
     return found, notes
 

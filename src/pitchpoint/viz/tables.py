@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from html import escape
@@ -153,14 +154,25 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
 
 def _merged(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
     """Columns with equal numbers merged under their names: gears on both sides of a machine, planets."""
-    columns: dict[tuple[str, ...], list[str]] = {}
+    columns: list[list[str]] = []
     for name, thing in things.items():
-        columns.setdefault(tuple(_text(thing.get(key)) for key in rows), []).append(name)
-    return {common_name(names): things[names[0]] for names in columns.values()}
+        equal = (
+            names for names in columns if all(_equal(thing.get(k), things[names[0]].get(k)) for k in rows)
+        )
+        names = next(equal, None)
+        if names is None:
+            columns.append([name])
+        else:
+            names.append(name)
+    return {common_name(names): things[names[0]] for names in columns}
 
 
-def _text(value: Any) -> str:
-    return f"{value:.9g}" if isinstance(value, int | float) else str(value)
+def _equal(one: Any, other: Any) -> bool:
+    """Whether two values are equal as printed: pin errors change a centre distance by less."""
+    if isinstance(one, int | float) and isinstance(other, int | float):
+        round_off = 1e-5 if one * other == 0.0 else 0.0  # a coefficient against zero
+        return math.isclose(one, other, rel_tol=1e-4, abs_tol=round_off)
+    return bool(one == other)
 
 
 def common_name(names: Sequence[str]) -> str:

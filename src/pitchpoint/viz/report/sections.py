@@ -65,9 +65,10 @@ def drawing_section(pairs: Mapping[str, tuple[Any, str, str]]) -> Section:
     """Section with drawings of both gears in mesh and of the mesh zone, per pair."""
     section = Section("drawing", "Gears in mesh")
     # mirrored gears and planets look alike in the transverse section
-    looks: dict[tuple[str, str], list[str]] = {}
+    looks: dict[tuple[str, ...], list[str]] = {}
     for mesh, (pair, _, _) in pairs.items():
-        looks.setdefault((pair_svg(pair), mesh_zone_svg(pair)), []).append(mesh)
+        sizes = (pair.a_w, *(v for g in (pair.gear1, pair.gear2) for v in (g.z, g.m_t, g.x, g.d_a, g.d_f)))
+        looks.setdefault(tuple(f"{v:.4g}" for v in sizes), []).append(mesh)
     for meshes in looks.values():
         pair, first, second = pairs[meshes[0]]
         heading = f"<h3>{escape(common_name(meshes))}</h3>" if len(pairs) > 1 else ""

@@ -37,7 +37,9 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("deflection", "mesh_force")
 MAX_CHANNELS = 8
-EQUAL = 1e-3
+HARMONICS = 12.5
+"""End of a frequency axis in mesh frequencies."""
+EQUAL = 5e-3
 """Relative difference of two mesh frequencies that is invisible in a spectrum."""
 
 
@@ -127,7 +129,10 @@ def _add_spectrum(
 ) -> None:
     values, rate = uniform(time, channel.values)
     spectrum = {channel.label: amplitude_spectrum(values, rate)}
-    drawn = spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes)
+    # jumps of the stiffness excite all frequencies; those of gears end with a few harmonics of the meshes
+    limit = min(HARMONICS * max(meshes.values()), 0.5 * rate) if meshes else None
+    last = min(limit, spectrum_plots.last_peak(spectrum[channel.label])) if limit else None
+    drawn = spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes, highest=last)
     section.add_figure(drawn, beside=beside, beside_caption="The same over orders.")
 
 
