@@ -68,7 +68,7 @@ def with_rolls(
     if left:
         notes.append(
             f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "
-            "computed. Use a scenario with quasi_static for the others."
+            "computed. Use a scenario with a slow roll for the others."
         )
     for k, name in enumerate(rolled):
         data, unit = cycles[name]

@@ -17,6 +17,7 @@ from pitchpoint.viz.power_flow import PowerFlow
 from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.report import sections as parts
 from pitchpoint.viz.report.campbell import campbell_section
+from pitchpoint.viz.report.compare import compare_section
 from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report.extremes import extreme_section
@@ -283,6 +284,8 @@ class ReportResults:
         Power flow by name of the time response, or a sentence with the reason why there is none.
     scene
         3-D scene.
+    compared
+        Families of variants: title, and names of runs or sweeps by what distinguishes them.
     sources
         Provenance of the results.
     """
@@ -298,6 +301,7 @@ class ReportResults:
     reliefs: Mapping[str, xr.Dataset] = field(default_factory=dict)
     powers: Mapping[str, PowerFlow | str] = field(default_factory=dict)
     scene: SceneData = field(default_factory=SceneData)
+    compared: Sequence[tuple[str, Mapping[str, str]]] = ()
     sources: Sequence[SourceData] = ()
 
 
@@ -308,14 +312,16 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     # slightly more than three mesh orders, so that the third one is not on the frame
     highest = 3.2 * max(teeth) if teeth else 100.0
     seen = results.scene.run if results.scene.scene is not None else ""
+    overlaid = {name for _, members in results.compared for name in members.values()}
     sections = [
         summary_section(model.counts, results, model.warnings),
         scene_section(results.scene),
         power_section(results.powers),
-        time_section(results.runs, seen),
+        compare_section(results.compared, results),
+        time_section(results.runs, seen, overlaid),
         parts.sweep_section(results.sweeps),
         case_section(results.cases),
-        spectrum_section(results.runs, highest, model.shafts),
+        spectrum_section(results.runs, highest, model.shafts, overlaid),
         campbell_section(results.campbells),
         mode_section(results.modes),
         contact_section(results.contacts),

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -44,7 +44,10 @@ EQUAL = 5e-3
 
 
 def spectrum_section(
-    runs: Mapping[str, Any], highest_order: float, shafts: Mapping[str, str] | None = None
+    runs: Mapping[str, Any],
+    highest_order: float,
+    shafts: Mapping[str, str] | None = None,
+    overlaid: Collection[str] = (),
 ) -> Section:
     """Section with spectra and orders of steady runs, and maps of run-ups.
 
@@ -56,6 +59,8 @@ def spectrum_section(
         End of the order axis, if a run does not set it.
     shafts
         Body of gear 1 by name of the mesh: reference of the orders of its channels.
+    overlaid
+        Runs with spectra in a common picture, which are omitted here if their speed is steady.
     """
     section = Section("spectra", "Spectra and orders")
     for name, run in runs.items():
@@ -63,8 +68,10 @@ def spectrum_section(
         picked = [c for q in QUANTITIES for c in found.values() if c.quantity == q]
         if time.size < 64 or not picked:
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         window = settled_part(time, run.settle_time)
+        if name in overlaid and not changes_speed(time[window], turning_angle(run, found), window):
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         run = replace(run, mesh_frequencies=_merged(run.mesh_frequencies))
         orders = run.highest_order or highest_order
         parts = [distinct([c for c in picked if c.quantity == q]) for q in QUANTITIES]

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from html import escape
 from typing import Any
@@ -40,7 +40,7 @@ SAME = 2e-3
 """Difference of two curves relative to their variation that is within the width of a line."""
 
 
-def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
+def time_section(runs: Mapping[str, Any], seen: str = "", overlaid: Collection[str] = ()) -> Section:
     """Section with contact times, bearing forces and curves of the time responses.
 
     Parameters
@@ -49,6 +49,8 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         Time responses by name.
     seen
         Run displayed in the scene of the page: its curves share the time of the scene.
+    overlaid
+        Runs with curves in a common picture: only that of the scene has its own curves.
     """
     section = Section("time", "Time response")
     for name, run in runs.items():
@@ -70,9 +72,10 @@ def time_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         words = f"<p>{escape(window_words(begin, end).capitalize())}.</p>"
         section.add(f"<h4>Contact of the flanks</h4>{words}{contact}" if contact else "")
         section.add(f"<h4>Bearing forces</h4>{words}{table}" if table else "")
-        for title, names in groups_of(run, found):
-            _add_group(section, title, time, [found[n] for n in names if n in found], states, steady)
-        _add_force_parts(section, time, found, steady)
+        if name == seen or name not in overlaid:
+            for title, names in groups_of(run, found):
+                _add_group(section, title, time, [found[n] for n in names if n in found], states, steady)
+            _add_force_parts(section, time, found, steady)
         section.add("</div>" if name == seen else "")
     return section
 
