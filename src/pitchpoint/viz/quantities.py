@@ -204,10 +204,10 @@ def printed(text: str) -> str:
 
     Examples
     --------
-    >>> printed("0.02 kg m^2 at 20 deg, 5 um per 10 mm^3")
-    '0.02 kg m² at 20°, 5 µm per 10 mm³'
+    >>> printed("0.02 kg m^2 at 20 deg, 5 um per 10 mm^3, x >= -0.5")
+    '0.02 kg m² at 20°, 5 µm per 10 mm³, x ≥ −0.5'
     """
-    text = text.replace(">=", "≥").replace("<=", "≤")
+    text = re.sub(r"(?<![\w.])-(?=\d)", "−", text.replace(">=", "≥").replace("<=", "≤"))
     powers = re.sub(r"(?<=[a-z])\^([23])\b", lambda found: "²³"[int(found[1]) - 2], text)
     return re.sub(r"(?<=\d)\s?deg\b", "°", re.sub(r"(?<=\d )u(?=[mNs]\b)", "µ", powers))
 

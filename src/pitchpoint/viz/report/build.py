@@ -315,9 +315,9 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     overlaid = {name for _, members in results.compared for name in members.values()}
     sections = [
         summary_section(model.counts, results, model.warnings),
+        compare_section(results.compared, results),
         scene_section(results.scene),
         power_section(results.powers),
-        compare_section(results.compared, results),
         time_section(results.runs, seen, overlaid),
         parts.sweep_section(results.sweeps),
         case_section(results.cases),

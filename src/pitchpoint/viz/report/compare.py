@@ -16,7 +16,7 @@ from pitchpoint.viz.downsampling import kept_samples
 from pitchpoint.viz.quantities import Array, Channel, channel_scale, channels, scale
 from pitchpoint.viz.report.bearing_forces import with_resultants
 from pitchpoint.viz.report.page import Section
-from pitchpoint.viz.report.time import groups_of
+from pitchpoint.viz.report.time import SAME, groups_of
 from pitchpoint.viz.run_record import changes_speed, channel_word, settled_part, turning_angle, uniform
 from pitchpoint.viz.signals_plot import NOISE
 from pitchpoint.viz.spectrum_plots import plot_spectrum
@@ -60,6 +60,7 @@ def _add_runs(section: Section, runs: Mapping[str, Any]) -> None:
     read = {label: channels(run.data) for label, run in runs.items()}
     read = {label: (time, with_resultants(found)) for label, (time, found) in read.items() if time.size > 1}
     first = next(iter(runs))
+    equal: list[str] = []
     shown, more, heading = 0, 0, ""
     for title, names in groups_of(runs[first], read[first][1]):
         for name in names:
@@ -70,6 +71,9 @@ def _add_runs(section: Section, runs: Mapping[str, Any]) -> None:
                 or all(_constant(c) for _, c in curves.values())
             ):
                 continue
+            if _equal(list(curves.values())):
+                equal.append(next(iter(curves.values()))[1].label)
+                continue
             if shown == MAX_PICTURES:
                 more += 1
                 continue
@@ -78,6 +82,8 @@ def _add_runs(section: Section, runs: Mapping[str, Any]) -> None:
             section.add_figure(plot_runs(curves))
     if more:
         section.add(f"<p>{more} more common {channel_word(more)} of the results are not drawn.</p>")
+    if equal:
+        section.add(f"<p>Equal in all results: {escape('; '.join(equal))}.</p>")
     _add_spectra(section, runs, read)
 
 
@@ -142,8 +148,8 @@ def plot_sweeps(sweeps: Mapping[str, Mapping[str, Any]], quantity: str, statisti
         for direction in ("up", "down")
     }
     lines = {key: line for key, line in lines.items() if line[0].size}
-    frequencies = np.concatenate([[0.0], *(f for f, _ in lines.values())])
-    levels = np.concatenate([[0.0], *(level for _, level in lines.values())])
+    frequencies = np.concatenate([np.zeros(0), *(f for f, _ in lines.values())])
+    levels = np.concatenate([np.zeros(0), *(level for _, level in lines.values())])
     pitch, shown = scale("Hz", frequencies), channel_scale(quantity, UNITS.get(quantity, "m"), levels)
     words = {"rms": "rms", "max": "maximum"}[statistic]
     title = shown.title(f"{words} of {quantity.replace('_', ' ')}")
@@ -158,9 +164,16 @@ def plot_sweeps(sweeps: Mapping[str, Mapping[str, Any]], quantity: str, statisti
             name=label if direction == "up" else f"{label}, speed down",
             line={"color": colour, "width": 1.6, "dash": "solid" if direction == "up" else "dot"},
         )
-    figure.update_yaxes(rangemode="tozero")
+    figure.update_yaxes(rangemode="tozero" if statistic == "rms" else "normal")
     figure.update_layout(showlegend=True)
     return figure
+
+
+def _equal(curves: Sequence[tuple[Array, Channel]]) -> bool:
+    """Whether the curves of all runs differ by less than a line."""
+    values = [np.interp(curves[0][0], time, channel.values) for time, channel in curves]
+    spread = np.abs(np.array(values) - values[0]).max(initial=0.0)
+    return bool(spread <= SAME * max(float(np.ptp(v)) for v in values))
 
 
 def _constant(channel: Channel) -> bool:
