@@ -13,6 +13,7 @@ import click
 from pitchpoint.cli.options import common, model_file, output, state, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
 from pitchpoint.cli.ranges import modes_of, quantities
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -58,6 +59,7 @@ TARGETS = {".html": "page", ".svg": "svg", ".png": "png"}
 @writes("--plot", metavar="FILE", help="Write the diagram (html, svg, png).")
 @writes("--table", "csv", metavar="CSV", help="Write all critical speeds, with those of sidebands.")
 @output("Result file (netCDF-4/HDF5); default: none.")
+@set_option
 @common
 def campbell(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Compute the Campbell diagram and the critical speeds of FILE."""

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from pitchpoint.cli.output import NOTHING, emit_json, greatest, show, show_notes, shown, table
+from pitchpoint.cli.settings import scalar, split_at_path
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -37,41 +38,6 @@ def vary_option(function: Any) -> Any:
         "several --vary options run all combinations, on all cores, into one table.",
     )
     return vary(jobs(function))
-
-
-def set_option(function: Any) -> Any:
-    """Add `--set` to a command."""
-    return click.option(
-        "--set",
-        "settings",
-        multiple=True,
-        metavar="PATH=VALUE",
-        help="Change the value of a key, such as gears.pinion.faults.chip.severity=0.5.",
-    )(function)
-
-
-def with_settings(model: Model, settings: Sequence[str]) -> Model:
-    """Model with the values of `--set`."""
-    changes: dict[str, Any] = {}
-    for text in settings:
-        path, sign, value = (part.strip() for part in split_at_path(text, model))
-        if not sign or not path or not value:
-            raise click.BadParameter(f"{text!r} is not of the form PATH=VALUE", param_hint="--set")
-        if path in changes:
-            raise click.BadParameter(f"{path} is set twice", param_hint="--set")
-        changes[path] = _scalar(value, "--set")
-    return model.replace_all(changes) if changes else model
-
-
-def split_at_path(text: str, model: Model | None = None) -> tuple[str, str, str]:
-    """Split `PATH=VALUE` like `str.partition`; names in the model may contain an equals sign."""
-    if model is not None:
-        from pitchpoint.model.numbers import has_path
-
-        for k, letter in enumerate(text):
-            if letter == "=" and has_path(model, text[:k].strip()):
-                return text[:k], "=", text[k + 1 :]
-    return text.partition("=")
 
 
 def values_of(text: str, model: Model | None = None) -> tuple[str, list[Any]]:
@@ -101,18 +67,7 @@ def values_of(text: str, model: Model | None = None) -> tuple[str, list[Any]]:
             parts[-1] += letter
     if not sign or not path.strip() or not all(part.strip() for part in parts):
         raise click.BadParameter(f"{text!r} is not of the form PATH=V1,V2,...", param_hint="--vary")
-    return path.strip(), [_scalar(part.strip()) for part in parts]
-
-
-def _scalar(text: str, option: str = "--vary") -> Any:
-    """Read a value as in a model file: number, list, mapping or text."""
-    from pitchpoint.core.errors import PitchpointError
-    from pitchpoint.io.yaml_tree import value_of
-
-    try:
-        return value_of(text)
-    except PitchpointError as error:
-        raise click.BadParameter(f"{text!r}: {error}", param_hint=option) from None
+    return path.strip(), [scalar(part.strip(), "--vary") for part in parts]
 
 
 def run_varied(

@@ -9,6 +9,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.settings import set_option
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
 
@@ -31,6 +32,7 @@ FREEDOMS = {
 
 @click.command()
 @model_file
+@set_option
 @common
 def check(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """Check FILE and list bodies with degrees of freedom and positions, meshes, loads, scenarios, defaults.

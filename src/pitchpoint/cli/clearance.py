@@ -10,6 +10,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file, one_of, output
 from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.report.clearances import Room, Stage
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 @model_file
 @output("Picture to write (svg): every place, magnified, where the teeth come nearest.")
 @click.option("--mesh", "only", metavar="NAME", help="Mesh; default: all.")
+@set_option
 @common
 def clearance(
     file: str, output: str | None, only: str | None, as_json: bool, allow_code: bool, quiet: bool

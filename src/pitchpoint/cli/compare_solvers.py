@@ -10,6 +10,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file, output, scenario
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table, write_figure
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
     metavar="SECONDS",
     help="Maximum computing time per run.",
 )
+@set_option
 @common
 def compare_solvers(
     file: str,

@@ -21,6 +21,7 @@ from pitchpoint.cli.contact_input import (
 )
 from pitchpoint.cli.options import common, model_file, quantity, writes
 from pitchpoint.cli.output import emit_json
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -91,6 +92,7 @@ UNDER_LOAD = ("misalignment", "center_distance")
 @writes(
     "-o", "--output", "--out", help="Result file (netCDF-4/HDF5), or page with plots (.html); default: none."
 )
+@set_option
 @common
 def contact(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Analyse the loaded tooth contact of a mesh of FILE, which has `contact`.

@@ -18,6 +18,7 @@ from pitchpoint.cli.contact_input import (
 )
 from pitchpoint.cli.options import common, model_file, one_of, quantity, writes
 from pitchpoint.cli.output import emit_json, show, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.solvers.contact_analysis.law_fit import LawFit
@@ -44,6 +45,7 @@ SMALL = (32, 12)
 )
 @click.option("--misalignment", metavar="QUANTITY", help=misalignment_help)
 @writes("--picture", metavar="HTML", help="Write an HTML page with the patterns of all levels.")
+@set_option
 @common
 def contact_levels(
     file: str,

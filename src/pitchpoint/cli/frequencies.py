@@ -11,6 +11,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import NOTHING, emit_json, show_notes, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -46,6 +47,7 @@ def _given(_: click.Context, __: click.Parameter, texts: tuple[str, ...]) -> dic
     callback=_given,
     help="Speed of a body, such as motor=1500rpm, instead of a scenario; may be repeated.",
 )
+@set_option
 @common
 def frequencies(
     file: str, scenario: str | None, given: Mapping[str, float], as_json: bool, allow_code: bool, quiet: bool

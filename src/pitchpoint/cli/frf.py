@@ -10,6 +10,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file, output, quantity, state, writes
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table, write_figure
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -67,6 +68,7 @@ if TYPE_CHECKING:
 @state
 @writes("--picture", metavar="HTML", help="Write an HTML page with plots.")
 @output("Result file (netCDF-4/HDF5); default: none.")
+@set_option
 @common
 def frf(file: str, as_json: bool, allow_code: bool, quiet: bool, **options: Any) -> int:
     """Compute the frequency response of FILE about its loaded equilibrium, or levels by mesh order."""

@@ -12,6 +12,7 @@ import click
 from pitchpoint.cli.bevel_gears import MASS_ROWS, export_bevel, print_bevel_gears, print_bevel_pairs
 from pitchpoint.cli.options import common, model_file, one_of, writes
 from pitchpoint.cli.output import emit_json, number_rows, show_unless, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -40,6 +41,7 @@ POINTS_A_FLANK = 20
 @writes("--preview", help="Draw the teeth with tool, circles and active flanks (svg).")
 @click.option("--gear", "only", metavar="NAME", help="Gear to draw or export; default: the only one.")
 @click.option("--shaft", metavar="NAME", help="Elastic shaft to export instead (stl, step).")
+@set_option
 @common
 def gears(
     file: str,

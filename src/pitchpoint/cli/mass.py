@@ -10,6 +10,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import NOTHING, emit_json, show, shown, table
+from pitchpoint.cli.settings import set_option
 
 HEAD = (
     "part",
@@ -26,6 +27,7 @@ HEAD = (
 
 @click.command()
 @model_file
+@set_option
 @common
 def mass(file: str, as_json: bool, allow_code: bool, quiet: bool) -> None:
     """Compare mass and inertia of gears, shafts and bodies of FILE by geometry, CAD solids and given values.

@@ -12,6 +12,7 @@ import click
 from pitchpoint.cli.mesh_map import MOST_OVERLAP, write_map
 from pitchpoint.cli.options import common, output
 from pitchpoint.cli.output import emit_json, show, show_unless, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.contact.mesh_cycle import MeshCycle
@@ -51,6 +52,7 @@ _BARS = "▁▂▃▄▅▆▇█"
     "--points", type=click.IntRange(2, 1_000_000), default=401, show_default=True, help="Number of samples."
 )
 @output("Table of the stiffness of meshes and tooth pairs (csv), or map of its variation (html).")
+@set_option
 @common
 def mesh(
     file: str | None,

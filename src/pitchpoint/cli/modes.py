@@ -11,6 +11,7 @@ import click
 from pitchpoint.cli.campbell import largest
 from pitchpoint.cli.options import common, model_file, output, state, writes
 from pitchpoint.cli.output import NOTHING, emit_json, show, show_notes, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -48,6 +49,7 @@ ROUNDING = 1e-7
     help="Write the motion of bodies and nodes over one cycle of every mode (json, npz).",
 )
 @output("Result file (netCDF-4/HDF5); default: none.")
+@set_option
 @common
 def modes(
     file: str,

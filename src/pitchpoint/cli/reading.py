@@ -14,7 +14,13 @@ LARGE = 200_000
 
 
 def read_model(file: str, allow_code: bool, quiet: bool = False) -> Model:
-    """Read a model file, with a progress display for large files."""
+    """Read a model file, with a progress display for large files, and apply the values of `--set`."""
+    from pitchpoint.cli.settings import settings_of_command, with_settings
+
+    return with_settings(_read(file, allow_code, quiet), settings_of_command())
+
+
+def _read(file: str, allow_code: bool, quiet: bool) -> Model:
     from pitchpoint.io.yaml_model import load_model
 
     path = Path(file)

@@ -10,6 +10,7 @@ import click
 
 from pitchpoint.cli.options import common, model_file, quantity, state
 from pitchpoint.cli.output import emit_json, show, show_notes, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -33,6 +34,7 @@ LISTED = 40
     help="Body, or element as 'KIND NAME', to retain; may be repeated.",
 )
 @state
+@set_option
 @common
 def reduce(
     file: str,

@@ -58,7 +58,7 @@ def bounds_of(text: str) -> tuple[float, float]:
 
 def _split(text: str, model: Model, option: str, form: str) -> tuple[str, str]:
     """Path and value of PATH=VALUE."""
-    from pitchpoint.cli.cases import split_at_path
+    from pitchpoint.cli.settings import split_at_path
 
     path, sign, value = (part.strip() for part in split_at_path(text, model))
     if not sign or not path or not value:

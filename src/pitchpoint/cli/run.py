@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import set_option, vary_option, with_settings
+from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, quantity, scenario
 from pitchpoint.cli.output import emit_json, show, show_notes, shown
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -86,7 +87,7 @@ def run(
     from pitchpoint.report.main_channels import main_channels
     from pitchpoint.viz.quantities import window_words
 
-    model = with_settings(read_model(file, allow_code, quiet), how["settings"])
+    model = read_model(file, allow_code, quiet)
     step, decimate, reduce = how["step"], how["decimate"], how["reduce"]
     stored = {"--channels": how["channels"] or None}
     name = choose_scenario(model, scenario, "time", "quasi_static")

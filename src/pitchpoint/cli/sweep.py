@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from pitchpoint.cli.cases import set_option, vary_option, with_settings
+from pitchpoint.cli.cases import vary_option
 from pitchpoint.cli.options import common, model_file, output, scenario
 from pitchpoint.cli.output import emit_json, greatest, show, show_notes, shown, table
+from pitchpoint.cli.settings import set_option
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -33,7 +34,6 @@ def sweep(
     file: str,
     scenario: str | None,
     output: str | None,
-    settings: tuple[str, ...],
     vary: tuple[str, ...],
     jobs: int | None,
     as_json: bool,
@@ -53,7 +53,7 @@ def sweep(
         unless_it_cannot_begin,
     )
 
-    model = with_settings(read_model(file, allow_code, quiet), settings)
+    model = read_model(file, allow_code, quiet)
     name = choose_scenario(model, scenario, "sweep")
     refuse_without_effect("without --vary", {} if vary else {"--jobs": jobs})
     if vary:
