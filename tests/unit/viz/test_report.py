@@ -279,7 +279,7 @@ def test_the_summary_says_how_every_result_ended(text: str) -> None:
     # the peak is that of the points of the sweep: 40 µm at 1000 Hz over the frequency, from 1.75 kHz on
     up, down = summary.split('<tr><th scope="row">sweep</th>')[1:]
     assert "16.67 µm at 2400 Hz, 2880 rpm" in up and "2350 Hz" in up
-    assert "22.22 µm at 1800 Hz, 2160 rpm" in down and "0 % to 40 %" in down
+    assert "22.22 µm at 1800 Hz, 2160 rpm" in down and "0 to 40 %" in down
     assert "2 of 3 finished" in summary
 
 

@@ -150,7 +150,9 @@ def _direction(x: Channel | None, y: Channel | None, window: np.ndarray, mean: f
     """Direction of the mean vector [rad]; nan if the force rotates."""
     if x is None or y is None:
         return float("nan")
-    parts = [
+    along_x, along_y = (
         c.statistics["mean"] if c.statistics is not None else float(c.values[window].mean()) for c in (x, y)
-    ]
-    return float(np.arctan2(parts[1], parts[0])) if np.hypot(*parts) > ROTATES * mean else float("nan")
+    )
+    return (
+        float(np.arctan2(along_y, along_x)) if np.hypot(along_x, along_y) > ROTATES * mean else float("nan")
+    )

@@ -124,7 +124,9 @@ def distinct(group: Sequence[Channel]) -> tuple[list[Channel], list[str]]:
     Constant curves are numbers; a curve equal to another one, for speeds up to the gear ratio, is drawn once;
     of more than `MAX_LINES` curves, those with the largest values are drawn.
     """
-    constant, others, copies = [], [], []
+    constant: list[str] = []
+    others: list[Channel] = []
+    copies: list[str] = []
     for channel in group:
         size = float(np.abs(channel.values).max())
         if np.all(np.isfinite(channel.values)) and float(np.ptp(channel.values)) <= NOISE * size:
