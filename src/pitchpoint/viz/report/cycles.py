@@ -15,14 +15,16 @@ from pitchpoint.viz.mesh_cycle_plot import (
     plot_mesh_stiffness,
     plot_transmission_error,
 )
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import channel_scale, number, scale
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.tables import common_name
 
 MAX_CYCLES = 4
+"""Maximum number of stiffness cycles in a plot."""
+CONSTANT = 1e-9
+"""Relative variation of a constant stiffness."""
 SAME = 0.02
 """Difference of two curves over their variation that is within the width of a line."""
-"""Maximum number of stiffness cycles in a plot."""
 ROUND_OFF_WAY = 1e-6
 """Travel before contact at mid-face that counts as round-off [base pitches]: zero for spur gears."""
 
@@ -35,7 +37,13 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
         section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
         if cycle.stiffness is not None:
             _add_stiffness(section, mesh, cycle)
-        if cycle.errors:
+        if cycle.errors and all(float(np.ptp(e)) <= ROUND_OFF for e in cycle.errors.values()):
+            micrometres = channel_scale("transmission_error", "m", np.zeros(1))
+            means = ", ".join(
+                f"{micrometres.text(float(np.mean(e)))} {name}" for name, e in cycle.errors.items()
+            )
+            section.add(f"<p>The quasi-static transmission error is constant: {escape(means)}.</p>")
+        elif cycle.errors:
             drawn = plot_transmission_error(cycle.error_phase, cycle.errors, cycles=_drawn_cycles(cycle))
             words = f"Quasi-static transmission error along the line of action over {_words(cycle)}."
             section.add_figure(drawn, words)
@@ -85,6 +93,9 @@ def _close(a: Any, b: Any) -> bool:
 
 def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:
     s = cycle.stiffness
+    if not np.size(cycle.loaded_ratio) and float(s.maximum - s.minimum) <= CONSTANT * abs(float(s.mean)):
+        section.add("<p>The mesh stiffness is constant over the mesh cycle.</p>")
+        return
     loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
     count = min(_drawn_cycles(cycle), MAX_CYCLES) if loaded else 2
     caption = (

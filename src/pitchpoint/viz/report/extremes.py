@@ -20,6 +20,7 @@ from pitchpoint.viz.quantities import (
     scale,
     window_words,
 )
+from pitchpoint.viz.report.bearing_forces import QUANTITY as BEARINGS
 from pitchpoint.viz.report.bearing_forces import with_resultants
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.report.time import ROUND_OFF, groups_of
@@ -65,6 +66,8 @@ def _add_table(
     """Table of the main channels, a folded one of others, and a sentence about the rest."""
     parts = [c.name for q in FORCE_PARTS for c in found.values() if c.quantity == q]
     others = [c.name for q in TIME_QUANTITIES for c in found.values() if listed(c, q)]
+    # bearing forces have a table of their own
+    main = [n for n in main if not n.startswith(BEARINGS)]
     order = [n for n in dict.fromkeys((*main, *parts, *others)) if n in found]
     wanted = [
         found[n]

@@ -77,7 +77,7 @@ def spectrum_section(
         parts = [distinct([c for c in picked if c.quantity == q]) for q in QUANTITIES]
         if sum(len(drawn) for drawn, _ in parts) > MAX_CHANNELS:
             parts = parts[-1:]  # of many meshes, the forces
-        words = [sentence for _, own in parts for sentence in own]
+        words = dict.fromkeys(sentence for _, own in parts for sentence in own)
         section.add(f"<p>{escape(' '.join(words))}</p>" if words else "")
         for channel in [c for drawn, _ in parts for c in drawn]:
             signal = Channel(channel.name, channel.values[window], channel.unit, channel.long_name)

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pitchpoint.analysis.campbell_ranking import ranked_speeds
 from pitchpoint.analysis.statistics import contact_statistics
 from pitchpoint.core.status import OK
 from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
@@ -261,8 +262,6 @@ def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
 
 def _critical(diagrams: Mapping[str, Any]) -> list[str]:
     """Critical speed nearest to the operating speed, in words, per Campbell diagram that has one."""
-    from pitchpoint.viz.campbell_plot import ranked_speeds
-
     found = []
     for name, data in diagrams.items():
         if "crossing_separation" not in data or not data["frequency"].size:
