@@ -241,7 +241,8 @@ def _compare(found: _Found, everything: bool) -> list[tuple[str, dict[str, str]]
             scenario, text = found.variants.get(name, ("", ""))
             if text:
                 families.setdefault((kind, "" if everything else scenario), []).append(name)
-    compared, named = [], {}
+    compared: list[tuple[str, dict[str, str]]] = []
+    named: dict[str, str] = {}
     for (_, scenario), names in families.items():
         if len(names) < 2:
             continue
