@@ -160,7 +160,7 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
 
 
 def channel_scale(name: str, unit: str, values: Array) -> Scale:
-    """Display unit of a channel: always µm and µrad for transmission errors and deflections of meshes.
+    """Display unit of a channel: µm and µrad for transmission errors and deflections of meshes up to 10 mm.
 
     Displacements below 1 mm are in µm as well.
 
@@ -180,11 +180,11 @@ def channel_scale(name: str, unit: str, values: Array) -> Scale:
     """
     small = {"m": Scale("µm", 1e6), "rad": Scale("µrad", 1e6)}.get(_SPELLINGS.get(unit, unit))
     quantity = name.partition("[")[0]
-    if small is not None and quantity.endswith(("transmission_error", "deflection")):
+    limits = {"displacement": 1e-3} if unit == "m" else {}
+    limit = 1e-2 if quantity.endswith(("transmission_error", "deflection")) else limits.get(quantity, 0.0)
+    sizes = np.abs(values[np.isfinite(values)])
+    if small is not None and limit > 0.0 and (not sizes.size or float(sizes.max()) < limit):
         return small
-    if small is not None and quantity == "displacement" and small.unit == "µm":
-        sizes = np.abs(values[np.isfinite(values)])
-        return small if not sizes.size or float(sizes.max()) < 1e-3 else scale(unit, values)
     return scale(unit, values)
 
 

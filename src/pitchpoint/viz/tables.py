@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
-from pitchpoint.core.nomenclature import Entry, lookup
+from pitchpoint.core.nomenclature import Entry, lookup, table
 from pitchpoint.core.units import display_unit, in_unit
 from pitchpoint.viz.quantities import number, pretty, printed
 
@@ -237,6 +237,22 @@ def value_html(value: str) -> str:
     ('20°', 'generalized alpha', 'd<sub>in</sub>')
     """
     return " ".join(_word_html(word) for word in printed(value).split(" "))
+
+
+def text_html(text: str) -> str:
+    """Sentence with symbols of the nomenclature and units as printed.
+
+    Examples
+    --------
+    >>> text_html("limit about 0.1 m_n, stage_1 >= 2 mm^2")
+    'limit about 0.1 m<sub>n</sub>, stage_1 ≥ 2 mm²'
+    """
+    return re.sub(r"\b[A-Za-z]{1,5}_[A-Za-z0-9]{1,5}\b", _symbol, escape(printed(text)))
+
+
+def _symbol(found: re.Match[str]) -> str:
+    row = table().get(found[0])
+    return symbol_html(row.symbol) if row is not None and row.symbol else found[0]
 
 
 def _word_html(word: str) -> str:

@@ -21,21 +21,20 @@ from pitchpoint.viz.quantities import (
     channel_scale,
     channels,
     number,
-    printed,
     window_words,
 )
 from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
 from pitchpoint.viz.report.contact_times import working_flank
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.run_record import owner, settled_part
-from pitchpoint.viz.tables import plain_table
+from pitchpoint.viz.tables import plain_table, text_html
 
 MAX_RUNS = 4
 """Runs next to each other in one table; more continue in another table."""
 MAX_ENDS = 4
 """Inputs or outputs named for one run."""
 NO_POWER = 1e-4
-"""Power relative to the largest one below which an element is no input or output."""
+"""Power relative to the largest one below which an element does not count as input or output."""
 CASE_RESULTS = (("mesh_force", "max", "maximum"), ("deflection", "rms", "rms (alternating)"))
 
 
@@ -68,7 +67,7 @@ def summary_section(counts: Sequence[tuple[str, str]], results: Any, warnings: S
     )
     items += "".join(f"<li>{escape(words)}</li>" for words in _critical(results.campbells))
     section.add(f'<ul class="notes">{items}</ul>' if items else "")
-    listed = "".join(f"<li>{escape(printed(line))}</li>" for line in warnings)
+    listed = "".join(f"<li>{text_html(line)}</li>" for line in warnings)
     section.add(f'<h3>Remarks</h3><ul class="notes warnings">{listed}</ul>' if listed else "")
     known = facts_list(counts)
     section.add(f"<h3>Model</h3>{known}" if known else "")

@@ -27,6 +27,7 @@ from pitchpoint.viz.run_record import (
     uniform,
 )
 from pitchpoint.viz.signals_plot import NOISE, plot_force_parts, plot_signals, signal_rows
+from pitchpoint.viz.tables import text_html
 
 MAX_LINES = 8
 MAX_PARTS = 2
@@ -60,7 +61,7 @@ def time_section(runs: Mapping[str, Any], seen: str = "", overlaid: Collection[s
         found = with_resultants(found)
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         section.add(f"<p>{escape(run.note)}</p>" if run.note else "")
-        notes = "".join(f"<li>{escape(remark)}</li>" for remark in run.remarks)
+        notes = "".join(f"<li>{text_html(remark)}</li>" for remark in run.remarks)
         section.add(f'<ul class="notes">{notes}</ul>' if notes else "")
         section.add('<div class="linked">' if name == seen else "")
         settled = settled_part(time, run.settle_time)
