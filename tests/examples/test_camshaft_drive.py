@@ -267,6 +267,7 @@ def hammering(**changes):
     """Per stage of the train: force, contact statistics and the hardest impact of every period [kN]."""
     _, t, channel = signals("train.yaml", "engine", **changes)
     late = t >= 0.32
+    check_angular_momentum(t[late], lambda name: channel(name)[late])
     period = np.floor((t[late] - 0.32) * 37.5 + 1e-9).astype(int)  # a sixth of a turn of the cam at 375 rpm
     found = {}
     for mesh in ("stage_1", "stage_2"):
@@ -275,6 +276,21 @@ def hammering(**changes):
         hardest = [1e-3 * np.abs(force[period == k]).max() for k in range(period[-1])]
         found[mesh] = force, contact, np.array(hardest)
     return found
+
+
+def check_angular_momentum(t, channel):
+    """I (w(t_1) - w(t_0)) = integral of T - r_b F of the cam gear: no scatter, however chaotic the impacts.
+
+    Trapezoids of 20 us against impacts of about 0.7 ms: the integrals of force and torque are 1e-4 apart.
+    """
+    model = load_model(FOLDER / "train.yaml")
+    law, base = model.loads["cam"].torque, 0.5 * model.gears["cam"].geometry.d_b
+    torque = np.interp(channel("angle[camshaft]") % math.radians(60.0), law.abscissa, law.values)
+    force, speed = channel("mesh_force[stage_2]"), channel("speed[camshaft]")
+    driven = np.trapezoid(torque - base * force, t)
+    assert 4.503 * (speed[-1] - speed[0]) == pytest.approx(
+        driven, abs=3e-4 * base * np.trapezoid(np.abs(force), t)
+    )
 
 
 @outside_polynomial
@@ -295,18 +311,20 @@ def test_cam_torque_makes_the_gears_hammer(step):
 def test_hammering_settles_in_the_mean():
     """What the page says of 8 s does not depend on the step.
 
-    Eight runs, steps of 3 to 6 us and two ways to start, have medians of 54.6 to 57.3 kN, 55.7 in the mean.
-    Of eleven runs, steps of 1.1 to 5 us, one period in twenty has a harder impact than 77.3 to 82.6 kN,
-    79.8 with a standard deviation of 2.1 %: as 300 independent periods with a tail of 7.5 kN have. The
-    hardest of all is 96.0 to 115.5 kN, 106.6 with 6 %. Bounds are three times and two and a half times that.
+    Means over 300 periods scatter least. Five runs, steps of 2 to 5 us, have hardest impacts of 59.3 to
+    60.7 kN in the mean, 60.0 with a standard deviation of 1.0 % (10.7 kN over the root of 300), a mean force
+    of 5.20 to 5.26 kN on either flank, 5.23 with 0.5 %, and no contact in stage 2 for 67.9 to 69.6 % of the
+    time, 68.6 with 0.7. Bounds are three times that. A quantile is no sharper than the root of q (1 - q)/300
+    over the density: 2.4 % for one period in twenty, whatever the step; 1 % there would take six times as
+    long. What does not scatter at all is the momentum, see `hammering`.
     """
     found = hammering(duration=8.32)
-    assert len(found["stage_2"][2]) in (299, 300)
+    force, contact, hardest = found["stage_2"]
+    assert len(hardest) in (299, 300)
     assert found["stage_1"][1].loss_share == pytest.approx(0.765, abs=0.015)
-    assert found["stage_2"][1].loss_share == pytest.approx(0.68, abs=0.015)
-    assert np.median(found["stage_2"][2]) == pytest.approx(55.7, rel=0.05)
-    assert np.quantile(found["stage_2"][2], 0.95) == pytest.approx(79.8, rel=0.065)
-    assert found["stage_2"][2].max() == pytest.approx(106.6, rel=0.15)
+    assert contact.loss_share == pytest.approx(0.685, abs=0.02)
+    assert hardest.mean() == pytest.approx(60.0, rel=0.03)
+    assert 1e-3 * np.abs(force).mean() == pytest.approx(5.23, rel=0.015)
     model = load_model(FOLDER / "train.yaml")
     needed = max(map(abs, model.loads["cam"].torque.values)) / (0.5 * model.gears["cam"].geometry.d_b)
     assert 1e-3 * needed == pytest.approx(12.0, rel=5e-3)

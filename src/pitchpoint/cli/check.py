@@ -10,6 +10,7 @@ import click
 from pitchpoint.cli.options import common, model_file
 from pitchpoint.cli.output import emit_json, show, shown, table
 from pitchpoint.cli.settings import set_option
+from pitchpoint.cli.stations import beam_stations, shaft_stations
 from pitchpoint.model.sections import GROUPS
 from pitchpoint.model.signals import SECTIONS as SIGNALS
 
@@ -115,7 +116,8 @@ def summary(model: Model) -> dict[str, Any]:
             for name, mesh in model.bevel_meshes.items()
         },
         "planetary_stages": stages_of_model(model),
-        "shafts": _stations(model),
+        "shafts": shaft_stations(model),
+        "beam_stations": beam_stations(model),
         "elastic_bodies": {name: list(part.nodes) for name, part in model.elastic_bodies.items()},
         "elastic_frequencies": {name: found[1].tolist() for name, found in facts.items()},
         "joints": _joints(model),
@@ -152,23 +154,6 @@ def _freedoms(model: Model, body: str) -> list[str]:
     """Coordinates of a body, in the terms of its motion or joint."""
     seat = model.mechanism.seats[body]
     return list(FREEDOMS[model.bodies[body].moves] if seat.joint is None else seat.coordinates)
-
-
-def _stations(model: Model) -> dict[str, dict[str, Any]]:
-    """Stations of the shafts with their positions [m] and attached components."""
-    from pitchpoint.model.shafts import nearest_station, seats_on_shafts, station_names
-
-    found = {}
-    for shaft, seats in seats_on_shafts(model).items():
-        places = model.stations[shaft]
-        sits: list[list[str]] = [[] for _ in places]
-        for at, place in seats:
-            what = sits[nearest_station(places, place)]
-            word = str(at[3] if at[0] == "shafts" else at[1])
-            what.extend([word] if word not in what else [])
-        names = station_names(shaft, len(places))
-        found[shaft] = {n: {"place": p, "there": s} for n, p, s in zip(names, places, sits, strict=True)}
-    return found
 
 
 def _joints(model: Model) -> dict[str, Any]:
@@ -274,6 +259,18 @@ def _print(model: Model, file: str) -> None:
     ]
     if rows:
         table("Stations of shafts", ["station", "position [mm]", "attached"], rows)
+    rows = [
+        [
+            name,
+            f"{round(1e3 * station['place'], 9):.6g}",
+            ", ".join(f"{round(1e3 * x, 9) + 0.0:.6g}" for x in station["world"] or ()),
+            ", ".join(station["there"]),
+        ]
+        for stations in found["beam_stations"].values()
+        for name, station in stations.items()
+    ]
+    if rows:
+        table("Stations of beams", ["station", "from first end [mm]", "in the world [mm]", "attached"], rows)
     _show_joints(found)
     _show_meshes(found)
     if found["planetary_stages"]:

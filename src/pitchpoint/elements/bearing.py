@@ -371,8 +371,8 @@ def _linear(record: np.void, spinning: bool) -> bool:
 
 
 def _label(record: np.void) -> str:
-    """Label: coupling between two bodies, else bearing."""
-    return "coupling" if record["j"] != 0 else "bearing"
+    """Label: bearing on ground or in a housing, else coupling."""
+    return "coupling" if record["j"] != 0 and not record["housed"] else "bearing"
 
 
 def _arrow(record: np.void) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Frames of bodies, markers and joints in the world, at zero coordinates."""
+"""Frames of bodies, markers, stations of beams and joints in the world, at zero coordinates."""
 
 from __future__ import annotations
 
@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from pitchpoint.model.components.marker import Axes, Marker
+
 if TYPE_CHECKING:
+    from pitchpoint.model.components.beam import Beam
     from pitchpoint.model.components.body import Body
     from pitchpoint.model.components.joint import Joint
-    from pitchpoint.model.components.marker import Axes, Marker
+    from pitchpoint.model.components.marker import Axes
 
 Array = NDArray[np.float64]
 GROUND = "ground"
@@ -30,6 +33,10 @@ class Machine(Protocol):
     @property
     def joints(self) -> Mapping[str, Joint]:
         """Joints by name."""
+
+    @property
+    def beams(self) -> Mapping[str, Beam]:
+        """Beams by name."""
 
 
 def unit(vector: ArrayLike) -> Array:
@@ -63,19 +70,50 @@ def frame(axes: Axes | None, base: Array | None = None) -> Array:
 
 
 def split(end: str) -> tuple[str, str]:
-    """Body and marker ('' for the origin) of an end BODY or BODY.MARKER."""
+    """Body and marker ('' for the origin) of an end BODY or BODY.MARKER; beam and station of BEAM.STATION."""
     body, _, marker = end.partition(".")
     return body, marker
 
 
+def beam_of(machine: Machine, end: str) -> Beam | None:
+    """Beam of an end BEAM.STATION; None for other ends. A body takes precedence over a beam of its name."""
+    name = split(end)[0]
+    return None if name in machine.bodies or name == GROUND else machine.beams.get(name)
+
+
+def carrying_end(machine: Machine, end: str) -> str:
+    """The end itself; for a station of a beam the end at the body that carries the beam, its first one."""
+    beam = beam_of(machine, end)
+    return end if beam is None else carrying_end(machine, beam.ends[0])
+
+
 def marker_of(machine: Machine, end: str) -> Marker | None:
-    """Marker of an end; None for an origin and for unknown names."""
+    """Marker of an end, or station of a beam; None for an origin and for unknown names."""
     body, name = split(end)
+    beam = beam_of(machine, end)
+    if beam is not None:
+        share = beam.stations.get(name)
+        length = beam_length(machine, beam)
+        return None if share is None or length is None else Marker(position=(0.0, 0.0, share * length))
     return machine.bodies[body].markers.get(name) if body in machine.bodies else None
 
 
+def beam_length(machine: Machine, beam: Beam) -> float | None:
+    """Distance of the ends of a beam [m]; None if the position of an end is unknown."""
+    root, tip = (place_of(machine, end) for end in beam.ends)
+    return None if root is None or tip is None else float(np.linalg.norm(tip - root))
+
+
+def beam_frame(machine: Machine, beam: Beam) -> tuple[Array | None, Array]:
+    """First end of a beam [m], and its axes: z along the beam, x along axis 1 of its section."""
+    root, tip = (place_of(machine, end) for end in beam.ends)
+    if root is None or tip is None:
+        return None, np.eye(3)
+    return root, frame(Axes(z=tuple(tip - root), x=beam.axis))
+
+
 def body_frame(machine: Machine, body: str) -> tuple[Array | None, Array]:
-    """Origin and axes of a body in the world.
+    """Origin and axes of a body or a beam in the world.
 
     The origin is None if it is not known yet. A body that does not exist has no origin and the axes of the
     world: the checks of references report it, the checks of positions skip it.
@@ -84,7 +122,8 @@ def body_frame(machine: Machine, body: str) -> tuple[Array | None, Array]:
         return np.zeros(3), np.eye(3)
     part = machine.bodies.get(body)
     if part is None:
-        return None, np.eye(3)
+        beam = beam_of(machine, body)
+        return (None, np.eye(3)) if beam is None else beam_frame(machine, beam)
     origin = None if part.origin is None else np.array(part.origin, float)
     return origin, frame(part.orientation or part.axes)
 

@@ -102,7 +102,7 @@ def _type(key: Key, definitions: dict[str, Any]) -> dict[str, Any]:
         "quantity": number,
         "integer": {"type": ["integer", "string"], **_bounds(key)},
         "choice": {"enum": list(key.choices)},
-        "text": {"type": "string"},
+        "text": {"type": ["string", "number"]},  # a designation such as 6205
         "boolean": {"type": "boolean"},
         "speeds": {"type": "object", "additionalProperties": number},
         "gears": {"type": ["array", "object"]},

@@ -279,12 +279,13 @@ def _rolling_bearings(model: Model, spins: Mapping[str, float]) -> dict[str, dic
     """Frequencies of every rolling bearing, relative to the carrier of its inner ring and load."""
     from pitchpoint.analysis.bearing_frequencies import bearing_frequencies
     from pitchpoint.model.carried_trains import line_carrier, speed_in_space
-    from pitchpoint.model.rings import ring_bodies
+    from pitchpoint.model.frames import carrying_end, split
+    from pitchpoint.model.rings import ring_ends
 
     machine: Any = model
     found = {}
     for name, part in model.rolling_bearings.items():
-        inner, outer = ring_bodies(part)
+        inner, outer = (split(carrying_end(model, end))[0] for end in ring_ends(part))
         axis = inner if inner != GROUND else outer
         base = line_carrier(machine, inner, outer)
         rings = [speed_in_space(machine, spins, body, axis, against=base) for body in (inner, outer)]

@@ -67,7 +67,7 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
-    tree = [*bodies(model), *housing_seats(model)]
+    tree = [*bodies(model), *beam_stations(model), *housing_seats(model)]
     states: dict[str, int] = {}
     places = Places(
         end=partial(end_of, model),
@@ -77,9 +77,8 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
         model=model,
         scenario=chosen,
         numbers=body_numbers(model),
-        first_station=len(tree) + 1,
+        tree=tree,
     )
-    places = replace(places, tree=[*tree, *beam_stations(model, places)])
     elements = [n for names in states_of(model).values() for n in names]
     states |= {name: k for k, name in enumerate(elements, start=len(places.tree) + 1)}
     used = [found for name in groups_of(model) if getattr(model, name) and (found := find(name)) is not None]

@@ -11,6 +11,7 @@ from scipy.optimize import minimize
 
 from pitchpoint.core.errors import ModelError
 from pitchpoint.elements.surface_surface import (
+    set_cone_on_plane,
     set_cone_on_surface,
     set_ring_on_surface,
 )
@@ -131,7 +132,11 @@ def test_the_gap_is_the_least_distance_of_the_surfaces(name):
 @pytest.mark.parametrize("name", PAIRS)
 def test_tangents_balance_and_power(name):
     """Sliding with friction and damping, 0.6 mm deep."""
-    system, state = system_of(name, placed(name, -6e-4))
+    check_contact(*system_of(name, placed(name, -6e-4)))
+
+
+def check_contact(system, state):
+    """Balance of forces and moments, tangents against differences, power against energy and losses."""
     assert read(system, state, f"contact_force[{KIND}0]") > 0.01
     check_balance(system, state)
     _, D, K = evaluate.linearize(system, state)
@@ -148,6 +153,49 @@ def test_tangents_balance_and_power(name):
     loss = read(system, state, f"contact_power_loss[{KIND}0]")
     assert loss > 0.0
     assert power + (energy[0] - energy[1]) / 2e-7 + loss == pytest.approx(0.0, abs=1e-5 * loss)
+
+
+def lying(tilt):
+    """Axes of a cone with its flank on the plane, its base raised by an angle."""
+    c, s = math.cos(CONE[0] + tilt), math.sin(CONE[0] + tilt)
+    return np.array([[s, 0.0, c], [0.0, 1.0, 0.0], [c, 0.0, -s]]) @ np.diag([1.0, -1.0, 1.0])
+
+
+SEAT = -(RING[0] * math.cos(0.6) + RING[1] - 3e-4) / math.sin(0.6)
+# name: setup, axes of the first body and its place: contact along a line or all around, 0.3 mm deep
+LINES = {
+    "cone on plane": (lambda r, p: set_cone_on_plane(r, *CONE), lying(0.0), (0.0, 0.0, -3e-4)),
+    "part of a cone on plane, to its base": (
+        lambda r, p: set_cone_on_plane(r, *CONE), lying(-0.006), (0.0, 0.0, 2.5e-4)),
+    "part of a cone on plane, to its tip": (
+        lambda r, p: set_cone_on_plane(r, *CONE), lying(0.006), (0.0, 0.0, -2.5e-4)),
+    "ring in a seat": (
+        lambda r, p: set_ring_on_surface(r, RING, "cone", (0.6,), True, True), np.eye(3), (0, 0, SEAT)),
+    "ring in a bore": (
+        lambda r, p: set_ring_on_surface(r, RING, "cylinder", (0.0597,), True, True), np.eye(3), (0, 0, 0)),
+    "ring around a shaft": (
+        lambda r, p: set_ring_on_surface(r, RING, "cylinder", (0.0403,), False, True), np.eye(3), (0, 0, 0)),
+    "ring around a cone": (
+        lambda r, p: set_ring_on_surface(r, RING, "cone", (0.3,), False, True), np.eye(3),
+        (0.0, 0.0, -(RING[0] * math.cos(0.3) - RING[1] + 3e-4) / math.sin(0.3))),
+    "rings": (
+        lambda r, p: set_ring_on_surface(r, RING, "torus", (0.05, 0.012), False, True), np.eye(3),
+        (0.0, 0.0, 0.0217)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("where", ["free", "ground", "tree"])
+@pytest.mark.parametrize("name", LINES)
+def test_tangents_balance_and_power_along_a_line(name, where):
+    setup, axes, place = LINES[name]
+
+    def whole(record, pool):
+        setup(record, pool)
+        record["Bi"] = axes
+
+    rng = np.random.default_rng(5)
+    system = pair(KIND, contact(KIND, whole), place, rng, where)
+    check_contact(system, shaken(system, rng, places=2e-5))
 
 
 def file(first, second, more="", place="[0, 0, 100 mm]"):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,11 +12,14 @@ import pytest
 from pitchpoint.core.errors import SolverError
 from pitchpoint.core.status import OK
 from pitchpoint.elements import gravity, maxwell, spring_damper
+from pitchpoint.io.yaml_model import load_model
 from pitchpoint.multibody.bodies import FREE, TORSION, Body
 from pitchpoint.multibody.joints import PRISMATIC
 from pitchpoint.solvers.frequency_response import find_response, solve_frequency_response
 from pitchpoint.solvers.implicit import generalized_alpha
 from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.system import evaluate
+from pitchpoint.system.compile import compile_model
 from pitchpoint.system.system import assemble
 from tests.support.engine import bearings
 from tests.support.machines import R_B1, compiled, pair
@@ -111,6 +115,48 @@ def test_error_of_the_flanks_of_a_free_pair():
     assert found.response[:, 2, 0] == pytest.approx(u - 1.0, rel=1e-7)
     assert found.response[:, 3, 0] == pytest.approx((3e8 + d * s) * (u - 1.0), rel=1e-7)
     assert found.response[:, 4, 0] == pytest.approx(u, rel=1e-7)
+
+
+@pytest.mark.parametrize("axis", ["[0, 0, 1]", "[1, 0, 0]"])
+@pytest.mark.parametrize("torque", [2.0, -2.0])
+def test_deflection_less_half_the_gap_is_the_mesh_force_over_the_stiffness(torque, axis):
+    """A pinion on isotropic springs: its own motion along the line of action opens the gap, too.
+
+    Teeth approach by p = r_b1 phi_1 + r_b2 phi_2 + w - e, w the motion of the pinion along that line:
+    p = -e/(1 + k H) with the receptances H = -r_b1^2/(I_1 w^2) - r_b2^2/(I_2 w^2) + 1/(k_b - m w^2).
+    """
+    k, k_b, mass = 3e8, 5e7, 2.0
+    support = "stiffness: {radial: 5e7, axial: 5e7, tilt: 1e6}"
+    text = pair("{law: constant, value: 3.0e8 N/m}", torque=f"{torque} N m")
+    text = text.replace(
+        "[g1], motion: torsion", f"[g1], motion: free, position: [0, 0, 0], axes: {{z: {axis}}}"
+    )
+    text = text.replace("[g2], motion: torsion", f"[g2], motion: torsion, axes: {{z: {axis}}}")
+    text += f"bearings:\n  b: {{body: driver, {support}}}\n"
+    outputs = ["deflection[stage]", "backlash[stage]", "mesh_force[stage]"]
+    hertz = np.array([100.0, 700.0, 1200.0, 2500.0])
+    found = find_response(compiled(text)[1], ["transmission_error[stage]"], outputs, hertz).response[:, :, 0]
+    w = 2.0 * math.pi * hertz
+    spins = R_B1**2 / 0.002 + (1.5 * R_B1) ** 2 / 0.01
+    approach = -1.0 / (1.0 + k * (1.0 / (k_b - mass * w**2) - spins / w**2))
+    # rotation of the line of action under the load of 47 N: 47 N/(5e7 N/m)/135 mm
+    assert found[:, 2] == pytest.approx(k * approach, rel=2e-4)
+    assert found[:, 0] - 0.5 * math.copysign(1.0, torque) * found[:, 1] == pytest.approx(approach, rel=2e-4)
+    assert np.abs(found[:, 0] / approach - 1.0).max() > 0.1
+
+
+def test_deflection_on_elastic_shafts_is_that_of_the_teeth_with_half_the_gap():
+    model = load_model(Path(__file__).parents[3] / "examples" / "geared-rotor" / "model.yaml")
+    model = model.replace("meshes.stage.damping", None)
+    outputs = ["deflection[stage]", "backlash[stage]", "mesh_force[stage]"]
+    hertz = np.array([1.0, 100.0, 200.0, 1000.0])
+    system = compile_model(model, "fast")
+    found = find_response(system, ["transmission_error[stage]"], outputs, hertz, "fast").response[:, :, 0]
+    state = evaluate.observe(system, prepare_start(system, model.scenarios["fast"]).state)
+    side = math.copysign(1.0, state[system.layout.channel("mesh_force[stage]")])
+    teeth = found[:, 2] / 3e8
+    assert found[:, 0] - 0.5 * side * found[:, 1] == pytest.approx(teeth, rel=1e-5)
+    assert np.abs(found[:, 0] / teeth).max() > 5.0
 
 
 def test_unbalance_of_a_jeffcott_rotor():

@@ -9,6 +9,7 @@ from pitchpoint.core.errors import SolverError
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.gear_trains import held_spins
 from pitchpoint.solvers.initial_state.start import prepare_start
+from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.solvers.step_modes import counted_frequency
 from pitchpoint.system import evaluate
@@ -56,6 +57,16 @@ def test_a_rocker_is_held_through_the_bearing_in_its_eye():
     angle = start.state.q[system.layout.coordinate("rocker.spin")]
     assert angle == pytest.approx(1e-5 / 0.3, rel=1e-5)
     assert start.notes == ()
+
+
+def test_a_bearing_in_a_housing_is_called_a_bearing():
+    # names of modal energies, such as "coupling flange" between two bodies
+    more = "couplings:\n  flange: {bodies: [shaft, fan], stiffness: {torsion: 1e4}}\n"
+    fan = "  fan: {motion: torsion, inertia: 0.01, position: [0.3, 0, 0.2]}\n"
+    text = (ROCKER + IN_HOUSING + more + END).replace("joints:", fan + "joints:")
+    found = find_modes(compile_model(loads_model(text))).elements
+    assert {"bearing eye", "bearing a", "coupling flange"} <= set(found)
+    assert "coupling eye" not in found
 
 
 def test_a_bearing_on_a_shaft_without_marker_has_a_station_of_its_own():

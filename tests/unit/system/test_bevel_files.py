@@ -208,14 +208,35 @@ def test_the_backlash_factor_counts_in_mean_normal_modules():
     assert model.backlash("m") == pytest.approx(0.05 * pair.gear1.m_mn * math.cos(pair.alpha_t), rel=1e-12)
 
 
-def test_the_backlash_of_a_bevel_mesh_is_observed():
-    """At rest that of the model; with the pinion pulled out of its apex it grows."""
-    model = loads_model(bevel_file(shaft=90.0, spiral=20.0, bodies=FREE, rest=BEARINGS + LOADS))
+@pytest.mark.parametrize("opens", [("+z", "+z"), ("-z", "+z")])
+@pytest.mark.parametrize("shaft, spiral", [(90.0, 0.0), (75.0, 20.0), (110.0, -35.0)])
+def test_the_backlash_of_a_bevel_mesh_follows_the_distance_of_the_apexes(shaft, spiral, opens):
+    """At rest that of the model. A gear pulled out of its apex by h opens it by 2 h sin(delta) sin(alpha_t).
+
+    Its pitch cone moves by h sin(delta) away from the mate, normal to the pitch plane, which counts as a
+    change of the centre distance of the virtual cylindrical gears does: on both flanks, by sin(alpha_t) each
+    along the base tangent. A motion across both axes is a travel and opens nothing.
+    """
+    text = bevel_file(shaft=shaft, spiral=spiral, opens=opens, bodies=FREE, rest=BEARINGS + LOADS)
+    model = loads_model(text)
     system = compile_model(model)
-    state = system.initial_state()
-    at = system.layout.channel("backlash[m]")
-    rest = evaluate.observe(system, state)[at]
+    at, pair = system.layout.channel("backlash[m]"), model.bevel_pairs["m"]
+    rest = evaluate.observe(system, system.initial_state())[at]
     assert rest == pytest.approx(model.backlash("m"), abs=1e-14)
-    out = model.bevel_gears[model.bevel_meshes["m"].gears[0]].direction
-    state.q[system.layout.coordinate("first.z")] += 1e-4 * out
-    assert evaluate.observe(system, state)[at] > rest + 1e-6
+    for body, gear, name in (
+        ("first", pair.gear1, model.bevel_meshes["m"].gears[0]),
+        ("second", pair.gear2, model.bevel_meshes["m"].gears[1]),
+    ):
+        out = model.bevel_gears[name].direction
+        for h in (1e-4, -4e-5):
+            state = system.initial_state()
+            state.q[system.layout.coordinate(f"{body}.z")] += h * out
+            opened = 2.0 * h * math.sin(gear.delta) * math.sin(pair.alpha_t)
+            assert evaluate.observe(system, state)[at] - rest == pytest.approx(opened, rel=1e-9)
+    state = system.initial_state()
+    axes = [system.bodies[k].axes[:, 2] for k in (0, 1)]
+    across = np.cross(*axes) / np.linalg.norm(np.cross(*axes))
+    moved = 1e-4 * system.bodies[0].axes.T @ across
+    for c, x in zip("xyz", moved, strict=True):
+        state.q[system.layout.coordinate(f"first.{c}")] += x
+    assert evaluate.observe(system, state)[at] == pytest.approx(rest, abs=1e-13)

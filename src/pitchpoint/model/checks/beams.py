@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.components.beam import SHAPES
 from pitchpoint.model.frames import ALONG, GROUND, place_of, split, unit
 from pitchpoint.model.keys import Place
@@ -62,7 +63,8 @@ def _section(section: BeamSection, at: Place, report: Reader) -> None:
 
 def _place(parts: Parts, beam: Beam, at: Place, report: Reader) -> None:
     one, two = beam.ends
-    if any(split(e)[0] not in {*parts.bodies, GROUND} for e in beam.ends):
+    owners = [split(e)[0] for e in beam.ends]
+    if not all(n == GROUND or n in parts.bodies or is_beam(parts, n) for n in owners):
         return  # reported already
     first, second = place_of(parts, one), place_of(parts, two)
     if first is None or second is None:

@@ -183,9 +183,8 @@ def _crossed(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -
     """Check that cylinders with point contact are not parallel."""
     from pitchpoint.model.frames import GROUND, axes_of, split
 
-    if (*at, "ends") in report.tainted or any(
-        split(end)[0] not in (*parts.bodies, GROUND) for end in contact.ends
-    ):
+    known = (*parts.bodies, *parts.beams, GROUND)
+    if (*at, "ends") in report.tainted or any(split(end)[0] not in known for end in contact.ends):
         return
     a, b = (axes_of(parts, end)[:, 2] for end in contact.ends)
     sine = math.sqrt(max(0.0, 1.0 - float(a @ b) ** 2))

@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.checks.bearing_faults import check_seat
 from pitchpoint.model.checks.references import known
 from pitchpoint.model.checks.rolling_bearings import check_rolling_bearings
@@ -156,6 +157,15 @@ def _load(parts: Parts, name: str, load: Load, report: Reader) -> None:
             report.problem((*at, "reaction"), f"acts on {load.body} itself", remedy="name another body")
         elif load.reaction != GROUND:
             known(parts, "bodies", load.reaction, (*at, "reaction"), report)
+    if is_beam(parts, load.body):
+        if load.torque is not None:
+            report.problem(
+                (*at, "torque"),
+                f"acts on the beam {load.body}, which has no spin axis",
+                remedy="give a force, or an actuator of type: force with quantity: moment",
+            )
+    else:
+        known(parts, "bodies", load.body, (*at, "body"), report, "beams")
     body = parts.bodies.get(load.body)
     if load.marker is None:
         if load.along == "marker":

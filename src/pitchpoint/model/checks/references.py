@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.beam_ends import check_branches, is_beam, part_of
 from pitchpoint.model.frames import GROUND, split
 from pitchpoint.model.keys import Place, keys_of
 from pitchpoint.model.parts import Parts
@@ -48,12 +49,15 @@ def _same_pairs(parts: Parts, report: Reader) -> None:
             )
 
 
-def known(parts: Parts, group: str, name: str, at: Place, report: Reader) -> bool:
-    """Whether a name exists; if not, the problem is reported with the nearest spelling."""
+def known(parts: Parts, group: str, name: str, at: Place, report: Reader, other: str = "") -> bool:
+    """Whether a name exists; if not, the problem is reported with the nearest spelling.
+
+    Names of the section `other` are suggested too.
+    """
     if parts.has(group, name):
         return True
     names = parts.known(group)
-    guess = did_you_mean(name, names)
+    guess = did_you_mean(name, names | parts.known(other) if other else names)
     words = group.replace("_", " ")
     single = {"bodies": "body", "meshes": "mesh"}.get(group, words.removesuffix("s"))
     have = f"there are {', '.join(sorted(names))}" if names else f"the file has no {words}"
@@ -101,21 +105,22 @@ def check_carriers(parts: Parts, report: Reader) -> None:
 
 # --- points on bodies ---------------------------------------------------------------------------------------
 def check_places(parts: Parts, report: Reader) -> None:
-    """Check that the ends of elements refer to existing bodies and markers."""
+    """Check that the ends of elements refer to existing bodies and markers, or to stations of beams."""
     if GROUND in parts.known("bodies"):
         report.problem(("bodies", GROUND), "is a reserved name", remedy="rename the body")
+    check_branches(parts, report)
     for group, name, key, given in ends_of(parts):
         many = not isinstance(given, str)
         for i, end in enumerate(given if many else (given,)):
             at: Place = (group, name, key, i) if many else (group, name, key)
             _known_end(parts, end, at, report)
-        if many and len(given) == 2 and len({split(e)[0] for e in given}) == 1:
+        if many and len(given) == 2 and len({part_of(parts, e) for e in given}) == 1:
             body = parts.bodies.get(split(given[0])[0])
             if group == "sensors" and body is not None and (body.shaft or body.elastic):
                 continue  # measures its deformation
             report.problem(
                 (group, name, key),
-                f"are on the same body, {split(given[0])[0]}",
+                f"are on the same body, {part_of(parts, given[0])}",
                 value=" and ".join(given),
                 remedy="name points on two bodies",
             )
@@ -142,7 +147,9 @@ def _known_end(parts: Parts, end: str, at: Place, report: Reader) -> None:
                 remedy="give position, or put the marker on a body with motion: fixed",
             )
         return
-    if not known(parts, "bodies", body, at, report) or not marker or body not in parts.bodies:
+    if is_beam(parts, body):
+        return  # `check_stations` lists stations with their positions
+    if not known(parts, "bodies", body, at, report, "beams") or not marker or body not in parts.bodies:
         return
     markers = parts.bodies[body].markers
     if marker not in markers and ("bodies", body, "markers") not in report.tainted:

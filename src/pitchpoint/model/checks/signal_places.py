@@ -11,6 +11,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.nearest import did_you_mean
+from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.checks.mechanism import coordinates_listed
 from pitchpoint.model.components.actuator import TorqueActuator
 from pitchpoint.model.components.sensor import JointSensor, Listener, LoadSensor
@@ -132,6 +133,13 @@ def _load_sensor(parts: Parts, at: Place, sensor: LoadSensor, report: Reader, wh
     if body == GROUND:
         report.problem((*at, "at"), "is ground, which no joint carries", remedy="name a body")
         return
+    if is_beam(parts, body):
+        report.problem(
+            (*at, "at"),
+            f"names {sensor.at}, a station of a beam, which no joint carries",
+            remedy="measure the force of a spring or bushing there: type: observation",
+        )
+        return
     seat = parts.mechanism.seats.get(body)
     if whole and seat is not None and seat.kind in NO_HOLD:
         how = f"the joint {seat.joint}" if seat.joint is not None else "its motion"
@@ -181,6 +189,14 @@ def _torque(parts: Parts, at: Place, actuator: TorqueActuator, report: Reader, w
     if bodies[0] == GROUND:
         report.problem(at, "name ground first", remedy="name the driven body first")
         return
+    for end in actuator.bodies:
+        if is_beam(parts, split(end)[0]):
+            report.problem(
+                at,
+                f"name {end}, a station of a beam, which has no spin axis",
+                remedy="write {type: force, quantity: moment, ...} instead",
+            )
+            return
     if not whole or any(b != GROUND and b not in parts.mechanism.seats for b in bodies):
         return
     driven = coordinate(parts.mechanism, parts, bodies[0])

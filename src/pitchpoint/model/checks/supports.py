@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pitchpoint.model.checks.beam_ends import is_beam
 from pitchpoint.model.checks.forces import TURNING
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.frames import GROUND, Array, body_frame, place_of, split
@@ -75,7 +76,7 @@ def _housing(parts: Parts, at: Place, part: Bearing | Ringed, report: Reader) ->
             limit="torsion: 0",
             remedy="use a coupling instead, or remove torsion",
         )
-    if part.body not in parts.bodies or body not in parts.bodies:
+    if part.body not in parts.bodies or not (body in parts.bodies or is_beam(parts, body)):
         return
     owner, there = parts.bodies[str(part.body)], place_of(parts, str(part.housing))
     if owner.origin is None or there is None or not marker:

@@ -24,6 +24,7 @@ from pitchpoint.model.checks.scenarios import check_scenarios
 from pitchpoint.model.checks.signal_places import check_signal_places
 from pitchpoint.model.checks.signals import check_signals
 from pitchpoint.model.checks.solids import check_directions, check_solids
+from pitchpoint.model.checks.stations import check_stations
 from pitchpoint.model.checks.supports import (
     check_couplings,
     check_housings,
@@ -60,6 +61,7 @@ CHECKS = (
     check_positions,
     check_spacing,
     resolve,
+    check_stations,
     check_planets,
     check_fault_laws,
     check_flank_contacts,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from pitchpoint.model.keys import REQUIRED, component, integer, key, positive, quantities, quantity
@@ -56,7 +57,8 @@ class Beam:
 
     ends: tuple[str, str] = key(
         "ends",
-        "the two ends, each of them ground, a body or BODY.MARKER; free of load in the initial position",
+        "the two ends: ground, a body, BODY.MARKER or a station of another beam; free of load in "
+        "the initial position",
         length=(2, 2),
     )
     section: BeamSection = component(BeamSection, "constant cross-section", REQUIRED)
@@ -69,7 +71,8 @@ class Beam:
     )
     material: Material | str = key("material", "name in the material library, or the properties", "steel")
     pieces: int = integer(
-        "number of beam elements in series, connected by bodies with six degrees of freedom",
+        "number of beam elements of equal length; between them are the stations BEAM.2, BEAM.3, ..., which "
+        "can be named where BODY.MARKER can",
         4,
         minimum=1,
         maximum=1000,
@@ -81,6 +84,19 @@ class Beam:
         0.0,
         minimum=0.0,
     )
+
+    @cached_property
+    def stations(self) -> dict[str, float]:
+        """Positions of the stations between the elements by number, over the length of the beam [-].
+
+        The ends, 1 and `pieces` + 1, belong to the bodies there.
+
+        Examples
+        --------
+        >>> Beam(ends=("ground", "tip"), section=BeamSection(diameter=0.02), pieces=4).stations
+        {'2': 0.25, '3': 0.5, '4': 0.75}
+        """
+        return {str(k + 1): k / self.pieces for k in range(1, self.pieces)}
 
     @property
     def material_data(self) -> Material:

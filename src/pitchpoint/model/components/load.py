@@ -13,7 +13,7 @@ from pitchpoint.model.keys import choice, key, quantities, text
 class Load:
     """A torque about the spin axis of a body and/or a force on it."""
 
-    body: str = text("name of the body", names="bodies")
+    body: str = text("name of the body; or of a beam, with the number of a station as marker")
     torque: Law | None = key(
         "law",
         "torque about the spin axis, counter-clockwise positive: a quantity, a formula of t, angle, speed, "

@@ -283,7 +283,9 @@ def _supports(model: Model) -> Iterator[Message]:
     for name, bearing in model.bearings.items():
         motion = model.bodies[bearing.body].moves
         house = split(bearing.housing)[0] if bearing.housing is not None else GROUND
-        moving = set(MOVES[motion]) | set(MOVES[model.bodies[house].moves] if house != GROUND else ())
+        moving = set(MOVES[motion])
+        if house != GROUND:  # a station of a beam moves in all directions
+            moving |= set(MOVES[model.bodies[house].moves if house in model.bodies else "joint"])
         if not _holds(bearing, moving):
             yield remark(
                 f"bearings.{name}",
@@ -310,6 +312,8 @@ def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:
 def _loads(model: Model) -> Iterator[Message]:
     """Positions of torques, and forces in directions without motion."""
     for name, load in model.loads.items():
+        if load.body not in model.bodies:
+            continue  # a station of a beam moves in all directions
         motion = model.bodies[load.body].moves
         if load.force is None:
             idle = load.position if load.body not in model.shafts else load.position[:2]

@@ -75,7 +75,9 @@ class Places:
         """
         where = None if place is None else np.asarray(place, float)
         number, origin, axes = frame_at(self.model, body, where)
-        return self.numbers.get(number, -1), origin, axes
+        if number not in self.numbers:  # ground, and stations of beams in a scene at rest
+            return -1, np.zeros(3), np.eye(3)
+        return self.numbers[number], origin, axes
 
     def world(self, body: str, place: ArrayLike = (0.0, 0.0, 0.0)) -> tuple[Array, Array]:
         """Point of a body in world coordinates [m], and the axes of the body there; world axes for ground.

@@ -13,13 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.elements.beams.record import RECORD, beam_row
-from pitchpoint.model.components.marker import Axes
-from pitchpoint.model.frames import axes_of, frame, place_of
-from pitchpoint.model.shafts import station_names
+from pitchpoint.model.frames import axes_of, beam_frame, beam_length, carrying_end
 from pitchpoint.multibody.beam_section import Beam, Section, rectangle, tube
 from pitchpoint.multibody.bodies import Body
 from pitchpoint.multibody.joints import FLOATING
 from pitchpoint.system.rules.bank import Bank
+from pitchpoint.system.rules.bodies import beam_numbers, end_of
 
 if TYPE_CHECKING:
     from pitchpoint.model.components.beam import Beam as BeamPart
@@ -32,20 +31,20 @@ BARE = 1e-9
 """Mass and inertia of a station relative to those of a beam element; a body must not be massless."""
 
 
-def beam_stations(model: Model, places: Places) -> list[Body]:
+def beam_stations(model: Model) -> list[Body]:
     """Stations of all beams, numbered after the bodies of the model."""
     found = []
     for name, part in model.beams.items():
-        root, tip, axes = _line(model, part)
-        piece = _piece(part, float(np.linalg.norm(tip - root)))
-        mass, parent = BARE * piece.mass, places.end(part.ends[0])[0]
-        for k, label in enumerate(station_names(name, part.pieces)[1:], start=1):
+        (root, axes), length = _line(model, part)
+        piece = _piece(part, length)
+        mass, parent = BARE * piece.mass, end_of(model, carrying_end(model, part.ends[0]))[0]
+        for number, share in part.stations.items():
             found.append(
                 Body(
-                    name=label,
+                    name=f"{name}.{number}",
                     motion=FLOATING,
                     parent=parent,
-                    position=tuple(root + (tip - root) * k / part.pieces),
+                    position=tuple(root + axes[:, 2] * share * length),
                     axes=axes,
                     mass=mass,
                     inertia=mass * piece.length**2 * np.eye(3),
@@ -56,13 +55,12 @@ def beam_stations(model: Model, places: Places) -> list[Body]:
 
 def beam_bank(places: Places) -> Bank:
     """Elements of all beams."""
-    model, first = places.model, places.first_station
-    rows, names, station = [np.zeros(0, RECORD)], [], first
+    model = places.model
+    rows, names, first = [np.zeros(0, RECORD)], [], beam_numbers(model)
     for name, part in model.beams.items():
-        root, tip, axes = _line(model, part)
-        piece = _piece(part, float(np.linalg.norm(tip - root)))
-        inner = [(station + k, np.zeros(3), np.eye(3)) for k in range(part.pieces - 1)]
-        station += part.pieces - 1
+        (_, axes), length = _line(model, part)
+        piece = _piece(part, length)
+        inner = [(first[name] + k, np.zeros(3), np.eye(3)) for k in range(part.pieces - 1)]
         nodes = [
             _clamped(model, places, part.ends[0], axes),
             *inner,
@@ -83,12 +81,11 @@ def beam_bank(places: Places) -> Bank:
     return Bank("beam", np.concatenate(rows), tuple(names))
 
 
-def _line(model: Model, part: BeamPart) -> tuple[Array, Array, Array]:
-    """End points in world axes with all coordinates zero [m], and the section axes as columns."""
-    root, tip = (place_of(model, e) for e in part.ends)
-    assert root is not None and tip is not None  # all bodies of a model have a position
-    way = tip - root
-    return root, tip, frame(Axes(z=tuple(way), x=part.axis))
+def _line(model: Model, part: BeamPart) -> tuple[tuple[Array, Array], float]:
+    """First end in world axes with all coordinates zero [m], section axes as columns, and length [m]."""
+    (root, axes), length = beam_frame(model, part), beam_length(model, part)
+    assert root is not None and length is not None  # all bodies of a model have a position
+    return (root, axes), length
 
 
 def _clamped(model: Model, places: Places, end: str, axes: Array) -> tuple[int, Array, Array]:

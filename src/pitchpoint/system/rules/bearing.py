@@ -69,6 +69,7 @@ def housed(model: Model) -> list[str]:
 def housing_numbers(model: Model) -> dict[str, int]:
     """Number of the housing seat of each bearing with a housing; numbered after all other bodies."""
     first = 1 + sum(count_of(model, name) for name in model.mechanism.seats)
+    first += sum(len(beam.stations) for beam in model.beams.values())
     return {name: first + k for k, name in enumerate(housed(model))}
 
 

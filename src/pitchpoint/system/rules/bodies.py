@@ -15,7 +15,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from pitchpoint.model.frames import GROUND, axes_of, body_frame, joint_place, place_of, split
+from pitchpoint.model.frames import (
+    GROUND,
+    axes_of,
+    beam_frame,
+    beam_length,
+    beam_of,
+    body_frame,
+    joint_place,
+    place_of,
+    split,
+)
 from pitchpoint.model.mechanism import ONE_WAY, Seat, axial_offset, seat_frame, spinner_of
 from pitchpoint.model.shafts import nearest_station
 from pitchpoint.multibody import joints
@@ -94,6 +104,15 @@ _LAST: dict[str, tuple[weakref.ref[Model], dict[str, int]]] = {}
 """Body numbers of the last model."""
 
 
+def beam_numbers(model: Model) -> dict[str, int]:
+    """Number of the first station of each beam, after all bodies of the model."""
+    found, k = {}, 1 + sum(count_of(model, name) for name in model.mechanism.seats)
+    for name, part in model.beams.items():
+        found[name] = k
+        k += len(part.stations)
+    return found
+
+
 def count_of(model: Model, body: str) -> int:
     """Number of records of a body: stations of a shaft; frame, modes and nodes of an elastic body."""
     if body in model.elastic_bodies:
@@ -169,7 +188,7 @@ def _start(joint: Joint | None, seat: Seat) -> tuple[tuple[float, ...], tuple[fl
 
 # --- positions on bodies ------------------------------------------------------------------------------------
 def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
-    """Body, point and axes of an end given as ground, BODY or BODY.MARKER.
+    """Body, point and axes of an end given as ground, BODY, BODY.MARKER or BEAM.STATION.
 
     Parameters
     ----------
@@ -192,19 +211,28 @@ def end_of(model: Model, end: str) -> tuple[int, Array, Array]:
 
 
 def frame_at(model: Model, body: str, place: Array | None) -> tuple[int, Array, Array]:
-    """Number, origin [m] and axes of the frame of a body; for a shaft of the station nearest to `place`.
+    """Number, origin [m] and axes of the frame of a body; for shafts and beams of the station nearest to
+    `place`.
 
     Parameters
     ----------
     model
         The model.
     body
-        Name of the body, or ground.
+        Name of the body or beam, or ground.
     place
         Position in world axes with all coordinates zero [m]; None: first station of a shaft.
     """
     if body == GROUND:
         return 0, np.zeros(3), np.eye(3)
+    beam = beam_of(model, body)
+    if beam is not None:
+        root, axes = beam_frame(model, beam)
+        length = beam_length(model, beam)
+        assert root is not None and length is not None and place is not None
+        shares = [*beam.stations.values()]
+        k = nearest_station(shares, float(axes[:, 2] @ (place - root)) / length)
+        return beam_numbers(model)[body] + k, root + axes[:, 2] * shares[k] * length, axes
     number = body_numbers(model)[body]
     at, axes = seat_frame(model, model.mechanism.seats[body])
     if body in model.elastic_bodies and place is not None:

@@ -12,14 +12,13 @@ from pitchpoint.elements import closure as element
 from pitchpoint.elements.closure_rows import cut_joint, rod
 from pitchpoint.model.frames import joint_axes, joint_place, split
 from pitchpoint.system.rules.bank import Bank
-from pitchpoint.system.rules.bodies import CODES, bodies, end_of, frame_at, world_place
+from pitchpoint.system.rules.bodies import CODES, end_of, frame_at, world_place
 from pitchpoint.system.rules.places import Places
 
 
 def closure_bank(places: Places) -> Bank:
     """Rows of all cut joints and rods, named by the constrained direction as JOINT.x, JOINT.xy etc."""
-    model = places.model
-    tree = bodies(model) if model.mechanism.cut or model.rods else []
+    model, tree = places.model, places.tree
     records, names = [np.zeros(0, element.RECORD)], []
     for name in model.mechanism.cut:
         joint = model.joints[name]

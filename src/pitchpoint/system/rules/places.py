@@ -25,8 +25,8 @@ class Places:
     Parameters
     ----------
     end
-        Function of ground, BODY or BODY.MARKER: body number, point from the body origin [m] and axes
-        (columns), both in the body-fixed frame.
+        Function of ground, BODY, BODY.MARKER or BEAM.STATION: body number, point from the body origin [m] and
+        axes (columns), both in the body-fixed frame.
     world
         Function of the same names: position in the world with all coordinates zero [m].
     axes
@@ -39,8 +39,6 @@ class Places:
         Number of each body of the model.
     tree
         Bodies of the model and stations of its beams, in the order of their numbers, from 1.
-    first_station
-        Number of the first beam station.
     """
 
     end: Callable[[str], tuple[int, Array, Array]]
@@ -51,7 +49,6 @@ class Places:
     scenario: Scenario | None = None
     numbers: Mapping[str, int] = field(default_factory=dict)
     tree: Sequence[Body] = ()
-    first_station: int = 0
 
     def mark(self, row: Any, ends: Iterable[str]) -> None:
         """Set bodies, points and, if the record has them, axes of two ends."""
