@@ -103,8 +103,7 @@ def _add_spectra(section: Section, runs: Mapping[str, Any], read: Mapping[str, A
     section.add("<h4>Spectra</h4>" if common else "")
     for name in list(common)[:MAX_SPECTRA]:
         channel = next(own[name] for _, own in read.values() if name in own)
-        title = f"{channel.label}, amplitude"
-        section.add_figure(plot_spectrum(common[name], unit=channel.unit, quantity=title))
+        section.add_figure(plot_spectrum(common[name], unit=channel.unit, quantity=channel.label))
 
 
 def plot_runs(curves: Mapping[str, tuple[Array, Channel]]) -> go.Figure:
