@@ -12,6 +12,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from pitchpoint.analysis.by_component import by_component
     from pitchpoint.analysis.dataset import analyse
     from pitchpoint.core.errors import (
         CompileError,
@@ -25,8 +26,34 @@ if TYPE_CHECKING:
     from pitchpoint.geometry import BasicRack, CylindricalGear, GearPair
     from pitchpoint.io.measured.reading import read_measured
     from pitchpoint.io.results import open_result
-    from pitchpoint.io.yaml_model import load_model
+    from pitchpoint.io.yaml_model import load_model, write_model
+    from pitchpoint.model.components.beam import Beam
+    from pitchpoint.model.components.bearing import Bearing
+    from pitchpoint.model.components.bevel_gear import BevelGear
+    from pitchpoint.model.components.bevel_mesh import BevelMesh
+    from pitchpoint.model.components.body import Body
+    from pitchpoint.model.components.bushing import Bushing
+    from pitchpoint.model.components.clutch import Clutch
+    from pitchpoint.model.components.contact import CamContact, CurveContact, SurfaceContact
+    from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.components.damping import Damping
+    from pitchpoint.model.components.elastic_body import ElasticBody
+    from pitchpoint.model.components.gear import Gear
+    from pitchpoint.model.components.joint import Joint
+    from pitchpoint.model.components.load import Load
+    from pitchpoint.model.components.mesh import Mesh
+    from pitchpoint.model.components.parameter import Parameter
+    from pitchpoint.model.components.planetary_stage import PlanetaryStage
+    from pitchpoint.model.components.ratio import Ratio
+    from pitchpoint.model.components.rod import Rod
+    from pitchpoint.model.components.rolling_bearing import PlainBearing, RollingBearing
+    from pitchpoint.model.components.shaft import Shaft
+    from pitchpoint.model.components.spring import Maxwell, Spring
+    from pitchpoint.model.components.torsion_spring import TorsionMaxwell, TorsionSpring
+    from pitchpoint.model.components.unbalance import Unbalance
     from pitchpoint.model.model import Model
+    from pitchpoint.model.scenario import Scenario
+    from pitchpoint.report.pictures import plot
     from pitchpoint.report.write import write_report
     from pitchpoint.solvers.campbell_dataset import solve_campbell
     from pitchpoint.solvers.contact_analysis.on_shafts import solve_contacts_on_shafts
@@ -39,6 +66,7 @@ if TYPE_CHECKING:
     from pitchpoint.solvers.modal import solve_modal
     from pitchpoint.solvers.quasistatic.roll import solve_quasistatic
     from pitchpoint.solvers.reduction.reduce import reduce_system
+    from pitchpoint.solvers.state_space import state_space
     from pitchpoint.solvers.time import solve_time
     from pitchpoint.sweep.cases import cases_dataset, run_cases
     from pitchpoint.sweep.speed import sweep_speed
@@ -47,25 +75,57 @@ if TYPE_CHECKING:
 
 __all__ = [
     "BasicRack",
+    "Beam",
+    "Bearing",
+    "BevelGear",
+    "BevelMesh",
+    "Body",
+    "Bushing",
+    "CamContact",
+    "Clutch",
     "CompileError",
+    "Coupling",
+    "CurveContact",
     "CylindricalGear",
+    "Damping",
+    "ElasticBody",
+    "Gear",
     "GearPair",
     "GeometryError",
+    "Joint",
+    "Load",
+    "Maxwell",
+    "Mesh",
     "Model",
     "ModelError",
+    "Parameter",
     "PitchpointError",
+    "PlainBearing",
+    "PlanetaryStage",
+    "Ratio",
     "ReliefPlan",
+    "Rod",
+    "RollingBearing",
+    "Scenario",
+    "Shaft",
     "SolverError",
+    "Spring",
+    "SurfaceContact",
+    "TorsionMaxwell",
+    "TorsionSpring",
+    "Unbalance",
     "UnitError",
     "ValidityWarning",
     "__version__",
     "analyse",
+    "by_component",
     "cases_dataset",
     "compile_model",
     "design_relief",
     "load_model",
     "open_result",
     "planet_loads",
+    "plot",
     "read_measured",
     "reduce_system",
     "run_cases",
@@ -78,13 +138,16 @@ __all__ = [
     "solve_modal",
     "solve_quasistatic",
     "solve_time",
+    "state_space",
     "sweep_speed",
+    "write_model",
     "write_report",
 ]
 
 __version__: str
 
 _HOMES = {
+    "analysis.by_component": ("by_component",),
     "analysis.dataset": ("analyse",),
     "core.errors": (
         "CompileError",
@@ -98,8 +161,47 @@ _HOMES = {
     "geometry": ("BasicRack", "CylindricalGear", "GearPair"),
     "io.measured.reading": ("read_measured",),
     "io.results": ("open_result",),
-    "io.yaml_model": ("load_model",),
+    "io.yaml_model": ("load_model", "write_model"),
+    "model.components.beam": ("Beam",),
+    "model.components.bearing": ("Bearing",),
+    "model.components.bevel_gear": ("BevelGear",),
+    "model.components.bevel_mesh": ("BevelMesh",),
+    "model.components.body": ("Body",),
+    "model.components.bushing": ("Bushing",),
+    "model.components.clutch": ("Clutch",),
+    "model.components.contact": (
+        "CamContact",
+        "CurveContact",
+        "SurfaceContact",
+    ),
+    "model.components.coupling": ("Coupling",),
+    "model.components.damping": ("Damping",),
+    "model.components.elastic_body": ("ElasticBody",),
+    "model.components.gear": ("Gear",),
+    "model.components.joint": ("Joint",),
+    "model.components.load": ("Load",),
+    "model.components.mesh": ("Mesh",),
+    "model.components.parameter": ("Parameter",),
+    "model.components.planetary_stage": ("PlanetaryStage",),
+    "model.components.ratio": ("Ratio",),
+    "model.components.rod": ("Rod",),
+    "model.components.rolling_bearing": (
+        "PlainBearing",
+        "RollingBearing",
+    ),
+    "model.components.shaft": ("Shaft",),
+    "model.components.spring": (
+        "Maxwell",
+        "Spring",
+    ),
+    "model.components.torsion_spring": (
+        "TorsionMaxwell",
+        "TorsionSpring",
+    ),
+    "model.components.unbalance": ("Unbalance",),
     "model.model": ("Model",),
+    "model.scenario": ("Scenario",),
+    "report.pictures": ("plot",),
     "report.write": ("write_report",),
     "solvers.campbell_dataset": ("solve_campbell",),
     "solvers.contact_analysis.on_shafts": ("solve_contacts_on_shafts",),
@@ -112,6 +214,7 @@ _HOMES = {
     "solvers.modal": ("solve_modal",),
     "solvers.quasistatic.roll": ("solve_quasistatic",),
     "solvers.reduction.reduce": ("reduce_system",),
+    "solvers.state_space": ("state_space",),
     "solvers.time": ("solve_time",),
     "sweep.cases": ("cases_dataset", "run_cases"),
     "sweep.speed": ("sweep_speed",),
@@ -131,6 +234,8 @@ def __getattr__(name: str) -> Any:
         from pitchpoint.viz.notebook import attach
 
         value = getattr(importlib.import_module(f"pitchpoint.{_HOME_OF[name]}"), name)
+        if _HOME_OF[name].startswith("model."):
+            importlib.import_module("pitchpoint.model.model")  # reads and writes the values of components
         attach()  # what this has brought in shows itself in notebooks
     else:
         raise AttributeError(f"module 'pitchpoint' has no attribute {name!r}")

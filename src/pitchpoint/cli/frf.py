@@ -166,9 +166,9 @@ def compute(
 
 def _draw(path: Path, found: FrequencyResponse) -> None:
     """Write a page with amplitude and phase."""
-    from pitchpoint.viz.frequency_response_plot import plot_frequency_response
+    from pitchpoint.viz.frequency_response_plot import curve_units, plot_frequency_response
 
-    units = [f"{o}/({i})" if " " in i else f"{o}/{i}" for o in found.output_units for i in found.input_units]
+    units = curve_units(found.output_units, found.input_units)
     figure = plot_frequency_response(found.frequency, found.response, found.outputs, found.inputs, units)
     write_figure(path, figure)
 

@@ -89,20 +89,15 @@ def check_options(options: dict[str, Any]) -> None:
             raise click.UsageError(f"--{name} has no effect with --mesh-orders; omit it")
 
 
-def order_names(found: MeshResponse) -> list[str]:
-    """Names of the orders, such as `2 × stage`."""
-    return [f"{h} × {m}" for m, h in zip(found.meshes, found.harmonics, strict=True)]
-
-
 def _draw(path: Path, found: MeshResponse) -> None:
     """Write a page with order cuts and maps."""
-    from pitchpoint.viz.mesh_response_plot import plot_mesh_response
+    from pitchpoint.viz.mesh_response_plot import order_names, plot_mesh_response
 
     figure = plot_mesh_response(
         found.speed,
         found.frequency,
         np.abs(found.response),
-        order_names(found),
+        order_names(found.meshes, found.harmonics),
         found.outputs,
         found.units,
         modes=found.mode_frequency,

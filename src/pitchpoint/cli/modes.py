@@ -223,7 +223,7 @@ def animate(path: str, found: Modes, model: Model) -> None:
         path,
         bodies=found.bodies,
         names=found.names,
-        frequency=found.frequency,
+        frequency=found.damped_frequency,
         place=found.place,
         axes=found.axes,
         body_shape=found.damped_body_shape,

@@ -16,6 +16,7 @@ from pitchpoint.model.bevel_places import assemble_bevels, bevel_gap, bevel_pair
 from pitchpoint.model.checks.gear_pairs import gap
 from pitchpoint.model.checks.python_components import recheck
 from pitchpoint.model.checks.validate import check
+from pitchpoint.model.finish import finish
 from pitchpoint.model.inertia import BodyInertia, body_inertia
 from pitchpoint.model.keys import (
     Place,
@@ -35,7 +36,7 @@ from pitchpoint.model.sections import GROUPS, Contents
 from pitchpoint.model.shafts import station_names, stations_of
 from pitchpoint.model.show import dotted
 from pitchpoint.model.speed_ratios import start_speeds, sweep_meshes
-from pitchpoint.model.stand_ins import own_parts
+from pitchpoint.model.write import yaml_text
 
 if TYPE_CHECKING:
     from pitchpoint.core.formula.formula import Amount
@@ -57,6 +58,10 @@ class Frozen(dict[str, V]):
 
     __setitem__ = __delitem__ = update = pop = popitem = clear = setdefault = _refuse
     __ior__ = _refuse
+
+    def _ipython_key_completions_(self) -> list[str]:
+        """Names for the completion of `model.gears["`."""
+        return list(self)
 
     def __reduce__(self) -> tuple[type, tuple[dict[str, V]]]:
         return type(self), (dict(self),)
@@ -91,17 +96,25 @@ class Model(Contents):
     """Kinematic tree of the bodies and the cut joints."""
 
     def __post_init__(self) -> None:
-        for group in GROUPS:
-            object.__setattr__(self, group, Frozen(own_parts(getattr(self, group))))
-        self._set_others(self.others)
-        report = Reader()
+        report = Reader(
+            allow_code=self.allow_code, directory=self.directory, sources=dict(self.origin.sources)
+        )
         for name in self.others:
             if sections.find(name) is None:
                 report.unknown({name: None}, keys_of(type(self)), ())
+        values, names = finish(self, report)
+        self._set_others({n: part for n, part in values.items() if sections.is_other(n)})
+        for name, value in values.items():
+            if not sections.is_other(name):
+                frozen = Frozen(value) if isinstance(value, Mapping) else value
+                object.__setattr__(self, name, frozen)
+        object.__setattr__(self, "origin", dataclasses.replace(self.origin, sources=report.sources))
+        unread = len(report.problems)
         recheck(self, (), report)
-        if report.problems:
+        if len(report.problems) > unread:  # of a wrong type: other checks may fail
             raise ModelError(report.problems, self.file)
         parts = self._parts()
+        parts.names = names
         check(parts, report)
         if report.problems:
             raise ModelError(report.problems, self.file)
@@ -155,16 +168,8 @@ class Model(Contents):
     def _set_others(self, others: Mapping[str, Mapping[str, Any]]) -> None:
         found = {name: Frozen(part) for name, part in others.items() if part}
         object.__setattr__(self, "others", Frozen(found))
-
-    if not TYPE_CHECKING:  # type checkers report unknown attributes
-
-        def __getattr__(self, name: str) -> Any:
-            """Section of another package; empty if the file has none."""
-            if name in (others := self.__dict__.get("others", {})):
-                return others[name]
-            if sections.is_other(name):
-                return Frozen()
-            raise AttributeError(f"a model has no {name!r}", name=name, obj=self)
+        for name, part in found.items():  # attributes; empty ones are of the class, see `sections.extensible`
+            object.__setattr__(self, name, part)
 
     def _parts(self) -> Parts:
         parts = Parts.of({group: getattr(self, group) for group in sections.groups_of(self)}, self.damping)
@@ -211,7 +216,7 @@ class Model(Contents):
         code = self.allow_code if allow_code is None else allow_code
         report = Reader(
             allow_code=code,
-            directory=str(Path(self.file).parent) if self.file else ".",
+            directory=self.directory,
             parameters=self.amounts,
             sources=dict(self.origin.sources),
         )
@@ -221,6 +226,11 @@ class Model(Contents):
         return dataclasses.replace(
             self, **tops, others={**self.others, **others}, changed=True, origin=origin
         )
+
+    @property
+    def directory(self) -> str:
+        """Directory of relative file names."""
+        return str(Path(self.file).parent) if self.file else "."
 
     # --- derived data ----------------------------------------------------------------------------------
     def line(self, place: Place) -> int | None:
@@ -317,6 +327,48 @@ class Model(Contents):
             raise ModelError([Message("scenarios", "is not a sweep", remedy="name a scenario with sweep")])
         meshes = sweep_meshes(self._parts(), chosen.sweep.body)
         return chosen.sweep.mesh or next(iter(meshes))
+
+    @classmethod
+    def from_dict(cls, data: Mapping[str, Any], *, allow_code: bool = False) -> Model:
+        """Create a model from nested mappings, as in a file.
+
+        Parameters
+        ----------
+        data
+            Sections and keys as in a file; components may also be objects.
+        allow_code
+            Accept entries that name Python functions.
+
+        Raises
+        ------
+        ModelError
+            With all problems.
+
+        Examples
+        --------
+        >>> Model.from_dict({"title": "fan", "bodies": {"rotor": {"inertia": "0.2 kg m^2"}}})
+        Model 'fan': 1 body
+        """
+        if not isinstance(data, Mapping):
+            raise ModelError([Message("model", "is not a mapping of keys", remedy="begin with gears")])
+        given = {str(name): value for name, value in data.items() if value is not None}
+        own = {name: value for name, value in given.items() if name in keys_of(sections.Contents)}
+        others = {name: value for name, value in given.items() if name not in own}
+        return cls(**own, others=others, allow_code=allow_code)
+
+    def to_yaml(self) -> str:
+        """Text of a model file that reads back to an equal model.
+
+        Texts with units and formulas are as in the file or in the arguments of the model, other quantities
+        have customary units. Comments are not kept.
+        """
+        return yaml_text(self)
+
+    def __repr__(self) -> str:
+        """Title, number of components of each section, names of the scenarios."""
+        from pitchpoint.model.table import summary
+
+        return summary(self)
 
     def _repr_html_(self) -> str:
         """Tables of gears, meshes and bodies for notebooks."""

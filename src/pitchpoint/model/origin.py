@@ -7,11 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from pitchpoint.model.keys import Place
+from pitchpoint.model.keys import Key, Place
+
+KEPT = ("quantity", "quantities", "integer", "value")
+"""Kinds of keys whose texts are kept as written even without parameters."""
 
 
 class Source(NamedTuple):
-    """Value of a key as written, with the names of the parameters in it."""
+    """Value of a key as written, with the names of the parameters in it; the writer uses it again."""
 
     data: Any
     names: frozenset[str]
@@ -32,8 +35,8 @@ class Origin:
     Parameters
     ----------
     sources
-        Values with parameters as written, by the path of their keys; `Model.replace` reads them again if a
-        parameter changes, and a model is written with them.
+        Values with parameters, and texts of numbers such as ``"0.05 m"``, as written, by the path of their
+        keys; `Model.replace` reads them again if a parameter changes, and a model is written with them.
     bare
         Numbers without unit that are rarely meant in SI units.
     files
@@ -43,6 +46,18 @@ class Origin:
     sources: Mapping[Place, Source] = field(default_factory=dict)
     bare: tuple[Bare, ...] = ()
     files: tuple[str, ...] = ()
+
+
+def is_kept(key: Key, data: Any, path: Place) -> bool:
+    """Whether a value without parameters is kept as written: a number, or numbers, with units.
+
+    Entries of lists are not kept: `Model.replace` has no paths for them.
+    """
+    if any(isinstance(step, int) for step in path):
+        return False
+    if key.kind == "quantities":
+        return isinstance(data, list) and any(isinstance(entry, str) for entry in data)
+    return isinstance(data, str) and key.kind in KEPT
 
 
 def drop(sources: dict[Place, Source], place: Place) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity, text
 
@@ -21,7 +22,7 @@ EVENTS = ("pair_entry", "pair_exit", "contact", "sliding_reversal", "stick_slip"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ripple:
+class Ripple(Component):
     """Harmonic fluctuation about the mean rotation of a drive; the mean speed is unchanged.
 
     The angle is phi + a sin(order phi + phase) with the mean angle phi.
@@ -54,7 +55,7 @@ class Ripple:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Drive:
+class Drive(Component):
     """Prescribed motion of the spin of a body or of a joint coordinate: one of the four laws, and a ripple.
 
     In a speed sweep, which prescribes the mean speed, a ripple only.
@@ -107,7 +108,7 @@ class Drive:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sweep:
+class Sweep(Component):
     """Speed sweep: each point starts from the final state of the previous one; give one of the two ranges."""
 
     body: str = text("body whose speed is swept")
@@ -146,7 +147,7 @@ class Sweep:
 
 
 @dataclass(frozen=True, kw_only=True)
-class QuasiStatic:
+class QuasiStatic(Component):
     """Quasi-static roll through whole mesh periods."""
 
     mesh: str | None = text("mesh that defines the mesh period", None, display="the only mesh")
@@ -155,7 +156,7 @@ class QuasiStatic:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Scenario:
+class Scenario(Component):
     """A time response, a speed sweep or a quasi-static roll of the model."""
 
     speed: dict[str, float] = key(

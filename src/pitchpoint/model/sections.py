@@ -10,6 +10,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
@@ -180,7 +181,10 @@ _CLASSES: list[type] = []
 
 
 def extensible(cls: type) -> type:
-    """Register a class whose keys are extended by the sections of other packages."""
+    """Register a class whose keys are extended by the sections of other packages, as empty attributes.
+
+    The class has no `__getattr__`, so that IPython completes its attributes and the names in its sections.
+    """
     _CLASSES.append(cls)
     return cls
 
@@ -203,6 +207,7 @@ def register(found: Section) -> None:
     for cls in _CLASSES:
         keys_of(cls)[found.name] = found.key
         defaults_of(cls)[found.name] = {}
+        setattr(cls, found.name, MappingProxyType({}))
 
 
 def find(name: str) -> Section | None:

@@ -8,6 +8,8 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.units import format_quantity
+from pitchpoint.model.sections import groups_of
+from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
@@ -18,6 +20,26 @@ def table(head: Iterable[str], rows: Iterable[Iterable[object]]) -> str:
     top = "".join(f"<th>{escape(h)}</th>" for h in head)
     body = "".join("<tr>" + "".join(f"<td>{escape(str(c))}</td>" for c in row) + "</tr>" for row in rows)
     return f"<table><thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
+
+
+PLURALS = {"bodies": "body", "elastic_bodies": "elastic body", "meshes": "mesh", "bevel_meshes": "bevel mesh"}
+PLURALS["clutches"] = "clutch"
+"""Words for one component of a section, if not that of the section without s."""
+
+
+def summary(model: Model) -> str:
+    """Title, number of components of each section and names of the scenarios, as one line."""
+    counts = []
+    for section in groups_of(model):
+        count = len(own_parts(getattr(model, section)))
+        words = section.replace("_", " ")
+        one = PLURALS.get(section, words.removesuffix("s"))
+        if count and section != "scenarios":
+            counts.append(f"{count} {one if count == 1 else words}")
+    title = f" {model.title!r}" if model.title else ""
+    names = list(model.scenarios)
+    more = [f"scenario{'s' if len(names) > 1 else ''} {', '.join(names)}"] if names else []
+    return f"Model{title}: {'; '.join([', '.join(counts) or 'empty', *more])}"
 
 
 def model_table(model: Model) -> str:

@@ -4,23 +4,31 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.unit_table import DIMENSIONS
 from pitchpoint.core.units import display_unit, in_unit, parse_quantity
+from pitchpoint.model.component import HOOKS, Unread, as_written
 from pitchpoint.model.components.joint import DISPLACEMENTS, RATES
 from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.ratio import Arm
 from pitchpoint.model.keys import TYPE, Key, Place, defaults_of, keys_of
-from pitchpoint.model.origin import Source
+from pitchpoint.model.origin import KEPT, Source
+from pitchpoint.model.reading.reader import Reader
 from pitchpoint.model.stand_ins import own_parts
 
 if TYPE_CHECKING:
+    from pitchpoint.model.components.law import Law
     from pitchpoint.model.components.tooth_profile import Points
     from pitchpoint.model.model import Model
+
+
+ONE_LINE = 100
+"""Length of the mappings that are written in one line."""
 
 
 def quantity_text(value: float, dimension: str) -> float | str:
@@ -53,6 +61,7 @@ def plain(model: Model) -> dict[str, Any]:
     base = Path(model.file).parent if model.file else Path()
     writer = _Writer(base)
     writer.sources = model.origin.sources
+    writer.reader = Reader(parameters=model.amounts)
     out: dict[str, Any] = writer.component(model)
     return out
 
@@ -62,9 +71,49 @@ def plain_component(part: Any) -> dict[str, Any]:
     return _Writer(Path()).component(part)
 
 
+def plain_law(law: Law) -> Any:
+    """A law with numbers in SI units."""
+    return _Writer(Path()).law(Key("law", "", dimension="dimensionless"), law)
+
+
 def model_text(model: Model) -> str:
     """The model as JSON, which is valid YAML and reads back to an equal model; faster than a YAML writer."""
     return json.dumps(plain(model), ensure_ascii=False)
+
+
+def yaml_text(model: Model) -> str:
+    """YAML text of a model that reads back to an equal model.
+
+    Texts and formulas are as in the file, or in the arguments, of the model; other quantities have customary
+    units if the conversion is exact, else SI units.
+    """
+    from io import StringIO
+
+    from ruamel.yaml import YAML
+
+    yaml = YAML(typ="rt", pure=True)
+    yaml.default_flow_style = False
+    yaml.width = 110
+    stream = StringIO()
+    yaml.dump({name: _styled(value, section=True) for name, value in plain(model).items()}, stream)
+    return re.sub(r" +\n", "\n", stream.getvalue())
+
+
+def _styled(data: Any, section: bool = False) -> Any:
+    """Plain data for the YAML writer: lists of values and short mappings in one line, sections in several."""
+    from ruamel.yaml.comments import CommentedMap, CommentedSeq
+
+    if isinstance(data, dict):
+        mapping = CommentedMap((name, _styled(value)) for name, value in data.items())
+        if not section and len(str(data)) <= ONE_LINE:
+            mapping.fa.set_flow_style()
+        return mapping
+    if isinstance(data, list):
+        sequence = CommentedSeq(map(_styled, data))
+        if len(str(data)) <= ONE_LINE or not any(isinstance(entry, dict | list) for entry in data):
+            sequence.fa.set_flow_style()
+        return sequence
+    return data
 
 
 class _Writer:
@@ -74,6 +123,8 @@ class _Writer:
         """Component being written."""
         self.sources: Mapping[Place, Source] = {}
         """Values with parameters, as written."""
+        self.reader: Reader | None = None
+        """Reader of the values as written."""
         self.at: Place = ()
         """Path of the component being written."""
 
@@ -91,12 +142,21 @@ class _Writer:
             if value is None or (key.kind != "variant" and name in defaults and _same(value, defaults[name])):
                 continue
             source = self.sources.get(self.at)
-            out[name] = self.value(key, value) if source is None else source.data
+            known = source is not None and self.still_holds(key, value, source)
+            out[name] = source.data if known and source is not None else self.value(key, value)
         self.at = at
         return out
 
+    def still_holds(self, key: Key, value: Any, source: Source) -> bool:
+        """Whether a value as written is still that of the model, which may have been copied with another."""
+        if self.reader is None or key.kind not in KEPT:
+            return True
+        return bool(self.reader.value(key, source.data, self.at) == value)
+
     def value(self, key: Key, value: Any) -> Any:
         """Value of a key, by the kind of the key."""
+        if isinstance(value, Unread):
+            return as_written(value.data)
         writer = _WRITERS.get(key.kind)
         return value if writer is None else writer(self, key, value)
 
@@ -105,8 +165,8 @@ class _Writer:
         return quantity_text(value, key.dimension)
 
     def quantities(self, key: Key, value: Any) -> list[Any]:
-        """List of numbers with units."""
-        return [quantity_text(v, key.dimension) for v in value]
+        """List of numbers with units; zeros without."""
+        return [0 if str(v) == "0.0" else quantity_text(v, key.dimension) for v in value]
 
     def grid(self, key: Key, value: Any) -> list[list[Any]]:
         """Rows of numbers with units."""
@@ -286,3 +346,5 @@ _WRITERS: dict[str, Callable[[_Writer, Key, Any], Any]] = {
     "parameters": _Writer.parameters,
     "terms": _Writer.terms,
 }
+
+HOOKS["component"], HOOKS["law"] = plain_component, plain_law

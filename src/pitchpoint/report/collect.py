@@ -9,15 +9,14 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
-from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.main_channels import drawn_groups
-from pitchpoint.report.rolls import POSITION, given_roll, without_given
+from pitchpoint.report.result_kinds import kind_of
+from pitchpoint.report.rolls import given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
+from pitchpoint.report.study_data import case_table, sweep_of
 from pitchpoint.report.variants import variant_words
 from pitchpoint.viz.quantities import settle_time_of
 from pitchpoint.viz.report.build import (
@@ -225,7 +224,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         if header["kind"] == "quasi_static":
             found.rolls[take(found.rolls)] = given_roll(data, note)
             return
-        found.runs[take(found.runs)] = _time_run(model, data, header, note)
+        found.runs[take(found.runs)] = time_run(model, data, header, note)
     else:
         kind = str(header["kind"]).replace("_", "-")
         found.remarks.append(
@@ -264,7 +263,7 @@ def _compare(found: _Found, everything: bool) -> list[tuple[str, dict[str, str]]
     return compared
 
 
-def _time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str = "") -> TimeRun:
+def time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str = "") -> TimeRun:
     """Time response with its window of statistics, its notes and its mesh frequencies."""
     settle = settle_time_of(attrs)
     meshes = mean_mesh_frequencies(model, data, settle)
@@ -289,59 +288,38 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
     from pitchpoint.core.provenance import content_hash
     from pitchpoint.report.provenance import source_of
 
-    dimensions = set(getattr(data, "dims", ()))
-    kind = "time"
-    if "time" in dimensions:
+    kind = kind_of(data) if hasattr(data, "data_vars") else ""
+    if kind == "time":
         name = _free("time response", str(len(found.runs) + 1), found.runs)
-        found.runs[name] = _time_run(model, data, data.attrs)
-    elif {"direction", "mesh_frequency"} <= dimensions and "deflection_rms" in data:
-        kind, name = "sweep", _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
-        found.sweeps[name] = _sweep_of(data)
-    elif {"crossing", "excitation"} <= dimensions:
-        kind, name = "campbell", _free("Campbell diagram", str(len(found.campbells) + 1), found.campbells)
+        found.runs[name] = time_run(model, data, data.attrs)
+    elif kind == "sweep":
+        name = _free("sweep", str(len(found.sweeps) + 1), found.sweeps)
+        found.sweeps[name] = sweep_of(data)
+    elif kind == "cases":
+        name = _free("cases", str(len(found.cases) + 1), found.cases)
+        found.cases[name] = case_table(data)
+    elif kind == "campbell":
+        name = _free("Campbell diagram", str(len(found.campbells) + 1), found.campbells)
         found.campbells[name] = data
-    elif {"design", "map_torque"} <= dimensions:
+    elif kind == "relief":
         mesh = str(data.attrs.get("mesh", "relief"))
-        kind, name = "relief", _free(mesh, str(len(found.reliefs) + 1), found.reliefs)
+        name = _free(mesh, str(len(found.reliefs) + 1), found.reliefs)
         found.reliefs[name] = data
-    elif "tooth_pair" in dimensions:
+    elif kind == "contact":
         mesh = str(data.attrs.get("mesh", "contact"))
-        kind, name = "contact", _free(mesh, str(len(found.contacts) + 1), found.contacts)
+        name = _free(mesh, str(len(found.contacts) + 1), found.contacts)
         found.contacts[name] = contact_result(data)
-    elif POSITION in dimensions:
-        kind, name = "quasi_static", _free("slow roll", str(len(found.rolls) + 1), found.rolls)
+    elif kind == "quasi_static":
+        name = _free("slow roll", str(len(found.rolls) + 1), found.rolls)
         found.rolls[name] = given_roll(data)
     else:
-        what = f"a dataset over {', '.join(map(str, dimensions))}" if dimensions else type(data).__name__
+        what = f"a dataset over {', '.join(map(str, data.dims))}" if kind else type(data).__name__
         raise PitchpointError(
             f"results: {what} cannot be shown in a report; "
-            "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief "
-            "or sweep_speed, or the name of a result file"
+            "give a dataset of solve_time, solve_quasistatic, solve_campbell, solve_contact, design_relief, "
+            "sweep_speed or cases_dataset, or the name of a result file"
         )
     found.sources.append(source_of(name, {"kind": kind, **data.attrs}, content_hash(model)))
-
-
-def _sweep_of(data: xr.Dataset) -> dict[str, Any]:
-    """Points and jumps of a dataset of `sweep_speed`, in the order of computation."""
-    from pitchpoint.analysis.jumps import sweep_jumps
-
-    points: list[dict[str, Any]] = []
-    for direction in data["direction"].values:
-        one = data.sel(direction=direction)
-        frequencies = one["mesh_frequency"].values
-        order = range(len(frequencies)) if direction == "up" else range(len(frequencies) - 1, -1, -1)
-        for i in order:
-            known = ("speed", *(name for name, _, _ in CONTACTS))
-            values = {name: float(one[name].values[i]) for name in known if name in one}
-            if not np.isfinite(values["speed"]):
-                continue
-            point: dict[str, Any] = {"direction": str(direction), "mesh_frequency": float(frequencies[i])}
-            for name, _, _ in QUANTITIES:
-                row = {key: float(one[f"{name}_{key}"].values[i]) for key in ("mean", "rms", "min", "max")}
-                point[name] = {"unit": str(one[f"{name}_rms"].attrs.get("units", "")), **row}
-            points.append(point | values)
-    jumps = [{"direction": j.direction, "mesh_frequency": j.frequency} for j in sweep_jumps(points)]
-    return {"points": points, "jumps": jumps}
 
 
 def _free(name: str, other: str, taken: dict[str, Any]) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Display of models and results in notebooks: tables or a summary, and the 3-D scene in a frame.
+"""Display of models and results in notebooks: tables or a summary, a plot, and the 3-D scene in a frame.
 
 Results are plain xarray datasets. A formatter registered with IPython displays results of pitchpoint; other
 datasets keep the display of xarray. Formatters are registered by class name, without importing the classes.
@@ -77,7 +77,22 @@ def dataset_html(data: xr.Dataset) -> str:
     if not is_result(data):
         return own
     folded = f"<details><summary>all {len(data.data_vars)} variables</summary>{own}</details>"
-    return _summary(data) + _frame(lambda: _scene(data)) + folded
+    return _summary(data) + _picture(data) + _frame(lambda: _scene(data)) + folded
+
+
+def _picture(data: xr.Dataset) -> str:
+    """Main plot of a result in a frame; none for a time response, whose scene has curves."""
+    from pitchpoint.core.errors import PitchpointError
+    from pitchpoint.report.pictures import plot
+    from pitchpoint.report.result_kinds import kind_of
+    from pitchpoint.viz.report.frame import figure_frame
+
+    try:
+        kind = kind_of(data)
+        frame = "" if kind == "time" else figure_frame(plot(data), kind.replace("_", " "))
+    except (PitchpointError, ValueError, OSError) as error:
+        return _sentence(f"no plot: {error}")
+    return frame if len(frame) <= MAX_BYTES else _sentence("no plot: too large for a notebook; use pp.plot")
 
 
 def _frame(scene: Callable[[], Scene]) -> str:
@@ -114,7 +129,8 @@ def _scene(data: xr.Dataset) -> Scene:
     from pitchpoint.report.stored_model import model_of
 
     model = model_of(data)
-    if "mode" in data.dims or ("time" in data.dims and data.sizes["time"] > 1):
+    moves = "time" in data.dims and data.sizes["time"] > 1
+    if moves or {"mode", "coordinate"} <= set(data.dims):  # a Campbell diagram has modes without shapes
         return scene_of(model, data)
     return rest_scene(model)
 

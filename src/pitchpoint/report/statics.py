@@ -178,6 +178,8 @@ def linear_parts(
             damping_ratio=found.damping_ratio.tolist(),
             held=held_bodies(scenario),
             total=found.total,
+            components=found.groups.components,
+            strain_share=found.energies.strain,
         )
         body = reference_body(model)
         top = highest_speed(system, body, found.frequency) if body else 0.0

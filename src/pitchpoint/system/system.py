@@ -59,6 +59,9 @@ class State:
     turns: NDArray[np.int64]
     charts: NDArray[np.float64]
 
+    def __repr__(self) -> str:
+        return f"State(t={self.t:g} s, {len(self.q)} coordinates, {len(self.lam)} multipliers)"
+
     def copy(self) -> State:
         """Independent copy."""
         return replace(self, **{name: x.copy() for name, x in vars(self).items() if name != "t"})
@@ -119,6 +122,15 @@ class System:
         made = Workspace(program, dict(self.sizes), tables, parts, self.weight)
         fit_signals(made, self.records)
         return made
+
+    def __repr__(self) -> str:
+        """Title, size, and number of elements of each kind."""
+        title = self.model.title if self.model is not None else ""
+        parts = [f"{len(self.bodies)} bodies", f"{self.sizes['nd']} coordinates"]
+        parts += [f"{self.sizes['nc']} constraints"] if self.sizes["nc"] else []
+        kinds = [f"{kind.replace('_', ' ')} {len(record)}" for kind, record in self.records.items()]
+        text = f"System{f' {title!r}' if title else ''}: {', '.join(parts)}"
+        return f"{text}; elements: {', '.join(kinds)}" if kinds else text
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)

@@ -67,3 +67,14 @@ def plot_frequency_response(
         showlegend=True,
     )
     return figure
+
+
+def curve_units(outputs: Sequence[str], inputs: Sequence[str]) -> list[str]:
+    """Units of the curves of `plot_frequency_response`, from those of the outputs and inputs.
+
+    Examples
+    --------
+    >>> curve_units(["m", "N"], ["N m"])
+    ['m/(N m)', 'N/(N m)']
+    """
+    return [f"{o}/({i})" if " " in i else f"{o}/{i}" for o in outputs for i in inputs]

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -188,3 +188,14 @@ def peaks(decibels: ArrayLike, prominence: float = 6.0) -> list[int]:
     values = np.asarray(decibels, dtype=np.float64)
     found, _ = find_peaks(np.where(np.isfinite(values), values, -1e3), prominence=prominence)
     return [int(k) for k in found[np.argsort(-values[found], kind="stable")]]
+
+
+def order_names(meshes: Iterable[object], harmonics: Iterable[float]) -> list[str]:
+    """Names of the orders, such as `2 × stage`.
+
+    Examples
+    --------
+    >>> order_names(["stage"], [2.0])
+    ['2 × stage']
+    """
+    return [f"{int(h)} × {m}" for m, h in zip(meshes, harmonics, strict=True)]

@@ -90,7 +90,7 @@ def plot_signals(
                 line={"color": theme.colour_of(channel.name, index), "width": 1.3, "simplify": False},
             )
     if len(channels) > 1:
-        _arrange(figure, channels, rows, f"[{shown.unit}]" if shown.unit else y_title)
+        arrange_rows(figure, channels, rows, f"[{shown.unit}]" if shown.unit else y_title)
     for k, row in enumerate(rows, start=1):
         values = np.concatenate([channels[index].values for index in row]) * shown.factor
         _keep_noise_small(figure.layout[f"yaxis{k}" if k > 1 else "yaxis"], values)
@@ -143,7 +143,7 @@ def _by_size(row: Sequence[int], spans: Sequence[tuple[float, float]]) -> list[l
     return [tall, *(_by_size(rest, spans) if rest else [])]
 
 
-def _arrange(
+def arrange_rows(
     figure: go.Figure, channels: Sequence[Channel], rows: Sequence[Sequence[int]], row_title: str
 ) -> None:
     """Stacked rows, each below the names of its curves in their colours."""

@@ -181,3 +181,34 @@ def test_loading_imports_nothing_heavy() -> None:
         "assert not heavy, heavy"
     )
     subprocess.run([sys.executable, "-c", code], input=TORSIONAL_PAIR, text=True, check=True)
+
+
+def test_a_model_is_read_from_text_and_from_an_open_file(tmp_path: Path) -> None:
+    from pitchpoint import load_model as load
+
+    text = "bodies: {rotor: {inertia: 0.2 kg m^2}}\n"
+    file = tmp_path / "model.yaml"
+    file.write_text(text)
+    with file.open() as stream, file.open("rb") as binary:
+        assert load(text=text) == load(file) == load(stream) == load(binary)  # type: ignore[arg-type]
+    assert load(text=text).file is None
+    with pytest.raises(ModelError, match=r"(?s)^text: 1 problem.*bodies.a.inertia \(line 2\)"):
+        load(text="bodies:\n  a: {inertia: 2 kg}\n")
+    with pytest.raises(ModelError, match="both a file and a text"):
+        load(file, text=text)
+    with pytest.raises(ModelError, match="no file is given"):
+        load()
+
+
+def test_a_model_is_written_and_replaces_only_its_own_files(tmp_path: Path) -> None:
+    from pitchpoint import load_model as load
+    from pitchpoint import write_model
+
+    model = load(text="bodies: {rotor: {inertia: 0.2 kg m^2}}")
+    file = write_model(model, tmp_path / "new.yaml")
+    assert load(file) == model
+    write_model(model.replace("bodies.rotor.inertia", "0.3 kg m^2"), file)
+    assert load(file).bodies["rotor"].inertia == 0.3
+    (tmp_path / "mine.yaml").write_text("# my model\n")
+    with pytest.raises(OSError, match="mine.yaml"):
+        write_model(model, tmp_path / "mine.yaml")

@@ -166,7 +166,7 @@ def test_a_model_is_frozen_and_can_be_copied() -> None:
     "change",
     [
         {"normal_module": float("nan")},
-        {"normal_module": "3 mm"},
+        {"normal_module": "3 kg"},
         {"number_of_teeth": True},
         {"number_of_teeth": -20},
         {"rack": 1.0},

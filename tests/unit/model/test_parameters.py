@@ -207,7 +207,7 @@ def test_a_model_without_parameters_retains_its_hash():
     plain = loads_model(text)
     assert plain.bodies["a"].position[0] == 0.03
     assert "parameters" not in plain_data(plain) and "parameters" not in dump_model(plain)
-    assert not plain.origin.sources and plain.others == {}
+    assert not any(s.names for s in plain.origin.sources.values()) and plain.others == {}
 
 
 def test_parameters_made_in_python_are_checked(model):

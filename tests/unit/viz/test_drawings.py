@@ -16,9 +16,9 @@ import pytest
 from pitchpoint.core.errors import PitchpointError
 from pitchpoint.geometry.cylindrical_gear import CylindricalGear
 from pitchpoint.geometry.gear_pair import GearPair
+from pitchpoint.report.pictures import plot
 from pitchpoint.viz import notebook
 from pitchpoint.viz.gear_drawing import gear_svg, mesh_zone_svg, pair_svg
-from pitchpoint.viz.show import show
 from pitchpoint.viz.svg import clip
 from tests.support.report_data import cycle, pair
 
@@ -83,14 +83,14 @@ def test_clipping_keeps_what_is_inside() -> None:
 
 
 def test_show_and_save(tmp_path: Any) -> None:
-    picture = show(pair())
+    picture = plot(pair())
     assert "<svg" in picture._repr_html_()
     assert "transverse contact ratio" in picture.html
     picture.save(tmp_path / "pair.html")
     assert (tmp_path / "pair.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
-    assert show(cycle()).data
+    assert plot(cycle()).data
     with pytest.raises(PitchpointError, match="no picture available"):
-        show(3)
+        plot(3)
 
 
 def test_a_model_shows_tables_and_its_pairs() -> None:

@@ -3,22 +3,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from numbers import Real
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pitchpoint.model.components.law import AXES, Constant, PythonLaw, TableLaw
 from pitchpoint.model.components.modifications import FlankPitch
-from pitchpoint.model.components.parameter import Parameter
 from pitchpoint.model.components.tooth_profile import Points
 from pitchpoint.model.keys import Key, Place, defaults_of, keys_of
-from pitchpoint.model.parameters import SECTION, good_name, resolve
 from pitchpoint.model.reading.mechanism import recheck_motions
-from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.show import shown
+from pitchpoint.model.show import example, shown
+
+if TYPE_CHECKING:
+    from pitchpoint.model.reading.reader import Reader
 
 
-def recheck(part: Any, place: Place, report: Reader) -> None:
+def recheck(part: Any, place: Place, report: Reader, except_for: Container[str] = ()) -> None:
     """Report every field of a component that would be invalid in a file.
 
     Parameters
@@ -29,12 +29,14 @@ def recheck(part: Any, place: Place, report: Reader) -> None:
         Its path in the model.
     report
         Collects the problems.
+    except_for
+        Names of keys that need no check.
     """
     defaults = defaults_of(type(part))
     for name, key in keys_of(type(part)).items():
         report.within = vars(part)
         value = getattr(part, name)
-        if value is None and defaults.get(name, ...) is None:
+        if name in except_for or (value is None and defaults.get(name, ...) is None):
             continue
         _value(key, value, (*place, name), report)
 
@@ -45,7 +47,7 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
         _value(Key(kind, "", dimension=key.dimension, length=(3, 3)), value, place, report)
     elif key.kind in ("quantity", "integer", "choice", "text", "boolean", "end", "file", "formula"):
         if key.kind == "quantity" and not isinstance(value, Real):
-            report.problem(place, "is not a number", value=shown(value), remedy="give it in SI units")
+            report.problem(place, "is not a number", value=shown(value), remedy=f"write {example(key)}")
         else:
             report.value(key, value, place)
     elif key.kind in ("displacements", "rates", "coordinates", "motions", "terms"):
@@ -75,8 +77,6 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     elif key.kind in ("component", "variant", "tooth_profile"):
         allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
         _component(allowed, value, place, report)
-    elif key.kind == "parameters":
-        _parameters(value, report)
     elif key.kind == "components":
         allowed = tuple(key.of.values()) if isinstance(key.of, dict) else (key.of,)
         for name, part in value.items():
@@ -88,15 +88,6 @@ def _value(key: Key, value: Any, place: Place, report: Reader) -> None:
     elif key.kind in ("law", "laws"):
         for law in value if key.kind == "laws" else (value,):
             _law(key, law, place, report)
-
-
-def _parameters(value: Mapping[str, Parameter], report: Reader) -> None:
-    """Check names and values of parameters."""
-    for name, part in value.items():
-        if good_name(report, str(name)):
-            _component((Parameter,), part, (SECTION, name), report)
-    if all(isinstance(part, Parameter) for part in value.values()):
-        resolve(value, report)
 
 
 def _of_joints(key: Key, value: Any, place: Place, report: Reader) -> None:

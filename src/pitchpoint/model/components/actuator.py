@@ -6,13 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import choice, ends, text
 
 SIGNAL = "name of the signal"
 
 
 @dataclass(frozen=True, kw_only=True)
-class TorqueActuator:
+class TorqueActuator(Component):
     """Torque about the spin axis of a body; the reaction acts on a second body or on ground."""
 
     form: ClassVar[str] = "torque"
@@ -25,7 +26,7 @@ class TorqueActuator:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Strut:
+class Strut(Component):
     """Force along the line between two points; a positive signal pushes the points apart."""
 
     form: ClassVar[str] = "strut"
@@ -34,7 +35,7 @@ class Strut:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ForceActuator:
+class ForceActuator(Component):
     """Force or moment at a marker, along a given axis; the reaction acts at the same point."""
 
     form: ClassVar[str] = "force"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import REQUIRED, component, integer, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
@@ -17,7 +18,7 @@ SHAPES = (("diameter",), ("width", "height"), ("area", "bending", "torsion"))
 
 
 @dataclass(frozen=True, kw_only=True)
-class BeamSection:
+class BeamSection(Component):
     """Cross-section: round (diameter, bore), rectangular (width, height), or general."""
 
     diameter: float | None = positive("length", "round: outer diameter", None)
@@ -52,7 +53,7 @@ class BeamSection:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Beam:
+class Beam(Component):
     """Timoshenko beam between two points, clamped to both bodies, for large rotations and deflections."""
 
     ends: tuple[str, str] = key(

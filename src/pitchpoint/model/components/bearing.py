@@ -6,13 +6,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.bearing_fault import SEAT_FAULTS, LooseBearing
 from pitchpoint.model.components.six import Damping6, Stiffness6
 from pitchpoint.model.keys import component, derived, end, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bearing:
+class Bearing(Component):
     """Linear spring and damper in six directions between a body and ground or a housing."""
 
     body: str = text("name of the body", names="bodies")

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any, ClassVar, TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import integer, positive, quantity
 
 
@@ -15,7 +16,7 @@ def _severity() -> Any:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Spall:
+class Spall(Component):
     """Base class of spalls over the whole width of a track."""
 
     angle: float = quantity(
@@ -57,7 +58,7 @@ class ElementFault(Spall):
 
 
 @dataclass(frozen=True, kw_only=True)
-class CageFault:
+class CageFault(Component):
     """Worn cage: the spacing of two adjacent elements is wider, all other spacings are equally reduced."""
 
     form: ClassVar[str] = "cage"
@@ -67,7 +68,7 @@ class CageFault:
 
 
 @dataclass(frozen=True, kw_only=True)
-class LooseBearing:
+class LooseBearing(Component):
     """Excessive radial clearance, inside a rolling bearing or of a ring in its seat."""
 
     form: ClassVar[str] = "loose"

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.gear import Rack
 from pitchpoint.model.components.tooth_faults import BEVEL_FAULTS, BevelFault
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantity
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BevelGear:
+class BevelGear(Component):
     """A straight or spiral bevel gear with spherical involute flanks; all its cones share one apex.
 
     Angles in rad, lengths in m.

@@ -6,13 +6,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.mesh import Backlash, ContactDamping, Damper, Friction, TransientDamping
 from pitchpoint.model.components.stiffness import BEVEL_LAWS, BevelDin3990, BevelStiffnessLaw
 from pitchpoint.model.keys import component, key, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
-class BevelMesh:
+class BevelMesh(Component):
     """Two bevel gears in mesh; their bodies are placed so that both apexes coincide."""
 
     gears: tuple[str, str] = key(

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.components.sensor import UNITS
 from pitchpoint.model.keys import choice, key, positive, quantities, quantity, text
@@ -21,7 +22,7 @@ MIN_AND_MAX = "minimum and maximum"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Sum:
+class Sum(Component):
     """Weighted sum of signals, plus a constant."""
 
     form: ClassVar[str] = "sum"
@@ -31,7 +32,7 @@ class Sum:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Limits:
+class Limits(Component):
     """Saturation: limits a signal."""
 
     form: ClassVar[str] = "limits"
@@ -40,7 +41,7 @@ class Limits:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Curve:
+class Curve(Component):
     """Lookup table: linear interpolation, constant extrapolation."""
 
     form: ClassVar[str] = "table"
@@ -52,7 +53,7 @@ class Curve:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FormulaBlock:
+class FormulaBlock(Component):
     """A formula of up to three signals; one of them may be the time t."""
 
     form: ClassVar[str] = "formula"
@@ -62,7 +63,7 @@ class FormulaBlock:
 
 
 @dataclass(frozen=True, kw_only=True)
-class LawBlock:
+class LawBlock(Component):
     """A Python function f(t, x, parameters) of the time and an input signal, evaluated in every step."""
 
     form: ClassVar[str] = "python"
@@ -73,7 +74,7 @@ class LawBlock:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Integrator:
+class Integrator(Component):
     """Integral of a signal over time."""
 
     form: ClassVar[str] = "integrator"
@@ -83,7 +84,7 @@ class Integrator:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Filter:
+class Filter(Component):
     """First-order low-pass filter; second-order if a damping ratio is given."""
 
     form: ClassVar[str] = "filter"
@@ -95,7 +96,7 @@ class Filter:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TransferFunction:
+class TransferFunction(Component):
     """Rational transfer function."""
 
     form: ClassVar[str] = "transfer_function"
@@ -106,7 +107,7 @@ class TransferFunction:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Pid:
+class Pid(Component):
     """Continuous PID controller with filtered derivative and back-calculation as anti-windup."""
 
     form: ClassVar[str] = "pid"

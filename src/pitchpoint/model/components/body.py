@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.marker import Axes, Marker, Triple
 from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.keys import choice, component, derived, key, quantities, quantity
@@ -19,7 +20,7 @@ MOTIONS = ("torsion", "planar", "free", "fixed")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Body:
+class Body(Component):
     """A rigid body; its spin axis is the z axis of its own frame."""
 
     gears: dict[str, float] = key(

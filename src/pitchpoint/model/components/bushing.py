@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.six import Damping6, Stiffness6
 from pitchpoint.model.keys import component, key
 
 
 @dataclass(frozen=True, kw_only=True)
-class Bushing:
+class Bushing(Component):
     """Spring and damper in six directions between two markers, for rotations up to half a revolution."""
 
     ends: tuple[str, str] = key(

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import choice, key, positive, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
-class Clutch:
+class Clutch(Component):
     """Friction clutch between two bodies, or brake between a body and ground."""
 
     bodies: tuple[str, ...] = key(

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import (
     REQUIRED,
     boolean,
@@ -26,7 +27,7 @@ REBOUND_SPEED = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
-class ContactLaw:
+class ContactLaw(Component):
     """Normal force: elastic force F (u/u_0)^e of the penetration u, with damping or restitution."""
 
     force: float = positive("force", "elastic force F at the penetration `depth`")
@@ -65,7 +66,7 @@ class ContactLaw:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ContactFriction:
+class ContactFriction(Component):
     """Regularised friction: the coefficient rises to the static and falls to the dynamic value, smoothly."""
 
     static: float = quantity("dimensionless", "static coefficient of friction", minimum=0.0, maximum=10.0)
@@ -79,7 +80,7 @@ class ContactFriction:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ContactCurve:
+class ContactCurve(Component):
     """A curve in the x-y plane of a marker, with the material on its left in the order of its points."""
 
     shape: str = choice(
@@ -99,7 +100,7 @@ class ContactCurve:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CamContact:
+class CamContact(Component):
     """A point or roller of the first body on a curve of the second."""
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
@@ -117,7 +118,7 @@ class CamContact:
 
 
 @dataclass(frozen=True, kw_only=True)
-class CurveContact:
+class CurveContact(Component):
     """Curves of two bodies in one plane."""
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
@@ -138,7 +139,7 @@ class CurveContact:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ContactSurface:
+class ContactSurface(Component):
     """A surface in the axes of a marker.
 
     Triangles are read from an STL file, binary or text, or from a NumPy file with corners of shape (n, 3, 3),
@@ -170,7 +171,7 @@ class ContactSurface:
 
 
 @dataclass(frozen=True, kw_only=True)
-class SurfaceContact:
+class SurfaceContact(Component):
     """Surfaces of two bodies in space.
 
     Pairs: all except two planes. For line contact (cylinder or cone on a plane, cylinders) the law applies to

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.components.sensor import UNITS
 from pitchpoint.model.keys import choice, key, positive, quantities, quantity, text
@@ -16,7 +17,7 @@ START = "before the first update"
 
 
 @dataclass(frozen=True, kw_only=True)
-class PythonController:
+class PythonController(Component):
     """A Python function f(t, inputs, state, parameters) -> outputs; `state` is a private dictionary."""
 
     form: ClassVar[str] = "python"
@@ -31,7 +32,7 @@ class PythonController:
 
 
 @dataclass(frozen=True, kw_only=True)
-class SampledPid:
+class SampledPid(Component):
     """Digital PID controller by backward differences, with conditional integration as anti-windup."""
 
     form: ClassVar[str] = "pid"

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.six import Damping6, Stiffness6
 from pitchpoint.model.keys import component, key, quantities
 
 
 @dataclass(frozen=True, kw_only=True)
-class Coupling:
+class Coupling(Component):
     """Linear spring and damper in six directions between two bodies on one axis.
 
     Bodies on different axes can be coupled in torsion only, or if neither has lateral motion.

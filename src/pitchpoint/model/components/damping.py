@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import component, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rayleigh:
+class Rayleigh(Component):
     """Damping matrix a M + b K, computed once; free rotation of a gear train is not damped."""
 
     mass: float = quantity(
@@ -28,7 +29,7 @@ class Rayleigh:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Damping:
+class Damping(Component):
     """Global damping of all bodies and supports: one constant matrix from the initial state of a run."""
 
     rayleigh: Rayleigh | None = component(Rayleigh, "damping proportional to mass and stiffness")

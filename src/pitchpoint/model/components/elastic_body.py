@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.marker import Axes, Marker, Triple
 from pitchpoint.model.keys import boolean, component, integer, key, positive, quantities, quantity
 
@@ -14,7 +15,7 @@ MAX_MODES = 30
 
 
 @dataclass(frozen=True, kw_only=True)
-class ElasticBody:
+class ElasticBody(Component):
     """An elastic body with free boundaries: large rigid-body motion and deformation in a few of its modes.
 
     Joints and forces act at its nodes, referred to as BODY.NODE.

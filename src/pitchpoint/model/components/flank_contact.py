@@ -10,12 +10,13 @@ import math
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.stiffness import StiffnessLaw
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantity
 
 
 @dataclass(frozen=True, kw_only=True)
-class OilFilm:
+class OilFilm(Component):
     """Squeeze film: damps flanks that approach or separate, up to a gap of twice its thickness."""
 
     rate: float = positive(
@@ -33,7 +34,7 @@ class OilFilm:
 
 
 @dataclass(frozen=True, kw_only=True)
-class StructuralDamping:
+class StructuralDamping(Component):
     """Damping force as a fraction of the elastic force of each contact plane."""
 
     factor: float = quantity(

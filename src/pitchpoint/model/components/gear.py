@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.gear_faults import SEAT_FAULTS, SeatFault
 from pitchpoint.model.components.modifications import Deviations, Modifications
 from pitchpoint.model.components.solid import SolidReference
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rack:
+class Rack(Component):
     """Basic rack of the gear (counterpart of the cutting rack), in modules."""
 
     addendum: float = positive("dimensionless", "addendum h_aP*", 1.0, maximum=5.0)
@@ -35,7 +36,7 @@ class Rack:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Cutter:
+class Cutter(Component):
     """Pinion-type cutter that generates an internal gear."""
 
     number_of_teeth: int = integer("number of teeth of the cutter", minimum=3, maximum=10000)
@@ -47,7 +48,7 @@ class Cutter:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Gear:
+class Gear(Component):
     """A cylindrical involute gear.
 
     Angles in rad, lengths in m. All diameters and the number of teeth are positive, for internal gears too;

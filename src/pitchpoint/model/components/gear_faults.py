@@ -6,13 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import quantity
 
 SEVERITY = "severity: 0 healthy, 1 the given size"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Eccentricity:
+class Eccentricity(Component):
     """Eccentric gear: tooth axis offset from the axis of rotation; the mass of the body is not displaced."""
 
     form: ClassVar[str] = "eccentricity"
@@ -24,7 +25,7 @@ class Eccentricity:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Wobble:
+class Wobble(Component):
     """Wobbling gear: tooth axis tilted relative to the axis of rotation, about the middle of the face."""
 
     form: ClassVar[str] = "wobble"

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.components.marker import Axes, Triple
 from pitchpoint.model.keys import (
@@ -53,7 +54,7 @@ TUMBLING = ("spherical", "free")
 
 
 @dataclass(frozen=True, kw_only=True)
-class JointFriction:
+class JointFriction(Component):
     """Friction of the surfaces of a joint, from the joint load.
 
     Normal load: the force across the axis, the axial force on the shoulder of a pin, and the bending moment
@@ -88,7 +89,7 @@ class JointFriction:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Joint:
+class Joint(Component):
     """A joint between two bodies: the second moves relative to the first.
 
     Its displacements are x, y, z along its axes on the first body, then the rotations alpha about x, beta

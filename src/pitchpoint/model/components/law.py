@@ -74,3 +74,4 @@ class Balance:
 
 
 Law: TypeAlias = Constant | FormulaLaw | TableLaw | PythonLaw | Balance
+LAWS = (Constant, FormulaLaw, TableLaw, PythonLaw, Balance)

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import choice, key, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
-class Load:
+class Load(Component):
     """A torque about the spin axis of a body and/or a force on it."""
 
     body: str = text("name of the body; or of a beam, with the number of a station as marker")

@@ -6,13 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import component, quantities
 
 Triple: TypeAlias = tuple[float, float, float]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Axes:
+class Axes(Component):
     """Axes of a right-handed frame, given by z and x."""
 
     z: Triple = quantities(
@@ -33,7 +34,7 @@ class Axes:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Marker:
+class Marker(Component):
     """A point of a body with axes, referred to as BODY.MARKER."""
 
     position: Triple = quantities(

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.flank_contact import LEVELS, FlankContact
 from pitchpoint.model.components.stiffness import LAWS, Din3990, StiffnessLaw
 from pitchpoint.model.keys import choice, component, derived, integer, key, positive, quantities, quantity
@@ -18,7 +19,7 @@ CRITICAL = (
 
 
 @dataclass(frozen=True, kw_only=True)
-class Backlash:
+class Backlash(Component):
     """Backlash at the centre distance of the mesh: in one of three directions, or relative to the module."""
 
     normal: float | None = quantity("length", "normal backlash j_bn", None, one_of="gap")
@@ -34,7 +35,7 @@ class Backlash:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ContactDamping:
+class ContactDamping(Component):
     """Damping of flanks in contact; give one of d_in (with d_out), ratio, pair, restitution."""
 
     d_in: float | None = quantity(
@@ -72,7 +73,7 @@ class ContactDamping:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Damper:
+class Damper(Component):
     """Damper between the gears that also acts within the backlash; give exactly one key."""
 
     ratio: float | None = quantity("dimensionless", CRITICAL, None, minimum=0.0, maximum=10.0, one_of="law")
@@ -82,7 +83,7 @@ class Damper:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TransientDamping:
+class TransientDamping(Component):
     """Damper between the gears that shortens the transient at the start of a run.
 
     Its torque on gear 1 is proportional to the difference of the speed of gear 1 from that of gear 2 times
@@ -96,7 +97,7 @@ class TransientDamping:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Friction:
+class Friction(Component):
     """Flank friction, smoothed around zero sliding velocity, optionally with a static coefficient."""
 
     mu: float = quantity("dimensionless", "coefficient of friction", minimum=0.0, maximum=2.0)
@@ -120,7 +121,7 @@ class Friction:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TransmissionError:
+class TransmissionError(Component):
     """Prescribed static transmission error e along the base tangent; springs and dampers act on u_bt - e.
 
     cosine and sine are harmonics 1, 2, ... of the mesh phase 2 pi psi; shaft1 and shaft2 are orders of the
@@ -142,7 +143,7 @@ STEEPEST = 0.1
 
 
 @dataclass(frozen=True, kw_only=True)
-class Misalignment:
+class Misalignment(Component):
     """Shaft axes misaligned by the housing: tilt of axis 2 relative to axis 1, towards positive z."""
 
     in_plane: float = quantity(
@@ -183,7 +184,7 @@ class Misalignment:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Mesh:
+class Mesh(Component):
     """Two gears in mesh."""
 
     gears: tuple[str, str] = key("names", "names of gear 1 and gear 2", length=(2, 2), names="gears")

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantities, quantity
 
 if TYPE_CHECKING:
@@ -16,7 +17,7 @@ SHAPES = ("linear", "parabolic")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Relief:
+class Relief(Component):
     """Relief of the flank towards the tip or root."""
 
     amount: float = quantity("length", "material removed at the end of the flank, normal to it", minimum=0.0)
@@ -30,7 +31,7 @@ class Relief:
 
 
 @dataclass(frozen=True, kw_only=True)
-class EndRelief:
+class EndRelief(Component):
     """Relief of the flank towards both ends of the face width."""
 
     amount: float = quantity(
@@ -41,7 +42,7 @@ class EndRelief:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FlankModifications:
+class FlankModifications(Component):
     """Modifications of the left, the right or both flanks."""
 
     tip_relief: Relief | None = component(Relief, "relief at the tip")
@@ -68,7 +69,7 @@ class FlankModifications:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Modifications:
+class Modifications(Component):
     """Flank modifications by side, seen from the positive axis with the tooth pointing up.
     They require a stiffness law of single tooth pairs (din3990, energy, pair_table). An omitted side takes
     `both`; the two are not added.
@@ -85,7 +86,7 @@ class Modifications:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Runout:
+class Runout(Component):
     """Eccentricity of the teeth against the axis of rotation."""
 
     amount: float = quantity("length", "runout, twice the eccentricity", minimum=0.0)
@@ -95,7 +96,7 @@ class Runout:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FlankMap:
+class FlankMap(Component):
     """Measured deviation of one flank of one tooth on a regular grid."""
 
     tooth: int = integer("tooth number, counted from 0", minimum=0)
@@ -111,7 +112,7 @@ class FlankMap:
 
 
 @dataclass(frozen=True, kw_only=True)
-class FlankPitch:
+class FlankPitch(Component):
     """Single pitch deviations that differ between left and right flanks; an omitted side has none."""
 
     left: tuple[float, ...] = quantities(
@@ -123,7 +124,7 @@ class FlankPitch:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Deviations:
+class Deviations(Component):
     """Deviations of single teeth, counted counter-clockwise from tooth 0."""
 
     pitch: tuple[float, ...] | FlankPitch = key(

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import key, text
 
 
 @dataclass(frozen=True)
-class Parameter:
+class Parameter(Component):
     """A value with a name, used in other values and in formulas."""
 
     value: float | str = key(

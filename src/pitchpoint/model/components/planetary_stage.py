@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.flank_contact import FlankContact
 from pitchpoint.model.components.gear import Gear
 from pitchpoint.model.components.gear_faults import SeatFault
@@ -43,7 +44,7 @@ JOINTS = {"torsion": "revolute", "planar": "planar", "free": "shaft"}
 
 
 @dataclass(frozen=True, kw_only=True)
-class StageMesh:
+class StageMesh(Component):
     """Settings of all meshes of the planets with the sun, or with the ring."""
 
     backlash: Backlash | None = same_key(Mesh, "backlash")
@@ -65,7 +66,7 @@ class StageMesh:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlanetBearing:
+class PlanetBearing(Component):
     """Bearing of every planet on its pin, with the bending of the pin; for motion: planar or free."""
 
     stiffness: Stiffness6 = component(Stiffness6, "stiffness in six directions", Stiffness6())
@@ -88,7 +89,7 @@ class PlanetBearing:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PinError:
+class PinError(Component):
     """Error of the position of one pin on the carrier."""
 
     tangential: float = quantity(
@@ -98,7 +99,7 @@ class PinError:
 
 
 @dataclass(frozen=True, kw_only=True)
-class SinglePlanet:
+class SinglePlanet(Component):
     """Data of one planet that replace the common ones."""
 
     faults: Mapping[str, ToothFault | SeatFault] = same_key(Gear, "faults")
@@ -110,7 +111,7 @@ class SinglePlanet:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlanetaryStage:
+class PlanetaryStage(Component):
     """Equal planets on the pins of a carrier, in mesh with a sun, a ring, or both.
 
     The stage represents the gears, bodies, pins, bearings and meshes of its planets.

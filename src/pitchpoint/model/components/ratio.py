@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import key
 
 
@@ -14,7 +15,7 @@ class Arm(float):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Ratio:
+class Ratio(Component):
     """A linear constraint between coordinates: c1 q1 + c2 q2 (+ c3 q3) = constant.
 
     Gears: numbers of teeth (`{a: 20, b: 40}` rotate in opposite directions, `{a: 20, b: -40}` in the same

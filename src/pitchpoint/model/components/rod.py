@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import ends, positive
 
 
 @dataclass(frozen=True, kw_only=True)
-class Rod:
+class Rod(Component):
     """A rigid massless rod with a ball joint at each end."""
 
     ends: tuple[str, str] = ends("the two ends, each of them ground, a body or BODY.MARKER", length=(2, 2))

@@ -10,6 +10,7 @@ from functools import cached_property
 from pitchpoint.geometry.bearings.clearance import CLASSES
 from pitchpoint.geometry.bearings.inner import TYPES
 from pitchpoint.geometry.materials import Material
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.bearing_fault import BEARING_FAULTS, BearingFault
 from pitchpoint.model.components.bearing_geometry import ABSORPTION, BearingGeometry, bearing_geometry
 from pitchpoint.model.keys import choice, end, integer, key, positive, quantities, quantity, text
@@ -24,7 +25,7 @@ HOUSING = "housing instead of ground: BODY, or BODY.MARKER at the bearing, such 
 
 
 @dataclass(frozen=True, kw_only=True)
-class RollingBearing:
+class RollingBearing(Component):
     """Rolling bearing with individual rolling elements that orbit with the cage.
 
     Give a designation, or type and catalogue data, or type and rolling elements.
@@ -133,7 +134,7 @@ class RollingBearing:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PlainBearing:
+class PlainBearing(Component):
     """Plain bearing: the journal moves freely within the clearance."""
 
     body: str | None = text(BODY, None, names="bodies", one_of="rings")

@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar, TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import choice, end, ends, integer, text
 
 QUANTITIES = (
@@ -24,7 +25,7 @@ UNITS = ("1", "m", "m/s", "m/s^2", "rad", "rad/s", "rad/s^2", "N", "N m", "W")
 
 
 @dataclass(frozen=True, kw_only=True)
-class FrameSensor:
+class FrameSensor(Component):
     """A kinematic quantity of the first frame relative to the second."""
 
     form: ClassVar[str] = "frames"
@@ -40,7 +41,7 @@ class FrameSensor:
 
 
 @dataclass(frozen=True, kw_only=True)
-class JointSensor:
+class JointSensor(Component):
     """A coordinate of a joint, or its rate."""
 
     form: ClassVar[str] = "joint"
@@ -49,7 +50,7 @@ class JointSensor:
 
 
 @dataclass(frozen=True, kw_only=True)
-class LoadSensor:
+class LoadSensor(Component):
     """Joint reaction on a body: a component of the force, or of the moment about a marker."""
 
     form: ClassVar[str] = "load"
@@ -60,7 +61,7 @@ class LoadSensor:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Listener:
+class Listener(Component):
     """An output of another element by its name, such as tension[spring]."""
 
     form: ClassVar[str] = "observation"

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.marker import Axes, Marker
 from pitchpoint.model.components.solid import SolidReference
 from pitchpoint.model.keys import component, key, positive, quantities, quantity
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ShaftSection:
+class ShaftSection(Component):
     """A shaft section with constant diameters."""
 
     length: float = positive("length", "length")
@@ -29,7 +30,7 @@ class ShaftSection:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Shaft:
+class Shaft(Component):
     """An elastic round shaft in bending, torsion and tension, along its z axis."""
 
     sections: tuple[ShaftSection, ...] = key(

@@ -6,13 +6,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import key, quantity
 
 Matrix6: TypeAlias = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True, kw_only=True)
-class Stiffness6:
+class Stiffness6(Component):
     """Stiffness by direction, or a full symmetric 6x6 matrix (x, y, z, rx, ry, rz)."""
 
     radial: float | None = quantity("stiffness", "along x and y", None, minimum=0.0)
@@ -31,7 +32,7 @@ class Stiffness6:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Damping6:
+class Damping6(Component):
     """Damping by direction, a full symmetric 6x6 matrix, or a ratio of critical damping."""
 
     radial: float | None = quantity("damping", "along x and y", None, minimum=0.0)

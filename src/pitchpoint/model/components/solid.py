@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.marker import Axes, Triple
 from pitchpoint.model.keys import component, key, positive, quantities, text
 
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True)
-class SolidReference:
+class SolidReference(Component):
     """A closed solid in an STL or STEP file; STEP requires the extra `cad`."""
 
     file: str = key("file", "file, .step, .stp, .stl or .npy", sample="gear.step")

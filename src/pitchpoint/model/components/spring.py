@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import key, positive, quantity
 
@@ -12,7 +13,7 @@ POINTS = "the two ends, each of them ground, a body or BODY.MARKER"
 
 
 @dataclass(frozen=True, kw_only=True)
-class Spring:
+class Spring(Component):
     """Spring and damper in parallel along the line between two points."""
 
     ends: tuple[str, str] = key("ends", POINTS, length=(2, 2))
@@ -33,7 +34,7 @@ class Spring:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Maxwell:
+class Maxwell(Component):
     """Spring and damper in series along the line between two points; zero force at the start."""
 
     ends: tuple[str, str] = key("ends", POINTS, length=(2, 2))

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, TypeAlias
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.keys import choice, key, keys_of, positive, quantities, quantity
 
@@ -39,7 +40,7 @@ def _relief() -> float:
     return value
 
 
-class StiffnessLaw:
+class StiffnessLaw(Component):
     """Base class of the stiffness laws: the name of a law and the arguments of its function."""
 
     law: ClassVar[str]

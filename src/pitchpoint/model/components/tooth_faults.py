@@ -7,6 +7,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import choice, component, integer, key, positive, quantity
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ def _severity(meaning: str) -> Any:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BrokenTooth:
+class BrokenTooth(Component):
     """A broken tooth: a corner, one end, a band along the tip or the whole tooth is missing.
 
     An omitted size is that of the whole tooth.
@@ -71,7 +72,7 @@ class BrokenTooth:
 
 
 @dataclass(frozen=True, kw_only=True)
-class PitchError:
+class PitchError(Component):
     """Pitch error of one tooth: both flanks are displaced by the same amount."""
 
     form: ClassVar[str] = "pitch_error"
@@ -83,7 +84,7 @@ class PitchError:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BrokenBevelTooth:
+class BrokenBevelTooth(Component):
     """A broken tooth of a bevel gear: one end or the whole tooth is missing."""
 
     form: ClassVar[str] = "broken_tooth"
@@ -101,7 +102,7 @@ class BrokenBevelTooth:
 
 
 @dataclass(frozen=True, kw_only=True)
-class RootCrack:
+class RootCrack(Component):
     """A tooth root crack, which reduces the stiffness under loads that open it."""
 
     form: ClassVar[str] = "root_crack"
@@ -129,7 +130,7 @@ class RootCrack:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Patch:
+class Patch(Component):
     """A pit or spall with an elliptical outline, deepest at its centre."""
 
     position: float = quantity("length", "centre along the face width, from its start", minimum=0.0)
@@ -140,7 +141,7 @@ class Patch:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Pattern:
+class Pattern(Component):
     """Pits at uniformly distributed random positions, of 0.5 to 1 times the given sizes."""
 
     number: int = integer("number of pits", minimum=1, maximum=10000)
@@ -151,7 +152,7 @@ class Pattern:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Pitting:
+class Pitting(Component):
     """Pits and spalls on a flank: individual `patches`, or a random `pattern`."""
 
     form: ClassVar[str] = "pitting"
@@ -171,7 +172,7 @@ class Pitting:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Wear:
+class Wear(Component):
     """Wear of all teeth by Archard's law: pressure times sliding distance, zero at the pitch point.
 
     Give the maximum `depth`, or `coefficient`, `cycles` and `torque`.

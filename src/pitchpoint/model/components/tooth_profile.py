@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from pitchpoint.core.errors import GeometryError, Message
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import integer, key, quantity
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ def _points(meaning: str) -> Points | None:
 
 
 @dataclass(frozen=True, kw_only=True)
-class ToothProfile:
+class ToothProfile(Component):
     """Points of the tooth in the transverse section; give `tooth`, or `both`, or `left` and `right`.
     Drawings, mass and inertia use the outline. The contact of single tooth pairs (laws din3990, energy,
     pair_table) uses the deviations of the flanks from the nominal involute, added to modifications and

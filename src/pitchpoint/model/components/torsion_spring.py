@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.components.law import Law
 from pitchpoint.model.keys import key, positive, quantity
 
@@ -12,7 +13,7 @@ TURNING = "names of the two bodies; one name: the body and ground"
 
 
 @dataclass(frozen=True, kw_only=True)
-class TorsionSpring:
+class TorsionSpring(Component):
     """Torsion spring and damper in parallel between two bodies, for any number of revolutions."""
 
     bodies: tuple[str, ...] = key("names", TURNING, length=(1, 2))
@@ -34,7 +35,7 @@ class TorsionSpring:
 
 
 @dataclass(frozen=True, kw_only=True)
-class TorsionMaxwell:
+class TorsionMaxwell(Component):
     """Torsion spring and damper in series between two bodies; zero torque at the start."""
 
     bodies: tuple[str, ...] = key("names", TURNING, length=(1, 2))

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import positive, quantities, text
 
 
 @dataclass(frozen=True, kw_only=True)
-class Unbalance:
+class Unbalance(Component):
     """An additional point mass fixed to a body."""
 
     body: str = text("name of the body", names="bodies")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError, UnitError
 from pitchpoint.core.units import parse_quantity
+from pitchpoint.model.components.modifications import FlankPitch
 from pitchpoint.model.components.tooth_profile import Points, ToothProfile
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.show import shown
@@ -110,7 +111,7 @@ def grid(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
 def pitch(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read deviations for both flanks (a list or the name of a file), or a mapping of left and right."""
-    if isinstance(data, Mapping):
+    if isinstance(data, Mapping | FlankPitch):
         return reader.component(key.of, data, path)
     return reader.numbers(key, data, path)
 
@@ -144,6 +145,8 @@ def points(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     if isinstance(data, str):
         found = lines(reader, data, path, "a list of [x, y]")
         return BAD if found is BAD else _from_file(reader, data, found, path)
+    if isinstance(data, Points):
+        return data
     number = Key("quantity", "", dimension="length")
     pair = Key("quantities", "", dimension="length", length=(2, 2))
     if not isinstance(data, list | tuple):

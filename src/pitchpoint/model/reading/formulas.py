@@ -189,8 +189,8 @@ def parameters(reader: Reader, key: Key, data: Any, path: Place) -> Any:
         place = (*path, str(name))
         result: Any = BAD
         if own.good_name(reader, str(name)):
-            given = entry if isinstance(entry, Mapping) else {"value": entry}
-            result = entry if isinstance(entry, Parameter) else reader.component(Parameter, given, place)
+            given = entry if isinstance(entry, Mapping | Parameter) else {"value": entry}
+            result = reader.component(Parameter, given, place)
         if result is BAD:
             reader.unreadable.add(str(name))
         else:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import GeometryError
 from pitchpoint.core.nearest import did_you_mean
-from pitchpoint.model.components.law import AXES, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
+from pitchpoint.model.components.law import AXES, LAWS, Balance, Constant, FormulaLaw, PythonLaw, TableLaw
 from pitchpoint.model.keys import BAD, Key, Place
 from pitchpoint.model.reading import formulas
 
@@ -28,6 +28,8 @@ _CALL = re.compile(r"[a-zA-Z_]\w*\s*\(")
 
 def law(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read a torque, force or prescribed motion in any of its forms."""
+    if isinstance(data, LAWS):
+        return data
     motion = key.dimension in ("angle", "angular_speed", "length", "speed")
     variables = key.variables or (("t",) if motion else VARIABLES)
     if isinstance(data, Mapping):
@@ -108,6 +110,8 @@ def table_points(reader: Reader, key: Key, rows: Any, at: Place, x_key: Key, ove
 
 def python(reader: Reader, key: Key, data: Any, path: Place) -> Any:
     """Read 'file.py:function' with parameters; reports a problem unless code is allowed."""
+    if isinstance(data, PythonLaw):
+        return data
     parameters: Any = ()
     name = data
     if isinstance(data, Mapping):
@@ -137,7 +141,7 @@ def material(reader: Reader, key: Key, data: Any, path: Place) -> Any:
 
     if isinstance(data, Mapping):
         return _own_material(reader, data, path)
-    if isinstance(data, str) and data in materials.LIBRARY:
+    if isinstance(data, materials.Material) or (isinstance(data, str) and data in materials.LIBRARY):
         return data
     known = sorted(materials.LIBRARY)
     return reader.problem(

@@ -14,9 +14,20 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import Message
 from pitchpoint.core.nearest import did_you_mean, nearest
+from pitchpoint.model.component import as_written
 from pitchpoint.model.keys import BAD, TYPE, Key, Place, defaults_of, keys_of
-from pitchpoint.model.origin import Bare, Source
-from pitchpoint.model.reading import data_files, forms, formulas, laws, mechanism, ranges, signals
+from pitchpoint.model.origin import Bare, Source, is_kept
+from pitchpoint.model.reading import (
+    data_files,
+    forms,
+    formulas,
+    laws,
+    mechanism,
+    names,
+    python_parts,
+    ranges,
+    signals,
+)
 from pitchpoint.model.show import dotted, example, shown
 
 if TYPE_CHECKING:
@@ -113,8 +124,15 @@ class Reader:
 
     # --- components -----------------------------------------------------------------------------------
     def component(self, cls: type, data: Any, path: Place) -> Any:
-        """Read a mapping as the component class `cls`; BAD when a required key is missing or unreadable."""
+        """Read a mapping as the component class `cls`; BAD when a required key is missing or unreadable.
+
+        A component of this class is returned with all its values read.
+        """
+        if isinstance(data, cls):
+            return python_parts.finished(self, data, path)
         if not isinstance(data, Mapping):
+            if hasattr(data, "__dataclass_fields__"):
+                return python_parts.wrong_type(self, data, (cls,), path)
             wanted = ", ".join(keys_of(cls))
             return self.problem(
                 path, "is not a mapping", value=shown(data), remedy=f"possible keys: {wanted}"
@@ -168,16 +186,16 @@ class Reader:
         return _READERS[description.kind](self, description, data, path)
 
     def keyed(self, description: Key, data: Any, path: Place) -> Any:
-        """Read the value of a key and note it as written if it contains parameters."""
-        if not self.parameters:
-            return self.value(description, data, path)
+        """Read the value of a key, and note it as written if it is a text or contains parameters."""
         outer, self.used, known = self.used, set(), len(self.sources)
         result = self.value(description, data, path)
-        if description.kind in WHOLE:
+        if self.parameters and description.kind in WHOLE:
             for place in list(self.sources)[known:]:
                 self.used |= self.sources.pop(place).names
         if self.used:
-            self.sources[path] = Source(data, frozenset(self.used))
+            self.sources[path] = Source(as_written(data), frozenset(self.used))
+        elif result is not BAD and is_kept(description, data, path):
+            self.sources[path] = Source(data, frozenset())
         self.used = outer
         return result
 
@@ -309,23 +327,7 @@ class Reader:
 
     def good_name(self, name: Any, path: Place, dotted: bool = False) -> bool:
         """Check a name: it must be usable in paths and channels such as `mesh_force[stage]`."""
-        text = str(name)
-        first, dot, rest = text.partition(".")
-        if dotted and dot and first and rest and "." not in rest:
-            return self.good_name(first, path) and self.good_name(rest, path)
-        if (
-            not isinstance(name, bool | float)
-            and text
-            and not set(text) & set(".[]{}\n\t,:/\\\"'")
-            and text.isprintable()
-        ):
-            return True
-        self.problem(
-            (*path, text),
-            "is not a usable name",
-            remedy="use letters, digits, '_' and '-', without dots and brackets",
-        )
-        return False
+        return names.good_name(self, name, path, dotted)
 
     def variant(self, description: Key, data: Any, path: Place) -> Any:
         """Read a component, one key of which selects its class."""
@@ -333,6 +335,10 @@ class Reader:
 
     def chosen(self, forms: Mapping[str, type], tag: str, data: Any, path: Place) -> Any:
         """Read a component whose key `tag` selects its class."""
+        if isinstance(data, tuple(forms.values())):
+            return python_parts.finished(self, data, path)
+        if hasattr(data, "__dataclass_fields__"):
+            return python_parts.wrong_type(self, data, forms.values(), path)
         listed = ", ".join(forms)
         if not isinstance(data, Mapping):
             remedy = f"write {{{tag}: {next(iter(forms))}}}; {tag}s are {listed}"

@@ -108,6 +108,9 @@ class Equilibrium:
     other_sides: tuple[State, ...] = ()
     share: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
 
+    def __repr__(self) -> str:
+        return f"Equilibrium({self.state!r}, {len(self.held)} held, {self.iterations} iterations)"
+
     def observe(self, system: System) -> NDArray[np.float64]:
         """All channels, in the order of ``system.layout.channels``; at a jump the equilibrium mean."""
         return observe_mean(system, self.state, self.other_sides, self.share)

@@ -25,7 +25,7 @@ from pitchpoint.viz.report.overview import provenance_section, scene_section
 from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
-from pitchpoint.viz.report.spectra import spectrum_section
+from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
 from pitchpoint.viz.report.summary import summary_section
 from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
 from pitchpoint.viz.report.time import time_section
@@ -193,7 +193,8 @@ class ModeData:
     """Modes about the loaded state: names, frequencies [Hz], damping ratios (nan: none).
 
     `held` lists the bodies with prescribed motion, which do not vibrate. `total` is the number of all modes
-    if only the lowest are given.
+    if only the lowest are given. `strain_share` are the shares of `components` in the strain energy, shape
+    (number of modes, number of components).
     """
 
     names: Sequence[str]
@@ -201,6 +202,8 @@ class ModeData:
     damping_ratio: Sequence[float]
     held: Sequence[str] = ()
     total: int = 0
+    components: Sequence[str] = ()
+    strain_share: ArrayLike = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -309,8 +312,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     """HTML text of the report; the same input gives the same text."""
     facts = (("version", model.version), ("model", model.model_hash[:12]), ("date", model.date or ""))
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
-    # slightly more than three mesh orders, so that the third one is not on the frame
-    highest = 3.2 * max(teeth) if teeth else 100.0
+    highest = default_highest_order(teeth)
     seen = results.scene.run if results.scene.scene is not None else ""
     overlaid = {name for _, members in results.compared for name in members.values()}
     sections = [
@@ -321,7 +323,7 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
         time_section(results.runs, seen, overlaid),
         parts.sweep_section(results.sweeps),
         case_section(results.cases),
-        spectrum_section(results.runs, highest, model.shafts, overlaid),
+        spectrum_section(results.runs, highest, model.shafts, overlaid=overlaid),
         campbell_section(results.campbells),
         mode_section(results.modes),
         contact_section(results.contacts),

@@ -32,7 +32,8 @@ def campbell_section(diagrams: Mapping[str, xr.Dataset]) -> Section:
         section.add(f"<h3>{escape(name)}</h3>" if name else "")
         ranked = ranked_speeds(data)
         words = f"Critical speeds are {data.attrs.get('ranking', 'ranked')}."
-        section.add_figure(plot_campbell(data), words if ranked else "No critical speed in this range.")
+        caption = words if ranked else "No critical speed in this range."
+        section.add_figure(plot_campbell(data), caption, name="campbell")
         if ranked:
             section.add(_table(ranked, "crossing_separation" in data))
             more = len(ranked) - LISTED

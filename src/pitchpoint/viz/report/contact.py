@@ -110,6 +110,7 @@ def overview_section(analyses: Mapping[str, ContactData], omitted: Mapping[str, 
         figure,
         "Line load over its mean along the common face width of each mesh, from its end at −z to that at +z; "
         "sum of all tooth pairs, mean over the mesh cycle.",
+        name="relative_loads",
     )
     return section
 
@@ -164,12 +165,14 @@ def _add_analysis(section: Section, data: xr.Dataset, found: Mapping[str, Array]
         plots.plot_path_pattern(pattern, "line_load"),
         f"Line load of one tooth pair at {at}: normal force per length of the contact line, over the path of "
         "contact with contacts of tip edges before A and beyond E.",
+        name="line_load",
     )
     for gear in (1, 2):
         section.add_figure(
             plots.plot_flank_pattern(pattern, "any_pressure", gear),
             f"Contact pattern on the flank of gear {gear} at {at}: maximum Hertzian pressure at each place, "
             "rounded tip edges included.",
+            name=f"contact_pattern[gear {gear}]",
         )
     chosen = chosen_torques(torques)
     names = {k: amount(float(torques[k]), "N m") for k in chosen}
@@ -183,6 +186,7 @@ def _add_analysis(section: Section, data: xr.Dataset, found: Mapping[str, Array]
         ),
         "Line load over the face width, integrated over the profile: sum of all tooth pairs, mean over the "
         f"mesh cycle. Maximum over mean, K_Hβ, at {at}: {number(float(found['face_load_factor'][most]), 4)}.",
+        name="load_over_width",
     )
     if torques.size > 2:
         section.add_figure(
@@ -190,6 +194,7 @@ def _add_analysis(section: Section, data: xr.Dataset, found: Mapping[str, Array]
                 torques, found["transmission_error_pp"], found["transmission_error_orders"]
             ),
             "Transmission error over torque: peak to peak, and amplitudes of the mesh orders.",
+            name="harris_map",
         )
 
 
@@ -203,6 +208,7 @@ def _add_path(
             {name: (one.way, one.share) for name, one in shares.items()}, pattern.teeth, "load share", "%"
         ),
         "Load share of one tooth pair from its first to its last contact; A to E for contact at mid-face.",
+        name="load_share",
     )
     curves = {}
     for words, name in (("flanks", "pressure"), ("tip edges", "edge_pressure")):
@@ -212,6 +218,7 @@ def _add_path(
     section.add_figure(
         plots.plot_along_path(curves, pattern.teeth, "maximum pressure", "Pa", of_pair=False),
         f"Maximum contact pressure over the face width along the path of contact, at {at}.",
+        name="pressure",
     )
     for name, title, unit, sign in OIL:
         if name not in pattern.others:
@@ -222,6 +229,7 @@ def _add_path(
             plots.plot_along_path(curve, pattern.teeth, title, unit, of_pair=False),
             f"{title[0].upper()}{title[1:]} along the path of contact at {at}: "
             f"{'maximum' if sign > 0 else 'minimum'} over the face width.",
+            name=name,
         )
 
 
@@ -251,12 +259,14 @@ def _add_root_stress(
         plot_root_stress(curves, pattern.teeth),
         f"Root stress of one tooth of each gear at {at}: maximum over the face width. At the "
         f"{tangent} tangent of the fillet nominal stress with notch factor, ISO 6336-3.{least}",
+        name="root_stress",
     )
     if pattern.z.size > 1:
         over = {words: root_stress_over_width(data, name)[most] for words, name in methods.items()}
         section.add_figure(
             plot_root_stress_over_width(pattern.z, over),
             f"Root stress over the face width at {at}: maximum over the mesh cycle.",
+            name="root_stress_over_width",
         )
 
 
@@ -268,6 +278,7 @@ def _add_cycle(section: Section, data: xr.Dataset, names: Mapping[int, str], mos
     section.add_figure(
         plot_transmission_error(phase, errors),
         "Transmission error over two mesh cycles: approach of the flanks along the base tangent.",
+        name="transmission_error",
     )
     section.add_figure(
         plots.plot_stiffness(
@@ -275,6 +286,7 @@ def _add_cycle(section: Section, data: xr.Dataset, names: Mapping[int, str], mos
         ),
         f"Stiffness along the base tangent at {at}. Tangent: derivative of the mesh force, for vibration "
         "about the loaded state; secant: mesh force over the approach from first contact.",
+        name="stiffness",
     )
 
 

@@ -46,12 +46,13 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
         elif cycle.errors:
             drawn = plot_transmission_error(cycle.error_phase, cycle.errors, cycles=_drawn_cycles(cycle))
             words = f"Quasi-static transmission error along the line of action over {_words(cycle)}."
-            section.add_figure(drawn, words)
+            section.add_figure(drawn, words, name=f"transmission_error[{mesh}]")
         if np.size(cycle.share):
             words = "Load share of one tooth pair, from its first to its last contact"
             if float(np.min(cycle.share_way)) < -ROUND_OFF_WAY:
                 words += "; helical teeth touch at one end of the face before mid-face"
-            section.add_figure(plot_load_sharing(cycle.share_way, cycle.share), f"{words}.")
+            drawn = plot_load_sharing(cycle.share_way, cycle.share)
+            section.add_figure(drawn, f"{words}.", name=f"load_share[{mesh}]")
     return section
 
 
@@ -104,7 +105,8 @@ def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:
         f"in units of {'its mean' if cycle.stiffness_unit == 'mean' else cycle.stiffness_unit}."
     )
     unit = "× mean" if cycle.stiffness_unit == "mean" else cycle.stiffness_unit
-    section.add_figure(plot_mesh_stiffness(s, name=mesh, unit=unit, loaded=loaded, cycles=count), caption)
+    drawn = plot_mesh_stiffness(s, name=mesh, unit=unit, loaded=loaded, cycles=count)
+    section.add_figure(drawn, caption, name=f"mesh_stiffness[{mesh}]")
 
 
 def roll_section(rolls: Mapping[str, Any]) -> Section:
@@ -119,7 +121,9 @@ def roll_section(rolls: Mapping[str, Any]) -> Section:
             drawn = plot_transmission_error(
                 periods, errors, cycles=1, title=f"periods of {mesh} rolled [base pitches]"
             )
-            section.add_figure(drawn, _roll_caption(mesh, periods, errors))
+            section.add_figure(
+                drawn, _roll_caption(mesh, periods, errors), name=f"transmission_error[{mesh}]"
+            )
     return section
 
 

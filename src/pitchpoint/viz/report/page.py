@@ -29,11 +29,15 @@ POLICY = (
 
 @dataclass
 class Section:
-    """Part of a report: anchor, heading and finished HTML; a section without HTML is not shown."""
+    """Part of a report: anchor, heading and finished HTML; a section without HTML is not shown.
+
+    `figures` are its plots by name, for `report.pictures.plot`.
+    """
 
     anchor: str
     heading: str
     parts: list[str] = field(default_factory=list)
+    figures: dict[str, go.Figure] = field(default_factory=dict)
 
     def add(self, html: str) -> None:
         """Append a piece of HTML unless it is empty."""
@@ -45,14 +49,22 @@ class Section:
         figure: go.Figure,
         caption: str = "",
         *,
+        name: str = "",
         beside: go.Figure | None = None,
         beside_caption: str = "The last periods, magnified.",
+        beside_name: str = "",
     ) -> None:
-        """Append a plot, or two next to each other; plots without data are omitted."""
+        """Append a plot, or two next to each other; plots without data are omitted.
+
+        The name in Python is a kind, or kind and owner: `mesh_stiffness[stage]`.
+        """
         if not any(_has_data(trace) for trace in figure.data):
             return
+        known = (name or self.anchor, *(f"{name or self.anchor} {k}" for k in range(2, 100)))
+        self.figures[next(n for n in known if n not in self.figures)] = figure
         html = figure_html(figure, caption)
         if beside is not None:
+            self.figures |= {beside_name: beside} if beside_name else {}
             end = figure_html(beside, beside_caption)
             html = f'<div class="pair">{html}{end}</div>'
         self.parts.append(html)
@@ -121,11 +133,11 @@ def page(
         f'<header><h1>{escape(title)}</h1><ul class="facts">{items}</ul>{alert}</header>\n'
         f'<nav aria-label="Sections">{links}</nav>\n'
         f'<main id="content" tabindex="-1">{body}</main>\n<footer>{escape(footer)}</footer>\n'
-        f"{_scripts(with_plots)}</body></html>\n"
+        f"{plot_scripts(with_plots)}</body></html>\n"
     )
 
 
-def _scripts(with_plots: bool) -> str:
+def plot_scripts(with_plots: bool = True) -> str:
     """Scripts of the page; the plot library only if there are plots."""
     colours = json.dumps({"light": theme.LIGHT, "dark": theme.DARK}, sort_keys=True)
     library = packed_plots() if with_plots else ""

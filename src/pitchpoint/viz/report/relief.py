@@ -31,6 +31,7 @@ def relief_section(designs: Mapping[str, xr.Dataset]) -> Section:
             plot_relief(data),
             "Transmission error over the mesh phase without and with the rounded modifications, and its "
             "peak-to-peak value over the torque on gear 1 with the band of tolerances and misalignments.",
+            name="relief",
         )
     return section
 

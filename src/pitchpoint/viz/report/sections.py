@@ -90,10 +90,13 @@ def sweep_section(sweeps: Mapping[str, Mapping[str, Any]]) -> Section:
         for quantity, statistic in (("deflection", "rms"), ("mesh_force", "max")):
             if any(p.get(quantity) for p in points):
                 caption = _jump_sentence(jumps) if quantity == "deflection" else ""
-                section.add_figure(plot_sweep(points, jumps, quantity=quantity, statistic=statistic), caption)
+                drawn = plot_sweep(points, jumps, quantity=quantity, statistic=statistic)
+                section.add_figure(drawn, caption, name=quantity)
         if any(float(p.get("contact_loss_share") or 0.0) > 0.0 for p in points):
             section.add_figure(
-                plot_contact_shares(points), "Time without contact as a share of the evaluated time."
+                plot_contact_shares(points),
+                "Time without contact as a share of the evaluated time.",
+                name="contact_shares",
             )
         elif any(p.get("contact_loss_share") is not None for p in points):
             section.add("<p>The flanks stay in contact at every point of this sweep.</p>")

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -47,6 +47,7 @@ def spectrum_section(
     runs: Mapping[str, Any],
     highest_order: float,
     shafts: Mapping[str, str] | None = None,
+    wanted: Sequence[str] = (),
     overlaid: Collection[str] = (),
 ) -> Section:
     """Section with spectra and orders of steady runs, and maps of run-ups.
@@ -59,6 +60,8 @@ def spectrum_section(
         End of the order axis, if a run does not set it.
     shafts
         Body of gear 1 by name of the mesh: reference of the orders of its channels.
+    wanted
+        Channels; default: deflections and mesh forces.
     overlaid
         Runs with spectra in a common picture, which are omitted here if their speed is steady.
     """
@@ -66,6 +69,7 @@ def spectrum_section(
     for name, run in runs.items():
         time, found = channels(run.data)
         picked = [c for q in QUANTITIES for c in found.values() if c.quantity == q]
+        picked = [found[n] for n in wanted if n in found] if wanted else picked
         if time.size < 64 or not picked:
             continue
         window = settled_part(time, run.settle_time)
@@ -74,7 +78,8 @@ def spectrum_section(
         section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         run = replace(run, mesh_frequencies=_merged(run.mesh_frequencies))
         orders = run.highest_order or highest_order
-        parts = [distinct([c for c in picked if c.quantity == q]) for q in QUANTITIES]
+        kinds = dict.fromkeys(c.quantity for c in picked)
+        parts = [distinct([c for c in picked if c.quantity == q]) for q in kinds]
         if sum(len(drawn) for drawn, _ in parts) > MAX_CHANNELS:
             parts = parts[-1:]  # of many meshes, the forces
         words = dict.fromkeys(sentence for _, own in parts for sentence in own)
@@ -110,6 +115,11 @@ def _merged(frequencies: Mapping[str, float]) -> dict[str, float]:
     return {common_name(names): frequency for names, frequency in found}
 
 
+def default_highest_order(teeth: Sequence[int]) -> float:
+    """End of the order axes: slightly above three mesh orders, so that the third one is not on the frame."""
+    return 3.2 * max(teeth) if teeth else 100.0
+
+
 def _is_one_way(angle: Array) -> bool:
     """Whether a shaft never stops or reverses."""
     try:
@@ -140,7 +150,13 @@ def _add_spectrum(
     limit = min(HARMONICS * max(meshes.values()), 0.5 * rate) if meshes else None
     last = min(limit, spectrum_plots.last_peak(spectrum[channel.label])) if limit else None
     drawn = spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes, highest=last)
-    section.add_figure(drawn, beside=beside, beside_caption="The same over orders.")
+    section.add_figure(
+        drawn,
+        name=f"spectrum[{channel.name}]",
+        beside=beside,
+        beside_caption="The same over orders.",
+        beside_name=f"order_spectrum[{channel.name}]",
+    )
 
 
 def _order_spectrum(
@@ -165,6 +181,7 @@ def _add_maps(
     section.add_figure(
         spectrum_plots.plot_time_frequency(data, unit=channel.unit, quantity=channel.label),
         "Amplitudes over time and frequency: orders rise with the speed, resonances remain constant.",
+        name=f"time_frequency[{channel.name}]",
     )
     try:
         _long_enough(angle, MAP_TURNS)
@@ -176,6 +193,7 @@ def _add_maps(
     section.add_figure(
         spectrum_plots.plot_order_map(tracked, unit=channel.unit, quantity=channel.label, shafts=shafts),
         "Amplitudes over order and speed: orders are vertical lines, resonances are hyperbolas.",
+        name=f"order_map[{channel.name}]",
     )
 
 

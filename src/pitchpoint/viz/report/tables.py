@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.status import OK
 from pitchpoint.viz import theme
+from pitchpoint.viz.mode_plot import plot_modes
 from pitchpoint.viz.quantities import channel_label, number, scale
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.tables import plain_table
@@ -42,6 +43,14 @@ def mode_section(modes: Any) -> Section:
     held = f"; motion prescribed by the scenario: {escape(', '.join(modes.held))}" if modes.held else ""
     section.add(f"<p>Linearised about the loaded state with mean mesh stiffness{held}.</p>")
     section.add(plain_table(("mode", "name", "natural frequency at rest", "damping ratio"), body[:MAX_MODES]))
+    if len(modes.components):
+        section.add_figure(
+            plot_modes(
+                modes.names, modes.frequency, modes.damping_ratio, modes.components, modes.strain_share
+            ),
+            "Shares of the components in the strain energy of the lowest modes.",
+            name="modes",
+        )
     total = max(modes.total, len(body))
     if total > MAX_MODES:
         section.add(f"<p>The lowest {MAX_MODES} of {total} modes; use pitchpoint modes for all.</p>")
@@ -84,7 +93,7 @@ def case_section(tables: Mapping[str, Any]) -> Section:
             for quantity, statistic in QUANTITIES:
                 figure = _figure(table, numeric[0], quantity, statistic)
                 if figure is not None:
-                    section.add_figure(figure, "")
+                    section.add_figure(figure, name=quantity)
     return section
 
 

@@ -181,7 +181,9 @@ def _add_signals(
     points = WIDE if end is None else HALF
     whole = plot_signals(time, drawn, contact_state=state, points=points, rows=rows)
     long = drawn[0].long_name if len(drawn) == 1 else ""
-    section.add_figure(whole, f"{long[:1].upper()}{long[1:]}." if long else "", beside=end)
+    section.add_figure(
+        whole, f"{long[:1].upper()}{long[1:]}." if long else "", name=drawn[0].quantity, beside=end
+    )
 
 
 def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel], steady: bool) -> None:
@@ -201,6 +203,7 @@ def _add_force_parts(section: Section, time: Array, found: Mapping[str, Channel]
         section.add_figure(
             plot_force_parts(time[part], shown, points=WIDE),
             f"Components of the tooth force of {mesh}, {where}.",
+            name=f"tooth_force[{mesh}]",
         )
 
 

@@ -127,10 +127,14 @@ def scene_frame(*scenes: Scene, height: str = "480px") -> str:
     height
         Height of the frame, in CSS notation.
     """
-    title = " and ".join(dict.fromkeys(s.title for s in scenes))
+    return cell_frame(" and ".join(dict.fromkeys(s.title for s in scenes)), scene_page(*scenes), height)
+
+
+def cell_frame(title: str, document: str, height: str) -> str:
+    """Complete HTML document as a frame within another one; colours follow the theme of that document."""
     return (
         f"<style>{theme.LIGHT_PAGE} .pp-cell{{color-scheme:light}}"
         f"{theme.DARK_PAGE} .pp-cell{{color-scheme:dark}}</style>"
         f'<iframe class="pp-cell" title="{escape(title)}" sandbox="allow-scripts allow-downloads" '
-        f'style="width:100%;height:{height};border:0" srcdoc="{escape(scene_page(*scenes))}"></iframe>'
+        f'style="width:100%;height:{height};border:0" srcdoc="{escape(document)}"></iframe>'
     )

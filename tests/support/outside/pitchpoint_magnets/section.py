@@ -5,12 +5,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from pitchpoint.model.component import Component
 from pitchpoint.model.keys import ends, positive, quantity
 from pitchpoint.model.sections import Section
 
 
 @dataclass(frozen=True, kw_only=True)
-class MagnetCoupling:
+class MagnetCoupling(Component):
     """Rotors with magnets that pull each other into line."""
 
     bodies: tuple[str, str] = ends("names of the two bodies", length=(2, 2))
