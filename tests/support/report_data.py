@@ -237,7 +237,7 @@ def report_model() -> ReportModel:
         shafts={"stage": "driver"},
         counts=[("gears: 2", "g1 (50), g2 (50)")],
         warnings=["stage: a warning with <brackets>"],
-        assumptions=["Bearings are rigid."],
+        assumptions=[("all meshes", [("damping.d_out", "0 N s/m")])],
         sources=["ISO 21771"],
     )
 

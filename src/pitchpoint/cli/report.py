@@ -17,13 +17,15 @@ RESULT_ENDINGS = (".h5", ".nc", ".hdf5")
 @click.command()
 @click.argument("files", nargs=-1, required=True, type=click.Path(exists=True, dir_okay=False))
 @output("HTML file; default: name of the model file with .html.")
+@click.option("--compare", is_flag=True, help="Overlay runs of different scenarios in one picture, too.")
 @allow_code
 @quiet
 @debug
-def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: bool) -> None:
+def report(files: tuple[str, ...], output: str | None, compare: bool, allow_code: bool, quiet: bool) -> None:
     """Write one self-contained HTML page from a model file and any number of result files (.h5).
 
-    FILES: without a model file, the model of the first result file is used.
+    FILES: without a model file, the model of the first result file is used. Runs and sweeps of one scenario
+    with different values (--set) are overlaid; the legend contains these values.
     """
     from pitchpoint.cli.progress import ProgressDisplay
     from pitchpoint.cli.reading import read_model
@@ -38,7 +40,12 @@ def report(files: tuple[str, ...], output: str | None, allow_code: bool, quiet: 
     target = Path(output) if output else Path(models[0] if models else results[0]).with_suffix(".html")
     with ProgressDisplay("report", "parts", quiet=quiet) as progress:
         notes: list[str] = []
-        options: dict[str, Any] = {"allow_code": allow_code, "progress": progress, "on_note": notes.append}
+        options: dict[str, Any] = {
+            "allow_code": allow_code,
+            "compare": compare,
+            "progress": progress,
+            "on_note": notes.append,
+        }
         write_report(model, target, *results, **options)
     if not quiet:
         show(f"report written to {target}")

@@ -5,17 +5,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.report.campbell import KEPT as CAMPBELL
+from pitchpoint.report.main_channels import drawn_groups
 from pitchpoint.report.result_kinds import kind_of
 from pitchpoint.report.rolls import given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
 from pitchpoint.report.study_data import case_table, sweep_of
+from pitchpoint.report.variants import variant_words
 from pitchpoint.viz.quantities import settle_time_of
 from pitchpoint.viz.report.build import (
     CaseTable,
@@ -45,7 +47,7 @@ def describe(model: Model) -> ReportModel:
     """Collector of the contents of a report on a model."""
     from pitchpoint.core.provenance import content_hash, package_version
     from pitchpoint.model.signals import signal_lines
-    from pitchpoint.report.defaults import defaults
+    from pitchpoint.report.assumptions import assumptions_of
     from pitchpoint.report.flanks import flank_lines, inactive_faults
     from pitchpoint.report.numbers import geometry_of_model
     from pitchpoint.report.overview import counts_of
@@ -67,7 +69,7 @@ def describe(model: Model) -> ReportModel:
         counts=counts_of(model),
         signals=signal_lines(model),
         parameters=parameter_lines(model),
-        assumptions=[f"{key}: {value}" for key, value in defaults(model)],
+        assumptions=assumptions_of(model),
         sources=_sources(model),
     )
 
@@ -92,12 +94,22 @@ class _Found:
     campbells: dict[str, xr.Dataset] = field(default_factory=dict)
     sources: list[SourceData] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    variants: dict[str, tuple[str, str]] = field(default_factory=dict)
+    """Scenario and text of the model by name of the run or sweep."""
+    others: dict[str, str] = field(default_factory=dict)
+    """Remarks on other versions of the model by name."""
 
 
 def collect(
-    model: Model, results: Sequence[str | os.PathLike[str] | xr.Dataset], progress: Progress
+    model: Model,
+    results: Sequence[str | os.PathLike[str] | xr.Dataset],
+    progress: Progress,
+    compare: bool = False,
 ) -> tuple[ReportResults, list[str]]:
-    """Collect the contents of a report: results of the model alone, given results, and remarks."""
+    """Collect the contents of a report: results of the model alone, given results, and remarks.
+
+    `compare`: overlay runs of different scenarios as well.
+    """
     from pitchpoint.io.opening import understood
     from pitchpoint.report.number_rows import C_PRIME_B, MEAN
     from pitchpoint.report.numbers import cycles_of_model
@@ -112,6 +124,7 @@ def collect(
                 _add_file(found, os.fspath(result), model)
         else:
             _add_dataset(found, result, model)
+    compared = _compare(found, compare)
     cycles = {
         name: (
             MeshCycleData(stiffness=cycle, stiffness_unit=words.get(relative_to, relative_to)),
@@ -133,6 +146,7 @@ def collect(
         reliefs=found.reliefs,
         powers=power_part(model, found.runs),
         scene=scene_part(model, found.runs),
+        compared=compared,
         sources=found.sources,
     )
     return shown, [*notes, *more, *found.remarks]
@@ -148,13 +162,14 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
     from pitchpoint.report.provenance import source_of
 
     header = read_header(file)
-    if str(header.get("model_hash", "")) not in ("", content_hash(model)):
-        found.remarks.append(f"{Path(file).name} was computed with a different version of the model.")
     name, own = str(header["scenario"] or Path(file).stem), Path(file).name
 
     def take(kind: dict[str, Any]) -> str:
         """Unused name among the results of a kind; its origin is recorded."""
         key = _free(name, own, kind)
+        found.variants[key] = (str(header.get("scenario", "")), str(header.get("model_text", "")))
+        if str(header.get("model_hash", "")) not in ("", content_hash(model)):
+            found.others[key] = f"{own} was computed with a different version of the model."
         found.sources.append(source_of(key, header, content_hash(model), own))
         return key
 
@@ -217,12 +232,45 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
         )
 
 
+def _compare(found: _Found, everything: bool) -> list[tuple[str, dict[str, str]]]:
+    """Families of variants among runs and sweeps, which get names by what distinguishes them."""
+    families: dict[tuple[str, str], list[str]] = {}
+    for kind, results in (("run", found.runs), ("sweep", found.sweeps)):
+        for name in results:
+            scenario, text = found.variants.get(name, ("", ""))
+            if text:
+                families.setdefault((kind, "" if everything else scenario), []).append(name)
+    compared: list[tuple[str, dict[str, str]]] = []
+    named: dict[str, str] = {}
+    for (_, scenario), names in families.items():
+        if len(names) < 2:
+            continue
+        scenarios = {name: found.variants[name][0] for name in names}
+        words = variant_words({name: found.variants[name][1] for name in names}, scenarios)
+        if words:
+            named |= {name: f"{scenarios[name]}: {words[name]}" for name in names}
+        elif not everything:
+            continue
+        labels = {name: words.get(name, name) for name in names}
+        if len({*scenarios.values()}) > 1:
+            labels = {name: named.get(name, name) for name in names}
+        title = scenario or "Runs and studies"
+        compared.append((title, {labels[name]: named.get(name, name) for name in names}))
+    found.runs = {named.get(name, name): run for name, run in found.runs.items()}
+    found.sweeps = {named.get(name, name): sweep for name, sweep in found.sweeps.items()}
+    found.sources = [replace(source, name=named.get(source.name, source.name)) for source in found.sources]
+    found.remarks += [words for name, words in found.others.items() if name not in named]
+    return compared
+
+
 def time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str = "") -> TimeRun:
     """Time response with its window of statistics, its notes and its mesh frequencies."""
     settle = settle_time_of(attrs)
     meshes = mean_mesh_frequencies(model, data, settle)
+    groups = drawn_groups(model, map(str, data.data_vars), str(attrs.get("scenario", "")))
     notes = split_notes(str(data.attrs.get("notes", "")))
-    return TimeRun(data=data, settle_time=settle, note=note, remarks=notes, mesh_frequencies=meshes)
+    about: dict[str, Any] = {"note": note, "remarks": notes, "groups": groups}
+    return TimeRun(data=data, settle_time=settle, mesh_frequencies=meshes, **about)
 
 
 def without_damaged(data: xr.Dataset) -> tuple[xr.Dataset, list[str]]:

@@ -10,6 +10,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from pitchpoint.model.frames import GROUND
+
 if TYPE_CHECKING:
     from pitchpoint.model.model import Model
 
@@ -17,6 +19,8 @@ RESULTANTS = ("radial", "axial")
 """Components of a bearing force that represent all others."""
 MESH = ("mesh_force", "transmission_error", "contact_state")
 CONNECTIONS = ("torque", "coupling_force", "tension", "contact_force", "slip_speed")
+OTHERS = ("deflection", "mesh_stiffness", "speed", "displacement", "friction_power")
+"""Quantities drawn if a machine has no main channels but speeds."""
 FEW = 12
 """Number of channels up to which all are main channels."""
 
@@ -85,6 +89,44 @@ def channel_groups(model: Model, names: Iterable[str], scenario: str = "") -> li
         if kept:
             found.append(ChannelGroup(title, kept))
     return found
+
+
+def drawn_groups(model: Model, names: Iterable[str], scenario: str = "") -> list[tuple[str, tuple[str, ...]]]:
+    """Titles and channels of the curves of a report; the planets of a set have pictures of their own.
+
+    Parameters
+    ----------
+    model, names, scenario
+        As in `main_channels`. Resultants of bearings are drawn even if the result contains only components.
+    """
+    given = list(dict.fromkeys(names))
+    bearings = dict.fromkeys(_bearing(name) for name in given if _kind(name) == "bearing_force")
+    given += [f"bearing_force[{b}.{word}]" for b in bearings for word in RESULTANTS]
+    found: list[tuple[str, tuple[str, ...]]] = []
+    for group in channel_groups(model, given, scenario):
+        sets = _planet_sets(model) if group.title == "Meshes" else {}
+        in_sets = {mesh for meshes in sets.values() for mesh in meshes}
+        single = tuple(n for n in group.names if n.partition("[")[2].rstrip("]") not in in_sets)
+        found += [(group.title, single)] if single else []
+        for title, meshes in sets.items():
+            own = tuple(n for n in group.names if n.partition("[")[2].rstrip("]") in meshes)
+            found += [(title, own)] if own else []
+    seen = {name for _, own in found for name in own}
+    rest = tuple(n for n in given if n not in seen and _kind(n) in OTHERS)
+    # machines without meshes, bearings and connections move all the same
+    return [*found, ("Motion", rest)] if rest and len({_kind(n) for n in seen} - {"speed"}) == 0 else found
+
+
+def _planet_sets(model: Model) -> dict[str, list[str]]:
+    """Meshes of a common gear with several equal gears on one carrier, by a title."""
+    sets: dict[tuple[str, str | None, int], list[str]] = {}
+    for name, mesh in model.every_mesh.items():
+        for gear, planet in (mesh.gears, mesh.gears[::-1]):
+            body = model.body_of(planet)
+            seat = model.mechanism.seats.get(str(body))
+            if seat is not None and seat.parent != GROUND:
+                sets.setdefault((gear, seat.parent, model.toothed[planet].number_of_teeth), []).append(name)
+    return {f"Meshes of {key[0]} with planets": names for key, names in sets.items() if len(names) > 1}
 
 
 def end_bodies(model: Model, scenario: str = "") -> list[str]:

@@ -260,9 +260,9 @@ def _sweep(data: xr.Dataset) -> str:
 
 def _row(channel: Channel, x: Array, known: Mapping[str, float]) -> str:
     """Table row of one channel in a customary unit."""
-    from pitchpoint.viz.quantities import number, scale
+    from pitchpoint.viz.quantities import channel_scale, number
 
-    shown = scale(channel.unit, x)
+    shown = channel_scale(channel.name, channel.unit, x)
     # the alternating part of a constant is round-off, not a result
     rms = known["rms"] if known["rms"] > 1e-10 * abs(x).max() else 0.0
     values = (known["mean"], rms, known["min"], known["max"])

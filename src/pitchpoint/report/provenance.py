@@ -9,7 +9,7 @@ from typing import Any
 
 from pitchpoint.core.status import OK
 from pitchpoint.core.status import sentence as sentence_of
-from pitchpoint.viz.quantities import amount
+from pitchpoint.viz.quantities import amount, printed
 from pitchpoint.viz.report.build import SourceData
 
 KINDS = {
@@ -52,7 +52,7 @@ def source_of(name: str, header: Mapping[str, Any], model_hash: str, file: str =
         ("solver", str(header.get("solver", "")).replace("_", " ")),
         ("steps", _text("steps", header.get("steps"))),
         ("computing time", _text("duration", header.get("wall_s"))),
-        ("computed", str(header.get("created", ""))),
+        ("computed", str(header.get("created", "")).replace("T", " ").replace("+00:00", " UTC")),
         ("by", str(header.get("source", ""))),
         ("model", f"{theirs}{same}"),
         ("remarks", str(header.get("notes", ""))),
@@ -86,5 +86,5 @@ def _text(key: str, value: Any) -> str:
         return ", ".join(_text(key, v) for v in value)
     if isinstance(value, bool) or not isinstance(value, int | float):
         # laws are shown in the model file; their representation here is not readable
-        return "" if "(" in str(value) else str(value).replace("_", " ")
+        return "" if "(" in str(value) else printed(str(value)).replace("_", " ")
     return amount(float(value), UNITS.get(key, ""), 5)

@@ -106,7 +106,7 @@ def _signals(data: xr.Dataset, wanted: list[str]) -> go.Figure:
 
 def _quantity(data: xr.Dataset, wanted: list[str], names: list[str]) -> go.Figure:
     """Channels of one quantity, as in a report; quantities that a report omits as signals."""
-    from pitchpoint.viz.report.sections import MAX_LINES, time_section
+    from pitchpoint.viz.report.time import MAX_LINES, time_section
 
     quantity = wanted[0].partition("[")[0]
     part = _run(data, wanted, names)
@@ -116,11 +116,14 @@ def _quantity(data: xr.Dataset, wanted: list[str], names: list[str]) -> go.Figur
 
 def _tooth_forces(data: xr.Dataset, names: list[str]) -> dict[str, go.Figure]:
     """Components of the tooth forces."""
-    from pitchpoint.viz.report.sections import time_section
+    from pitchpoint.viz.report.time import time_section
     from pitchpoint.viz.run_record import FORCE_PARTS
 
     wanted = [n for n in names if n.partition("[")[0] in FORCE_PARTS]
-    found = time_section({"": _run(data, wanted, names)}).figures if wanted else {}
+    found: dict[str, go.Figure] = {}
+    for mesh in dict.fromkeys(n.partition("[")[2] for n in wanted):
+        own = [n for n in wanted if n.partition("[")[2] == mesh]
+        found |= time_section({"": _run(data, own, names)}).figures
     return {key: figure for key, figure in found.items() if key.startswith("tooth_force")}
 
 

@@ -68,7 +68,7 @@ def with_rolls(
     if left:
         notes.append(
             f"Slow rolls of {len(rolled) + left} meshes would take too long: the first {len(rolled)} are "
-            "computed. Use a scenario with quasi_static for the others."
+            "computed. Use a scenario with a slow roll for the others."
         )
     for k, name in enumerate(rolled):
         data, unit = cycles[name]
@@ -96,7 +96,7 @@ def with_rolls(
         notes.append(
             f"Slow rolls have at most {POINTS_OF_LARGE} points instead of {ALL_POINTS}, because the machine "
             f"has more than {LARGE} coordinates: {', '.join(fewer)}. "
-            "A scenario with quasi_static sets its own number."
+            "A scenario with a slow roll sets its own number."
         )
     return found, notes
 

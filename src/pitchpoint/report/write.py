@@ -24,6 +24,7 @@ def write_report(
     path_out: str | os.PathLike[str],
     *results: str | os.PathLike[str] | xr.Dataset,
     allow_code: bool = False,
+    compare: bool = False,
     progress: Progress = silent,
     on_note: Callable[[str], None] | None = None,
 ) -> Path:
@@ -42,6 +43,9 @@ def write_report(
         modes) are always computed and shown.
     allow_code
         Allow model files to run the Python functions that they name.
+    compare
+        Overlay runs of different scenarios, too. Runs and sweeps of one scenario with different values in
+        their models are always overlaid; the legend contains these values.
     progress
         Called with the number of completed parts: slow roll of every mesh, modes, Campbell diagram.
     on_note
@@ -81,7 +85,7 @@ def write_report(
         if isinstance(model, str | os.PathLike):
             model = load_model(os.fspath(model), allow_code=allow_code)
         about = describe(model)
-        found, remarks = collect(model, results, progress)
+        found, remarks = collect(model, results, progress, compare)
     texts = [str(w.message) for w in heard if issubclass(w.category, ValidityWarning)]
     about = replace(about, warnings=list(dict.fromkeys([*texts, *remarks])))
     written = write_file(path, report_html(about, found))

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -94,6 +95,27 @@ class Channel:
         return self.name.partition("[")[0]
 
 
+_VECTORS = (
+    "displacement",
+    "bearing_force",
+    "coupling_force",
+    "bushing_force",
+    "beam_force",
+    "reaction_force",
+)
+_COMPONENTS = {
+    "radial": "radial {0}",
+    "axial": "axial {0}",
+    "direction": "direction of the radial {0}",
+    **{c: f"{{0}} {c}" for c in "xyz"},
+    **{f"f{c}": f"{{0}} {c}" for c in "xyz"},
+    **{f"m{c}": f"{{1}} moment {c}" for c in "xyz"},
+    **{f"r{c}": f"tilt about {c}" for c in "xy"},
+    "rz": "rotation about z",
+}
+"""Names of components in words: {0} the quantity, {1} its element, "bearing" of "bearing force"."""
+
+
 def channel_label(name: str) -> str:
     """Readable name of a channel: quantity in words, element as named in the model.
 
@@ -101,10 +123,15 @@ def channel_label(name: str) -> str:
     --------
     >>> channel_label("mesh_force[stage_1]"), channel_label("power_balance")
     ('mesh force, stage_1', 'power balance')
+    >>> channel_label("bearing_force[left.radial]"), channel_label("displacement[rotor.2.rx]")
+    ('radial bearing force, left', 'tilt about x, rotor.2')
     """
     quantity, _, owner = name.partition("[")
-    words = quantity.replace("_", " ")
-    return f"{words}, {owner.rstrip(']')}" if owner else words
+    words, owner = quantity.replace("_", " "), owner.rstrip("]")
+    place, _, component = owner.rpartition(".")
+    if place and quantity in _VECTORS and component in _COMPONENTS:
+        words, owner = _COMPONENTS[component].format(words, words.rpartition(" ")[0]).strip(), place
+    return f"{words}, {owner}" if owner else words
 
 
 def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
@@ -133,7 +160,9 @@ def scale(unit: str, values: Iterable[float] | Array = ()) -> Scale:
 
 
 def channel_scale(name: str, unit: str, values: Array) -> Scale:
-    """Display unit of a channel: always µm and µrad for transmission errors, whatever their mean.
+    """Display unit of a channel: µm and µrad for transmission errors and deflections of meshes up to 10 mm.
+
+    Displacements below 1 mm are in µm as well.
 
     Parameters
     ----------
@@ -150,7 +179,11 @@ def channel_scale(name: str, unit: str, values: Array) -> Scale:
     ['µm', 'mm']
     """
     small = {"m": Scale("µm", 1e6), "rad": Scale("µrad", 1e6)}.get(_SPELLINGS.get(unit, unit))
-    if small is not None and name.partition("[")[0].endswith("transmission_error"):
+    quantity = name.partition("[")[0]
+    limits = {"displacement": 1e-3} if unit == "m" else {}
+    limit = 1e-2 if quantity.endswith(("transmission_error", "deflection")) else limits.get(quantity, 0.0)
+    sizes = np.abs(values[np.isfinite(values)])
+    if small is not None and limit > 0.0 and (not sizes.size or float(sizes.max()) < limit):
         return small
     return scale(unit, values)
 
@@ -164,6 +197,19 @@ def pretty(unit: str) -> str:
     ('kg m²', '°')
     """
     return unit.replace("^2", "²").replace("^3", "³").replace("deg", "°")
+
+
+def printed(text: str) -> str:
+    """Text with the units of model files as printed.
+
+    Examples
+    --------
+    >>> printed("0.02 kg m^2 at 20 deg, 5 um per 10 mm^3, x >= -0.5")
+    '0.02 kg m² at 20°, 5 µm per 10 mm³, x ≥ −0.5'
+    """
+    text = re.sub(r"(?<![\w.])-(?=\d)", "−", text.replace(">=", "≥").replace("<=", "≤"))
+    powers = re.sub(r"(?<=[a-z])\^([23])\b", lambda found: "²³"[int(found[1]) - 2], text)
+    return re.sub(r"(?<=\d)\s?deg\b", "°", re.sub(r"(?<=\d )u(?=[mNs]\b)", "µ", powers))
 
 
 def number(value: float, digits: int = 5) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 
 from pitchpoint.viz import theme
 from pitchpoint.viz.downsampling import kept_samples
-from pitchpoint.viz.quantities import Array, Channel, Scale, scale
+from pitchpoint.viz.quantities import Array, Channel, Scale, channel_scale, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -23,6 +23,8 @@ NOISE = 1e-5
 """Relative variation below which changes are round-off."""
 VISIBLE = 0.25
 """Minimum share of an axis for the ripple of a curve; smaller ripple gets a separate axis."""
+FLAT = 0.05
+"""Share of a row below which the variation of a curve would be flat."""
 ONE_ROW, ROW, LINE, GAP, MARGINS = 320, 110, 17, 12, 78
 """Heights [pixels]: figure with one row, axes of one of several rows, line of names, gap, both margins."""
 HEAD_WIDTH = 60
@@ -67,7 +69,7 @@ def plot_signals(
     """
     if len({c.unit for c in channels}) != 1:
         raise ValueError("channels: one or more channels of one unit required; plot other units separately")
-    shown = scale(channels[0].unit, np.concatenate([c.values for c in channels]))
+    shown = channel_scale(channels[0].name, channels[0].unit, np.concatenate([c.values for c in channels]))
     clocks = {"time": scale("s", time if time.size else [1.0]), "angle": Scale("°", 180.0 / np.pi)}
     clock = clocks.get(over, Scale("", 1.0))
     rows = signal_rows(channels) if rows is None else rows
@@ -130,7 +132,15 @@ def signal_rows(channels: Sequence[Channel]) -> list[list[int]]:
         else:
             rows.append([index])
         top = max(top, high)
-    return sorted(sorted(row) for row in rows)
+    return sorted(sorted(part) for row in rows for part in _by_size(row, spans))
+
+
+def _by_size(row: Sequence[int], spans: Sequence[tuple[float, float]]) -> list[list[int]]:
+    """Curves of a row, those that would be flat in it on rows of their own."""
+    widths = {index: spans[index][1] - spans[index][0] for index in row}
+    tall = [index for index in row if widths[index] >= FLAT * max(widths.values())]
+    rest = [index for index in row if index not in tall]
+    return [tall, *(_by_size(rest, spans) if rest else [])]
 
 
 def arrange_rows(

@@ -81,7 +81,7 @@ def plot_spectrum(
         (float(s.amplitude[1:].max()) for s in spectra.values() if s.amplitude.size > 1), default=0.0
     )
     shown = scale(unit, [tallest])
-    end = highest or max((_last_peak(s) for s in spectra.values()), default=1.0)
+    end = highest or max((last_peak(s) for s in spectra.values()), default=1.0)
     across = scale("Hz", [end]) if over == "frequency" else None
     factor = across.factor if across else 1.0
     figure = theme.figure(
@@ -218,7 +218,7 @@ def _reduced(x: Array, y: Array, z: Array) -> tuple[Array, Array, Array]:
     return x, y, z
 
 
-def _last_peak(spectrum: Spectrum) -> float:
+def last_peak(spectrum: Spectrum) -> float:
     """Highest frequency with significant amplitudes, plus a quarter."""
     a = spectrum.amplitude
     if a.size < 2 or not a[1:].max() > 0.0:

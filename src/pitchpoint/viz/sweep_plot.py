@@ -10,7 +10,7 @@ import numpy as np
 
 from pitchpoint.analysis.jumps import branch
 from pitchpoint.viz import theme
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import channel_scale, number, scale
 
 if TYPE_CHECKING:
     import plotly.graph_objects as go
@@ -40,7 +40,7 @@ def plot_sweep(
     branches = {d: branch(points, d, quantity, statistic) for d in theme.SWEEP}
     levels = np.concatenate([level for _, level in branches.values()])
     pitch = scale("Hz", np.concatenate([f for f, _ in branches.values()]))
-    shown = scale(UNITS.get(quantity, "m"), levels)
+    shown = channel_scale(quantity, UNITS.get(quantity, "m"), levels)
     title = f"{statistic} of {quantity.replace('_', ' ')}"
     figure = theme.figure(pitch.title("mesh frequency"), shown.title(title), height=400)
     for direction, (colour, symbol) in theme.SWEEP.items():

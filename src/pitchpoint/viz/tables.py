@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Mapping, Sequence
 from html import escape
 from typing import Any
 
-from pitchpoint.core.nomenclature import Entry, lookup
+from pitchpoint.core.nomenclature import Entry, lookup, table
 from pitchpoint.core.units import display_unit, in_unit
-from pitchpoint.viz.quantities import number, pretty
+from pitchpoint.viz.quantities import number, pretty, printed
 
 # Rows of the tables in order; symbol, description and unit are those of the nomenclature.
 GEAR_ROWS = (
@@ -116,6 +118,7 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     things
         SI values by identifier, by the name of the gear or mesh.
     """
+    things = _merged(rows, things)
     if len(things) > MAX_COLUMNS:
         names = list(things)
         parts = (names[k : k + MAX_COLUMNS] for k in range(0, len(names), MAX_COLUMNS))
@@ -149,6 +152,40 @@ def quantity_table(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]])
     )
 
 
+def _merged(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
+    """Columns with equal numbers merged under their names: gears on both sides of a machine, planets."""
+    columns: list[list[str]] = []
+    for name, thing in things.items():
+        equal = (
+            names for names in columns if all(_equal(thing.get(k), things[names[0]].get(k)) for k in rows)
+        )
+        names = next(equal, None)
+        if names is None:
+            columns.append([name])
+        else:
+            names.append(name)
+    return {common_name(names): things[names[0]] for names in columns}
+
+
+def _equal(one: Any, other: Any) -> bool:
+    """Whether two values are equal as printed: pin errors change a centre distance by less."""
+    if isinstance(one, int | float) and isinstance(other, int | float):
+        round_off = 1e-5 if one * other == 0.0 else 0.0  # a coefficient against zero
+        return math.isclose(one, other, rel_tol=1e-4, abs_tol=round_off)
+    return bool(one == other)
+
+
+def common_name(names: Sequence[str]) -> str:
+    """Names of equal parts in one heading.
+
+    Examples
+    --------
+    >>> common_name(["Z1", "Z1_right"]), common_name([f"set.planet_{k}" for k in range(1, 6)])
+    ('Z1, Z1_right', 'set.planet_1 … set.planet_5')
+    """
+    return ", ".join(names) if len(names) < 4 else f"{names[0]} … {names[-1]}"
+
+
 def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True, words: int = 2) -> str:
     """HTML table from complete rows; numbers are right-aligned after the first columns with words."""
     cells = "".join(
@@ -180,6 +217,57 @@ def symbol_html(symbol: str) -> str:
     return text + (f"<sub>{escape(index.strip(chr(0)))}</sub>" if index else "")
 
 
+def key_html(key: str) -> str:
+    """Key of a model file in words, or as a symbol.
+
+    Examples
+    --------
+    >>> key_html("damping.d_out"), key_html("tip_diameter"), key_html("friction.mu")
+    ('damping d<sub>out</sub>', 'tip diameter', 'friction µ')
+    """
+    return " ".join(_word_html(word) for word in key.split("."))
+
+
+def value_html(value: str) -> str:
+    """Value of a key with printed units; symbols and words as in `key_html`.
+
+    Examples
+    --------
+    >>> value_html("20 deg"), value_html("generalized_alpha"), value_html("d_in")
+    ('20°', 'generalized alpha', 'd<sub>in</sub>')
+    """
+    return " ".join(_word_html(word) for word in printed(value).split(" "))
+
+
+def text_html(text: str) -> str:
+    """Sentence with symbols of the nomenclature and units as printed.
+
+    Examples
+    --------
+    >>> text_html("limit about 0.1 m_n, stage_1 >= 2 mm^2")
+    'limit about 0.1 m<sub>n</sub>, stage_1 ≥ 2 mm²'
+    """
+    return re.sub(r"\b[A-Za-z]{1,5}_[A-Za-z0-9]{1,5}\b", _symbol, escape(printed(text)))
+
+
+def _symbol(found: re.Match[str]) -> str:
+    row = table().get(found[0])
+    return symbol_html(row.symbol) if row is not None and row.symbol else found[0]
+
+
+def _word_html(word: str) -> str:
+    """Word of a model file: a symbol such as `v_eps` with its subscript, else plain words."""
+    if word in _GREEK:
+        return _GREEK[word]
+    if re.fullmatch(r"[A-Za-z]_[A-Za-z0-9]+", word):
+        letter, _, index = word.partition("_")
+        return symbol_html(f"{letter}_{_GREEK.get(index, index)}")
+    return escape(word.replace("_", " "))
+
+
+_GREEK = {"mu": "µ", "eps": "ε", "alpha": "α", "beta": "β", "zeta": "ζ", "nu": "ν"}
+
+
 def _group(key: str) -> tuple[str, str]:
     """Key of rows with a common unit: letter and dimension of a quantity."""
     return key.partition("_")[0], _entry(key).dimension or "dimensionless"
@@ -196,4 +284,11 @@ def _entry(key: str) -> Entry:
 def _cell(value: Any, kind: str, unit: str) -> str:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return "–" if value is None else escape(str(value))
-    return number(value if kind == "dimensionless" else in_unit(float(value), kind, unit), 6)
+    if isinstance(value, int):
+        return number(value)
+    shown = float(value) if kind == "dimensionless" else in_unit(float(value), kind, unit)
+    if kind not in ("length", "angle", "dimensionless") or not 1e-3 <= abs(shown) < 1e5:
+        return number(shown, 4)
+    # as on drawings: a thousandth of a millimetre or degree; coefficients have one decimal more
+    text = f"{shown:.{4 if kind == 'dimensionless' else 3}f}".rstrip("0").rstrip(".")
+    return text.replace("-", "−")

@@ -209,7 +209,7 @@ def test_rolls_of_large_machines_have_fewer_points_and_the_page_says_which(monke
     assert counts[1] == {"first": 80 + 2, "second": 96 + 2}
     assert [n for n in said if n not in notes] == [
         "Slow rolls have at most 240 points instead of 960, because the machine has more than 1 coordinates: "
-        "first. A scenario with quasi_static sets its own number."
+        "first. A scenario with a slow roll sets its own number."
     ]
     assert told == sorted(told) and told[-1] == (4.0, 4), "two rolls, matrices, Campbell diagram"
 
@@ -220,7 +220,7 @@ def test_of_many_meshes_only_the_first_ones_are_rolled_and_the_page_says_so(monk
     assert found.mesh_cycles["first"].errors and not found.mesh_cycles["second"].errors
     assert (
         "Slow rolls of 2 meshes would take too long: the first 1 are computed. "
-        "Use a scenario with quasi_static for the others."
+        "Use a scenario with a slow roll for the others."
     ) in notes
 
 

@@ -242,3 +242,18 @@ def test_a_model_without_shapes_says_so() -> None:
     alone = scene_part(loads_model(f"gears:\n  a: {{{gear}}}\n"), {})
     assert alone.scene is None
     assert "There is no scene" in alone.words
+
+
+def test_variants_share_their_pictures(file: Path, tmp_path: Path) -> None:
+    """Two torques of one scenario: the legend has what differs, and the result names it."""
+    runs = [str(tmp_path / f"{torque}.h5") for torque in (100, 200)]
+    for torque, run in zip((100, 200), runs, strict=True):
+        changed = ["--set", f"loads.output.torque={torque} N m", "--set", f"loads.input.torque={torque} N m"]
+        assert run_command(["run", str(file), "-s", "steady", "-q", "-o", run, *changed]) == 0
+    text = pp.write_report(file, tmp_path / "pair.html", *runs).read_text(encoding="utf-8")
+    section = text[text.index('<section id="comparison"') : text.index('<section id="scene"')]
+    for torque in (100, 200):
+        assert f'"name":"input torque {torque} N m, output torque {torque} N m"' in section
+        assert f"steady: input torque {torque} N m, output torque {torque} N m</th>" in text
+    assert "mesh force, stage [" in section
+    assert ".h5 was computed with a different version" not in text

@@ -137,7 +137,8 @@ def test_lines_that_overlap_share_an_axis_and_are_named_above_it() -> None:
 
 
 def test_names_of_many_lines_have_room_above_them() -> None:
-    many = [Channel(f"displacement[a_long_shaft_{k}.rx]", np.sin(300 * TIME + k), "rad") for k in range(8)]
+    names = [f"displacement[a_shaft_with_a_long_name_{k}.rx]" for k in range(8)]
+    many = [Channel(name, np.sin(300 * TIME + k), "rad") for k, name in enumerate(names)]
     figure = plot_signals(TIME, many)
     (head,) = figure.layout.annotations
     lines = head.text.count("<br>") + 1

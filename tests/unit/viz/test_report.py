@@ -79,8 +79,8 @@ def text(model: ReportModel, results: ReportResults) -> str:
 
 def test_report_has_every_section(text: str) -> None:
     page = Page(text)
-    first, last = "summary scene power gears drawing cycle modes campbell sweep", "extremes provenance notes"
-    assert page.sections == [*first.split(), "cases", "time", "spectra", *last.split()]
+    first = "summary scene power time sweep cases spectra campbell modes cycle gears drawing"
+    assert page.sections == [*first.split(), "extremes", "provenance", "notes"]
     assert page.headings[0] == "Pair <50/50> & its resonance"
     assert len(page.figures) >= 15
 
@@ -269,10 +269,18 @@ def test_maps_of_a_run_up_show_all_of_it(model: ReportModel) -> None:
 def test_the_summary_says_how_every_result_ended(text: str) -> None:
     assert '<p class="alert" role="note">run-up is not complete: failed: a force &lt;x&gt;.</p>' in text
     summary = text[text.index('id="summary"') : text.index('id="scene"')]
-    cells = [cell.rpartition(">")[2] for cell in summary.split("</td>")[:-1]]
-    assert cells[:2] == ["finished", "1000 W"]
-    assert cells[5:7] == ["failed: a force &lt;x&gt;", "–"]
-    assert "Speed sweep <b>sweep</b>: finished" in summary
+    rows = {
+        row.partition("</th>")[0].rpartition(">")[2]: [c.rpartition(">")[2] for c in row.split("</td>")[:-1]]
+        for row in summary.split('<tr><th scope="row">')[1:]
+    }
+    assert rows["status"] == ["finished", "failed: a force &lt;x&gt;"]
+    assert rows["input power"] == ["1000 W", "–"]
+    assert rows["losses"] == ["14 W", "–"]
+    # the peak is that of the points of the sweep: 40 µm at 1000 Hz over the frequency, from 1.75 kHz on
+    up, down = summary.split('<tr><th scope="row">sweep</th>')[1:]
+    assert "16.67 µm at 2400 Hz, 2880 rpm" in up and "2350 Hz" in up
+    assert "22.22 µm at 1800 Hz, 2160 rpm" in down and "0 to 40 %" in down
+    assert "2 of 3 finished" in summary
 
 
 def test_power_closes_and_is_drawn(text: str) -> None:
@@ -281,7 +289,7 @@ def test_power_closes_and_is_drawn(text: str) -> None:
     assert (flow.put_in, flow.taken_out, flow.lost, flow.remainder) == (1000.0, 984.0, 14.0, 2.0)
     assert "input 1000 W, output 984 W, losses 14 W; remainder 2 W, 0.2 % of the largest power." in text
     assert "Largest remainder of a block: 1 W, three." in text
-    section = text[text.index('<section id="power"') : text.index('<section id="gears"')]
+    section = text[text.index('<section id="power"') : text.index('<section id="time"')]
     drawn = [float(w) for w in re.findall(r"V(-?[\d.]+)", section)]
     assert section.count('class="pp-band"') == 5 == len(drawn)
     assert section.count('class="pp-block"') == 3
@@ -385,8 +393,8 @@ def extremes(sizes: dict[str, float], seen: str = "") -> str:
 
 def test_extremes_of_one_unit_share_it_and_tell_when() -> None:
     text = extremes({"deflection[a]": 9e-5, "deflection[b]": 2e-4}, seen="r")
-    assert text.count(">mm<") == 2
-    assert "−0.09<" in text
+    assert text.count(">µm<") == 2
+    assert "−90<" in text
     moments = [float(t) for t in re.findall(r'data-time="([\d.]+)"', text)]
     assert moments == pytest.approx([0.75, 0.25] * 2)
     assert "data-time" not in extremes({"deflection[a]": 9e-5})

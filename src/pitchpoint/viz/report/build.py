@@ -14,17 +14,21 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import ArrayLike
 
 from pitchpoint.viz.power_flow import PowerFlow
+from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.report import sections as parts
 from pitchpoint.viz.report.campbell import campbell_section
+from pitchpoint.viz.report.compare import compare_section
 from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
 from pitchpoint.viz.report.extremes import extreme_section
-from pitchpoint.viz.report.overview import provenance_section, scene_section, summary_section
+from pitchpoint.viz.report.overview import provenance_section, scene_section
 from pitchpoint.viz.report.page import page
 from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
+from pitchpoint.viz.report.summary import summary_section
 from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
+from pitchpoint.viz.report.time import time_section
 from pitchpoint.viz.scene.content import Scene
 
 if TYPE_CHECKING:
@@ -61,8 +65,12 @@ class ReportModel:
         Sensors, blocks, controllers and actuators: signal, type, inputs, users.
     parameters
         Parameters: name, text of the file, value, description.
-    warnings, assumptions, sources
-        Sentences for the last section.
+    warnings
+        Remarks on the model and its results, for the summary.
+    assumptions
+        Omitted keys and the values in effect, by component in words.
+    sources
+        Standards and papers.
     """
 
     title: str
@@ -80,7 +88,7 @@ class ReportModel:
     signals: Sequence[Sequence[str]] = ()
     parameters: Sequence[Sequence[str]] = ()
     warnings: Sequence[str] = ()
-    assumptions: Sequence[str] = ()
+    assumptions: Sequence[tuple[str, Sequence[tuple[str, str]]]] = ()
     sources: Sequence[str] = ()
 
 
@@ -232,6 +240,8 @@ class TimeRun:
         End of order maps and order spectra [-]; default 3.2 times the largest number of teeth, or 100.
     mesh_frequencies
         Mean mesh frequencies by mesh [Hz], marked in spectra and maps.
+    groups
+        Titles and names of the channels to be drawn, by meaning; default: the main quantities.
     note
         Sentence above the signals (status of an unfinished run).
     remarks
@@ -245,6 +255,7 @@ class TimeRun:
     note: str = ""
     remarks: Sequence[str] = ()
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
+    groups: Sequence[tuple[str, Sequence[str]]] = ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -276,6 +287,8 @@ class ReportResults:
         Power flow by name of the time response, or a sentence with the reason why there is none.
     scene
         3-D scene.
+    compared
+        Families of variants: title, and names of runs or sweeps by what distinguishes them.
     sources
         Provenance of the results.
     """
@@ -291,6 +304,7 @@ class ReportResults:
     reliefs: Mapping[str, xr.Dataset] = field(default_factory=dict)
     powers: Mapping[str, PowerFlow | str] = field(default_factory=dict)
     scene: SceneData = field(default_factory=SceneData)
+    compared: Sequence[tuple[str, Mapping[str, str]]] = ()
     sources: Sequence[SourceData] = ()
 
 
@@ -300,30 +314,32 @@ def report_html(model: ReportModel, results: ReportResults) -> str:
     teeth = [int(gear["z"]) for gear in model.gears.values() if isinstance(gear.get("z"), int)]
     highest = default_highest_order(teeth)
     seen = results.scene.run if results.scene.scene is not None else ""
+    overlaid = {name for _, members in results.compared for name in members.values()}
     sections = [
-        summary_section(model.counts, results),
+        summary_section(model.counts, results, model.warnings),
+        compare_section(results.compared, results),
         scene_section(results.scene),
         power_section(results.powers),
+        time_section(results.runs, seen, overlaid),
+        parts.sweep_section(results.sweeps),
+        case_section(results.cases),
+        spectrum_section(results.runs, highest, model.shafts, overlaid=overlaid),
+        campbell_section(results.campbells),
+        mode_section(results.modes),
+        contact_section(results.contacts),
+        relief_section(results.reliefs),
+        roll_section(results.rolls),
+        mesh_cycle_section(results.mesh_cycles),
         parts.gear_section(model.gears, model.meshes, model.flanks, model.bevels, model.inactive_faults),
         parts.drawing_section(model.pairs),
         parameter_section(model.parameters),
         signal_section(model.signals),
-        mesh_cycle_section(results.mesh_cycles),
-        roll_section(results.rolls),
-        contact_section(results.contacts),
-        relief_section(results.reliefs),
-        mode_section(results.modes),
-        campbell_section(results.campbells),
-        parts.sweep_section(results.sweeps),
-        case_section(results.cases),
-        parts.time_section(results.runs, seen),
-        spectrum_section(results.runs, highest, model.shafts),
         extreme_section(results.runs, seen),
         provenance_section(results.sources),
-        parts.notes_section(model.warnings, model.assumptions, model.sources),
+        parts.notes_section(model.assumptions, model.sources),
     ]
     footer = f"Made by pitchpoint {model.version}".rstrip()
     if model.model_hash:
         footer += f" from the model {model.model_hash}"
     alerts = [f"{s.name} is not complete: {s.sentence}." for s in results.sources if not s.finished]
-    return page(model.title, facts, sections, footer + ".", alerts)
+    return page(printed(model.title), facts, sections, footer + ".", alerts)

@@ -58,7 +58,11 @@ def _table(ranked: tuple[RankedSpeed, ...], apart: bool) -> str:
         if apart:
             known = np.isfinite(c.separation)
             cells.append(
-                "in range" if c.separation == 0.0 else f"{100.0 * c.separation:+.0f} %" if known else "–"
+                "in range"
+                if c.separation == 0.0
+                else f"{100.0 * c.separation:+.0f} %".replace("-", "−")
+                if known
+                else "–"
             )
         body = "".join(f'<td class="{"num" if k not in TEXTS else ""}">{x}</td>' for k, x in enumerate(cells))
         rows.append(f'<tr><th scope="row">{rank}</th>{body}</tr>')

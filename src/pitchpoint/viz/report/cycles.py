@@ -15,11 +15,16 @@ from pitchpoint.viz.mesh_cycle_plot import (
     plot_mesh_stiffness,
     plot_transmission_error,
 )
-from pitchpoint.viz.quantities import number, scale
+from pitchpoint.viz.quantities import channel_scale, number, scale
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.tables import common_name
 
 MAX_CYCLES = 4
 """Maximum number of stiffness cycles in a plot."""
+CONSTANT = 1e-9
+"""Relative variation of a constant stiffness."""
+SAME = 0.02
+"""Difference of two curves over their variation that is within the width of a line."""
 ROUND_OFF_WAY = 1e-6
 """Travel before contact at mid-face that counts as round-off [base pitches]: zero for spur gears."""
 
@@ -27,11 +32,18 @@ ROUND_OFF_WAY = 1e-6
 def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
     """Section with stiffness and transmission error over the mesh cycle."""
     section = Section("cycle", "Mesh cycle")
-    for mesh, cycle in cycles.items():
+    for meshes, cycle in _distinct(cycles):
+        mesh = common_name(meshes)
         section.add(f"<h3>{escape(mesh)}</h3>" if len(cycles) > 1 else "")
         if cycle.stiffness is not None:
             _add_stiffness(section, mesh, cycle)
-        if cycle.errors:
+        if cycle.errors and all(float(np.ptp(e)) <= ROUND_OFF for e in cycle.errors.values()):
+            micrometres = channel_scale("transmission_error", "m", np.zeros(1))
+            means = ", ".join(
+                f"{micrometres.text(float(np.mean(e)))} {name}" for name, e in cycle.errors.items()
+            )
+            section.add(f"<p>The quasi-static transmission error is constant: {escape(means)}.</p>")
+        elif cycle.errors:
             drawn = plot_transmission_error(cycle.error_phase, cycle.errors, cycles=_drawn_cycles(cycle))
             words = f"Quasi-static transmission error along the line of action over {_words(cycle)}."
             section.add_figure(drawn, words, name=f"transmission_error[{mesh}]")
@@ -44,8 +56,47 @@ def mesh_cycle_section(cycles: Mapping[str, Any]) -> Section:
     return section
 
 
+def _distinct(cycles: Mapping[str, Any]) -> list[tuple[list[str], Any]]:
+    """Cycles with the names of all meshes that have the same curves."""
+    found: list[tuple[list[str], Any]] = []
+    for mesh, cycle in cycles.items():
+        for names, other in found:
+            if _same(cycle, other):
+                names.append(mesh)
+                break
+        else:
+            found.append(([mesh], cycle))
+    return found
+
+
+def _same(one: Any, other: Any) -> bool:
+    """Whether two cycles have the same stiffness, load share and, about their means, errors."""
+    if (one.stiffness is None) != (other.stiffness is None) or one.cycles != other.cycles:
+        return False
+    if one.stiffness is not None and one.stiffness_unit != other.stiffness_unit:
+        return False
+    pairs = [(one.share, other.share), (one.loaded_ratio, other.loaded_ratio)]
+    if one.stiffness is not None:
+        pairs.append((one.stiffness.stiffness_ratio, other.stiffness.stiffness_ratio))
+    if len(one.errors) != len(other.errors):
+        return False
+    pairs += list(zip(one.errors.values(), other.errors.values(), strict=True))
+    return all(_close(np.asarray(a, float), np.asarray(b, float)) for a, b in pairs)
+
+
+def _close(a: Any, b: Any) -> bool:
+    """Whether two curves have the same shape within the width of a line."""
+    if a.shape != b.shape or not a.size:
+        return bool(a.shape == b.shape)
+    width = max(float(np.ptp(a)), float(np.ptp(b)))
+    return bool(np.abs((a - a.mean()) - (b - b.mean())).max() <= SAME * width + ROUND_OFF)
+
+
 def _add_stiffness(section: Section, mesh: str, cycle: Any) -> None:
     s = cycle.stiffness
+    if not np.size(cycle.loaded_ratio) and float(s.maximum - s.minimum) <= CONSTANT * abs(float(s.mean)):
+        section.add("<p>The mesh stiffness is constant over the mesh cycle.</p>")
+        return
     loaded = (cycle.error_phase, cycle.loaded_ratio) if np.size(cycle.loaded_ratio) else None
     count = min(_drawn_cycles(cycle), MAX_CYCLES) if loaded else 2
     caption = (

@@ -45,7 +45,14 @@ class Section:
             self.parts.append(html)
 
     def add_figure(
-        self, figure: go.Figure, caption: str = "", *, name: str = "", beside: go.Figure | None = None
+        self,
+        figure: go.Figure,
+        caption: str = "",
+        *,
+        name: str = "",
+        beside: go.Figure | None = None,
+        beside_caption: str = "The last periods, magnified.",
+        beside_name: str = "",
     ) -> None:
         """Append a plot, or two next to each other; plots without data are omitted.
 
@@ -57,7 +64,8 @@ class Section:
         self.figures[next(n for n in known if n not in self.figures)] = figure
         html = figure_html(figure, caption)
         if beside is not None:
-            end = figure_html(beside, "The last periods, magnified.")
+            self.figures |= {beside_name: beside} if beside_name else {}
+            end = figure_html(beside, beside_caption)
             html = f'<div class="pair">{html}{end}</div>'
         self.parts.append(html)
 

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from html import escape
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +17,7 @@ from pitchpoint.analysis.time_frequency import time_frequency_map
 from pitchpoint.viz import spectrum_plots
 from pitchpoint.viz.quantities import Array, Channel, channels
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.report.time import distinct
 from pitchpoint.viz.run_record import (
     MAP_TURNS,
     ORDER_TURNS,
@@ -28,9 +30,17 @@ from pitchpoint.viz.run_record import (
     uniform,
 )
 from pitchpoint.viz.spectrum_plots import Shafts
+from pitchpoint.viz.tables import common_name
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
 
 QUANTITIES = ("deflection", "mesh_force")
 MAX_CHANNELS = 8
+HARMONICS = 12.5
+"""End of a frequency axis in mesh frequencies."""
+EQUAL = 5e-3
+"""Relative difference of two mesh frequencies that is invisible in a spectrum."""
 
 
 def spectrum_section(
@@ -38,6 +48,7 @@ def spectrum_section(
     highest_order: float,
     shafts: Mapping[str, str] | None = None,
     wanted: Sequence[str] = (),
+    overlaid: Collection[str] = (),
 ) -> Section:
     """Section with spectra and orders of steady runs, and maps of run-ups.
 
@@ -51,6 +62,8 @@ def spectrum_section(
         Body of gear 1 by name of the mesh: reference of the orders of its channels.
     wanted
         Channels; default: deflections and mesh forces.
+    overlaid
+        Runs with spectra in a common picture, which are omitted here if their speed is steady.
     """
     section = Section("spectra", "Spectra and orders")
     for name, run in runs.items():
@@ -59,10 +72,19 @@ def spectrum_section(
         picked = [found[n] for n in wanted if n in found] if wanted else picked
         if time.size < 64 or not picked:
             continue
-        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
         window = settled_part(time, run.settle_time)
+        if name in overlaid and not changes_speed(time[window], turning_angle(run, found), window):
+            continue
+        section.add(f"<h3>{escape(name)}</h3>" if len(runs) > 1 else "")
+        run = replace(run, mesh_frequencies=_merged(run.mesh_frequencies))
         orders = run.highest_order or highest_order
-        for channel in picked[:MAX_CHANNELS]:
+        kinds = dict.fromkeys(c.quantity for c in picked)
+        parts = [distinct([c for c in picked if c.quantity == q]) for q in kinds]
+        if sum(len(drawn) for drawn, _ in parts) > MAX_CHANNELS:
+            parts = parts[-1:]  # of many meshes, the forces
+        words = dict.fromkeys(sentence for _, own in parts for sentence in own)
+        section.add(f"<p>{escape(' '.join(words))}</p>" if words else "")
+        for channel in [c for drawn, _ in parts for c in drawn]:
             signal = Channel(channel.name, channel.values[window], channel.unit, channel.long_name)
             angle = turning_angle(run, found, (shafts or {}).get(owner(channel), ""))
             if angle is None:
@@ -77,9 +99,20 @@ def spectrum_section(
                 whole = Channel(channel.name, channel.values[part], channel.unit, channel.long_name)
                 _add_maps(section, whole, time[part], angle.values[part], orders, named)
             else:
-                _add_spectrum(section, signal, time[window], run.mesh_frequencies)
-                _add_order_spectrum(section, signal, turns, orders, named)
+                by_order = _order_spectrum(section, signal, turns, orders, named)
+                _add_spectrum(section, signal, time[window], run.mesh_frequencies, by_order)
     return section
+
+
+def _merged(frequencies: Mapping[str, float]) -> dict[str, float]:
+    """Mesh frequencies; equal ones, up to the speed ripple of a run, under one name."""
+    found: list[tuple[list[str], float]] = []
+    for mesh, frequency in sorted(frequencies.items(), key=lambda item: item[1]):
+        if found and frequency <= (1.0 + EQUAL) * found[-1][1]:
+            found[-1][0].append(mesh)
+        else:
+            found.append(([mesh], frequency))
+    return {common_name(names): frequency for names, frequency in found}
 
 
 def default_highest_order(teeth: Sequence[int]) -> float:
@@ -104,27 +137,39 @@ def _mesh_orders(run: Any, time: Array, angle: Array) -> dict[str, float]:
     return {mesh: frequency / turns_per_second for mesh, frequency in run.mesh_frequencies.items()}
 
 
-def _add_spectrum(section: Section, channel: Channel, time: Array, meshes: Mapping[str, float]) -> None:
+def _add_spectrum(
+    section: Section,
+    channel: Channel,
+    time: Array,
+    meshes: Mapping[str, float],
+    beside: go.Figure | None = None,
+) -> None:
     values, rate = uniform(time, channel.values)
     spectrum = {channel.label: amplitude_spectrum(values, rate)}
-    drawn = spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes)
-    section.add_figure(drawn, name=f"spectrum[{channel.name}]")
+    # jumps of the stiffness excite all frequencies; those of gears end with a few harmonics of the meshes
+    limit = min(HARMONICS * max(meshes.values()), 0.5 * rate) if meshes else None
+    last = min(limit, spectrum_plots.last_peak(spectrum[channel.label])) if limit else None
+    drawn = spectrum_plots.plot_spectrum(spectrum, unit=channel.unit, meshes=meshes, highest=last)
+    section.add_figure(
+        drawn,
+        name=f"spectrum[{channel.name}]",
+        beside=beside,
+        beside_caption="The same over orders.",
+        beside_name=f"order_spectrum[{channel.name}]",
+    )
 
 
-def _add_order_spectrum(
+def _order_spectrum(
     section: Section, channel: Channel, angle: Array, highest: float, shafts: Shafts
-) -> None:
+) -> go.Figure | None:
     name = channel.label
     try:
         _long_enough(angle, ORDER_TURNS)
         spectrum = tracked_spectrum(channel.values, angle, highest_order=highest)
     except SignalError as reason:
         section.add(f"<p>No order spectrum of {escape(name)}: {escape(str(reason))}.</p>")
-        return
-    section.add_figure(
-        spectrum_plots.plot_spectrum({name: spectrum}, unit=channel.unit, over="order", shafts=shafts),
-        name=f"order_spectrum[{channel.name}]",
-    )
+        return None
+    return spectrum_plots.plot_spectrum({name: spectrum}, unit=channel.unit, over="order", shafts=shafts)
 
 
 def _add_maps(

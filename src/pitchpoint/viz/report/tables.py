@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
 MAX_ROWS = 100
-MAX_MODES = 40
+MAX_MODES = 20
 QUANTITIES = (("deflection", "rms"), ("mesh_force", "max"))
 WORDS = {"rms": "rms (alternating)", "max": "maximum"}
 

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Table of contact times of the flanks: flank in work, contact loss, back contact, impacts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from html import escape
+
+import numpy as np
+
+from pitchpoint.analysis.statistics import ContactStatistics, contact_statistics
+from pitchpoint.viz.quantities import Array, Channel, amount
+from pitchpoint.viz.tables import plain_table
+
+
+def contact_table(
+    time: Array, states: Mapping[str, Array], found: Mapping[str, Channel], settled: np.ndarray
+) -> str:
+    """HTML table of flank in work, contact loss, back contact and impacts per mesh; empty without meshes.
+
+    Parameters
+    ----------
+    time
+        Times of the window of the statistics [s], shape (n,).
+    states
+        Contact states in the window by mesh.
+    found
+        Channels by name.
+    settled
+        Samples of the window in the record, bool.
+    """
+    body = []
+    for mesh, state in states.items():
+        force = found.get(f"mesh_force[{mesh}]")
+        c = contact_statistics(time, state, None if force is None else force.values[settled])
+        peaks = [i.peak for i in c.impacts if i.peak is not None]
+        counted = found[f"contact_state[{mesh}]"].contact
+        if counted is not None:  # at all steps, not at the stored samples
+            cells: tuple[str, ...] = _counted_cells(counted, amount(max(peaks), "N") if peaks else "–")
+        else:
+            cells = _sampled_cells(c, peaks)
+        body.append(
+            f'<tr><th scope="row">{escape(mesh)}</th><td>{working_flank(state)}</td>'
+            + "".join(f'<td class="num">{x}</td>' for x in cells)
+            + "</tr>"
+        )
+    impacts = ("impacts", "largest impact", "closing speed", "impulse", "rattle index")
+    head = ("mesh", "flank in work", "contact loss", "back contact", "longest loss", *impacts)
+    return plain_table(head, body) if body else ""
+
+
+def _counted_cells(counted: Mapping[str, float], largest: str) -> tuple[str, ...]:
+    """Cells of a mesh from the numbers of all steps, and its largest force after an impact."""
+    impacts = int(counted["front_impacts"] + counted["back_impacts"])
+    index = counted["rattle_index"]
+    return (
+        f"{100.0 * counted['contact_loss_share']:.3g} %",
+        f"{100.0 * counted['back_contact_share']:.3g} %",
+        amount(counted["longest_loss"], "s") if counted["longest_loss"] > 0.0 else "–",
+        str(impacts),
+        largest,
+        f"{1e3 * counted['closing_speed_max']:.4g} mm/s" if impacts else "–",
+        f"{counted['impulse_max']:.4g} N s" if impacts else "–",
+        f"{index:.3g}" if np.isfinite(index) else "–",
+    )
+
+
+def _sampled_cells(c: ContactStatistics, peaks: list[float]) -> tuple[str, ...]:
+    """Cells of a mesh from the stored samples."""
+    return (
+        f"{100.0 * c.loss_share:.3g} %",
+        f"{100.0 * c.back_contact_share:.3g} %",
+        amount(c.longest_loss, "s") if c.separations else "–",
+        str(len(c.impacts)),
+        amount(max(peaks), "N") if peaks else "–",
+        *("–" for _ in range(3)),
+    )
+
+
+def working_flank(state: Array) -> str:
+    """Flank in work over a record of contact states, in words.
+
+    Examples
+    --------
+    >>> [working_flank(np.array(s)) for s in ([1, 1], [-1, -1, 0], [1, -1, 0], [0, 0], [2, 2])]
+    ['front', 'works on back flank', 'both, alternating', 'no contact', 'both at once']
+    """
+    codes = np.rint(state)
+    front, back, both = (bool(np.any(codes == k)) for k in (1, -1, 2))
+    if front and back:
+        share = float(np.mean(codes == -1)) / float(np.mean(np.abs(codes) == 1))
+        return "works on back flank" if share > 0.9 else "front" if share < 0.1 else "both, alternating"
+    if front or back:
+        return "works on back flank" if back else "front"
+    return "both at once" if both else "no contact"

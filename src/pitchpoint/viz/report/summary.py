@@ -1,0 +1,285 @@
+# SPDX-License-Identifier: Apache-2.0
+"""First section of a report: status and main numbers of every result, remarks, components of the model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from pitchpoint.analysis.campbell_ranking import ranked_speeds
+from pitchpoint.analysis.statistics import contact_statistics
+from pitchpoint.core.status import OK
+from pitchpoint.viz.power_flow import OUTSIDE, PowerFlow, PowerLink
+from pitchpoint.viz.quantities import (
+    Array,
+    Channel,
+    amount,
+    channel_label,
+    channel_scale,
+    channels,
+    number,
+    window_words,
+)
+from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
+from pitchpoint.viz.report.contact_times import working_flank
+from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.run_record import owner, settled_part
+from pitchpoint.viz.tables import plain_table, text_html
+
+MAX_RUNS = 4
+"""Runs next to each other in one table; more continue in another table."""
+MAX_ENDS = 4
+"""Inputs or outputs named for one run."""
+NO_POWER = 1e-4
+"""Power relative to the largest one below which an element does not count as input or output."""
+CASE_RESULTS = (("mesh_force", "max", "maximum"), ("deflection", "rms", "rms (alternating)"))
+
+
+def summary_section(counts: Sequence[tuple[str, str]], results: Any, warnings: Sequence[str] = ()) -> Section:
+    """Section with main numbers of all results, remarks, and the components of the model.
+
+    Parameters
+    ----------
+    counts
+        Number and names of the components.
+    results
+        `ReportResults`.
+    warnings
+        Remarks on the model and its results.
+    """
+    section = Section("summary", "Summary")
+    states = {source.name: "finished" if source.finished else source.sentence for source in results.sources}
+    columns = {name: _run(name, run, states.get(name, ""), results) for name, run in results.runs.items()}
+    names = list(columns)
+    for k in range(0, len(names), MAX_RUNS):
+        section.add(_side_by_side("time response", {name: columns[name] for name in names[k : k + MAX_RUNS]}))
+    section.add(_sweeps(results.sweeps, states))
+    section.add(_cases(results.cases, states))
+    shown = {*results.runs, *results.sweeps, *results.cases}
+    items = "".join(
+        f"<li>{escape(source.kind[:1].upper() + source.kind[1:])} <b>{escape(source.name)}</b>: "
+        f"{escape(states[source.name])}</li>"
+        for source in results.sources
+        if source.name not in shown
+    )
+    items += "".join(f"<li>{escape(words)}</li>" for words in _critical(results.campbells))
+    section.add(f'<ul class="notes">{items}</ul>' if items else "")
+    listed = "".join(f"<li>{text_html(line)}</li>" for line in warnings)
+    section.add(f'<h3>Remarks</h3><ul class="notes warnings">{listed}</ul>' if listed else "")
+    known = facts_list(counts)
+    section.add(f"<h3>Model</h3>{known}" if known else "")
+    return section
+
+
+def facts_list(rows: Sequence[tuple[str, str]]) -> str:
+    """Definition list in columns."""
+    items = "".join(f"<div><dt>{escape(key)}</dt><dd>{escape(text)}</dd></div>" for key, text in rows)
+    return f'<dl class="known">{items}</dl>' if items else ""
+
+
+def _side_by_side(head: str, columns: Mapping[str, Mapping[str, str]]) -> str:
+    """Table with one column per result; rows without any entry are omitted."""
+    keys = list(dict.fromkeys(key for column in columns.values() for key in column))
+    body = []
+    for key in keys:
+        cells = [column.get(key, "") for column in columns.values()]
+        if any(cells):
+            body.append(f'<tr><th scope="row">{escape(key)}</th>{_cells(cells)}</tr>')
+    return plain_table((head, *columns), body, numbers=False)
+
+
+def _cells(cells: Sequence[str]) -> str:
+    return "".join(f"<td>{cell or '–'}</td>" for cell in cells)
+
+
+def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
+    """Main numbers of one time response, by their names; HTML."""
+    time, found = channels(run.data)
+    if time.size < 2:
+        return {"status": escape(state)}
+    window = settled_part(time, run.settle_time)
+    flow = results.powers.get(name)
+    begin, end = (float(t) for t in time[window][[0, -1]])
+    row = {"status": escape(state), "window": escape(window_words(begin, end))}
+    if isinstance(flow, PowerFlow):
+        row["input"] = _ends(flow, [link for link in flow.links if link.start == OUTSIDE], starts=True)
+        row["output"] = _ends(flow, [link for link in flow.links if link.end == OUTSIDE], starts=False)
+        row["input power"] = amount(flow.put_in, "W") if flow.put_in else ""
+        row["losses"] = amount(flow.lost, "W") if flow.lost else ""
+    row["maximum mesh force"] = _largest(
+        found, "mesh_force", window, lambda low, high: max(abs(low), abs(high))
+    )
+    row["transmission error, p–p"] = _largest(
+        found, "transmission_error", window, lambda low, high: _without_noise(high - low, low, high)
+    )
+    row |= _contact(found, time, window)
+    forces = bearing_forces(time, with_resultants(found), window)
+    for key, size in (("radial", "maximum"), ("axial", "axial_maximum")):
+        sizes = {bearing: getattr(force, size) for bearing, force in forces.items()}
+        top = max(sizes, key=lambda b: sizes[b], default="")
+        if top and sizes[top] > 1e-6 * max(force.maximum for force in forces.values()):
+            row[f"maximum {key} bearing force"] = f"{amount(sizes[top], 'N')}, {escape(top)}"
+    return row
+
+
+def _ends(flow: PowerFlow, links: Sequence[PowerLink], *, starts: bool) -> str:
+    """Speed, torque and power of each input or output."""
+    rows = []
+    powers = {link.name: link.given if starts else link.taken for link in links}
+    # elements against ground transmit torques without power
+    links = [link for link in links if powers[link.name] > NO_POWER * max(powers.values(), default=0.0)]
+    for link in links[:MAX_ENDS]:
+        speed = flow.blocks[link.end if starts else link.start].speed
+        power = link.given if starts else link.taken
+        torque = f", {amount(power / abs(speed), 'N m')}" if abs(speed) > 0.0 else ""
+        rows.append(f"{escape(link.name)}: {amount(speed, 'rad/s')}{torque}, {amount(power, 'W')}")
+    rows += [f"{len(links) - MAX_ENDS} more"] if len(links) > MAX_ENDS else []
+    return "<br>".join(rows)
+
+
+def _without_noise(size: float, low: float, high: float) -> float:
+    """Peak to peak value; round-off of a constant is zero."""
+    return size if size > 1e-7 * max(abs(low), abs(high)) else 0.0
+
+
+def _largest(
+    found: Mapping[str, Channel], quantity: str, window: np.ndarray, size: Callable[[float, float], float]
+) -> str:
+    """Largest value of a quantity over all meshes, with the name of the mesh."""
+    sizes = {}
+    for channel in found.values():
+        if channel.quantity != quantity or not np.all(np.isfinite(channel.values)) or not window.any():
+            continue
+        low, high = float(channel.values[window].min()), float(channel.values[window].max())
+        known = channel.statistics or {"min": low, "max": high}
+        sizes[owner(channel)] = size(min(low, known["min"]), max(high, known["max"]))
+    if not sizes:
+        return ""
+    name = max(sizes, key=lambda key: sizes[key])
+    unit = next(c.unit for c in found.values() if c.quantity == quantity)
+    text = channel_scale(quantity, unit, np.array([sizes[name]])).text(sizes[name])
+    return text + (f", {escape(name)}" if len(sizes) > 1 else "")
+
+
+def _contact(found: Mapping[str, Channel], time: Array, window: np.ndarray) -> dict[str, str]:
+    """Largest contact loss, and the flank in work of every mesh."""
+    states = {owner(c): c for c in found.values() if c.quantity == "contact_state"}
+    if not states or window.sum() < 2:
+        return {}
+    shares = {}
+    for name, channel in states.items():
+        counted = channel.contact
+        values = channel.values[window]
+        shares[name] = (
+            contact_statistics(time[window], values).loss_share
+            if counted is None
+            else counted["contact_loss_share"]
+        )
+    most = max(shares, key=lambda key: shares[key])
+    loss = f"{100.0 * shares[most]:.3g} %" + (f", {escape(most)}" if len(shares) > 1 and shares[most] else "")
+    flanks: dict[str, list[str]] = {}
+    for name, channel in states.items():
+        flanks.setdefault(working_flank(channel.values[window]), []).append(name)
+    words = [
+        f"{escape(', '.join(names))}: {flank}" if len(states) > 1 and len(flanks) > 1 else flank
+        for flank, names in flanks.items()
+    ]
+    return {"maximum contact loss": loss, "flank in work": "<br>".join(words)}
+
+
+def _sweeps(sweeps: Mapping[str, Mapping[str, Any]], states: Mapping[str, str]) -> str:
+    """Table of sweeps: peak of the response with its place, jumps, range of the contact loss."""
+    body = []
+    for name, sweep in sweeps.items():
+        points, jumps = sweep.get("points", ()), sweep.get("jumps", ())
+        for direction in dict.fromkeys(str(p["direction"]) for p in points):
+            own = [p for p in points if p["direction"] == direction]
+            losses = [float(p["contact_loss_share"]) for p in own if p.get("contact_loss_share") is not None]
+            places = [float(j["mesh_frequency"]) for j in jumps if j["direction"] == direction]
+            cells = [
+                escape(direction),
+                escape(states.get(name, "")),
+                _peak(own, "deflection", "rms", "m"),
+                _peak(own, "mesh_force", "max", "N"),
+                ", ".join(amount(f, "Hz") for f in places) or "none",
+                _range([100.0 * x for x in losses], "%") if losses else "–",
+            ]
+            body.append(f'<tr><th scope="row">{escape(name)}</th>{_cells(cells)}</tr>')
+    head = ("speed sweep", "direction", "status", "peak of deflection, rms", "peak of mesh force")
+    return plain_table((*head, "jumps at", "contact loss"), body, numbers=False) if body else ""
+
+
+def _peak(points: Sequence[Mapping[str, Any]], quantity: str, statistic: str, unit: str) -> str:
+    """Largest value along a sweep with its mesh frequency and speed."""
+    known = [p for p in points if p.get(quantity) and np.isfinite(float(p[quantity][statistic]))]
+    if not known:
+        return "–"
+    top = max(known, key=lambda p: float(p[quantity][statistic]))
+    speed = f", {amount(float(top['speed']), 'rad/s')}" if top.get("speed") is not None else ""
+    peak = float(top[quantity][statistic])
+    shown = channel_scale(quantity, unit, np.array([peak]))
+    return f"{shown.text(peak)} at {amount(float(top['mesh_frequency']), 'Hz')}{speed}"
+
+
+def _range(values: Sequence[float], unit: str) -> str:
+    low, high = (number(v, 3) for v in (min(values), max(values)))
+    return f"{low} {unit}" if low == high else f"{low} to {high} {unit}"
+
+
+def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
+    """Table of case tables: number of cases, varied values, ranges of the main results."""
+    body = []
+    for name, table in tables.items():
+        if not table.cases:
+            continue
+        fine = [case for case in table.cases if case["status"] == OK]
+        varied = dict.fromkeys(path for case in table.cases for path in case["values"])
+        ranges = []
+        for quantity, statistic, words in CASE_RESULTS:
+            for channel in dict.fromkeys(c for case in fine for c in case["channels"]):
+                if channel.partition("[")[0] != quantity:
+                    continue
+                rows = [case["channels"][channel] for case in fine if channel in case["channels"]]
+                values = [float(r[statistic]) for r in rows if np.isfinite(float(r[statistic]))]
+                if values:
+                    shown = channel_scale(channel, rows[0]["unit"], np.array(values))
+                    text = _range([v * shown.factor for v in values], shown.unit)
+                    ranges.append(f"{escape(channel_label(channel))}, {words}: {text}")
+        cells = [
+            escape(states.get(name, "")),
+            f"{len(fine)} of {len(table.cases)} finished",
+            escape(", ".join(path.replace("_", " ").replace(".", " ") for path in varied)),
+            "<br>".join(ranges[:MAX_ENDS]),
+        ]
+        body.append(f'<tr><th scope="row">{escape(name)}</th>{_cells(cells)}</tr>')
+    head = ("cases", "status", "number", "varied", "range of results")
+    return plain_table(head, body, numbers=False) if body else ""
+
+
+def _critical(diagrams: Mapping[str, Any]) -> list[str]:
+    """Critical speed nearest to the operating speed, in words, per Campbell diagram that has one."""
+    found = []
+    for name, data in diagrams.items():
+        if "crossing_separation" not in data or not data["frequency"].size:
+            continue
+        known = [c for c in ranked_speeds(data) if np.isfinite(c.separation) and c.amplification >= 1.0]
+        of = f" of {name}" if name else ""
+        if not known:
+            found.append(f"No critical speed{of} with an amplification above 1 in the Campbell diagram.")
+            continue
+        near = min(known, key=lambda c: abs(c.separation))
+        where = (
+            "within the operating range"
+            if near.separation == 0.0
+            else f"{number(abs(100.0 * near.separation), 2)} % "
+            f"{'above' if near.separation > 0.0 else 'below'} the operating speed"
+        )
+        found.append(
+            f"Nearest critical speed{of}: {amount(near.speed, 'rad/s')}, {where} "
+            f"({near.order}, {near.mode}, amplification "
+            f"{number(near.amplification, 3) if np.isfinite(near.amplification) else 'without limit'})."
+        )
+    return found
