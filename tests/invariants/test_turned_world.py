@@ -185,9 +185,24 @@ def same(found, expected, size=None, share=REST):
 def channels_agree(system, found, expected, share):
     """Rows of observations, each against the largest value of its kind."""
     kinds = [c.name.split("[")[0] + c.unit for c in system.layout.channels]
+    found, expected = directions_compared(system, found, np.asarray(expected))
     for kind in dict.fromkeys(kinds):
         columns = [k for k, other in enumerate(kinds) if other == kind]
-        same(found[..., columns], np.asarray(expected)[..., columns], share=share)
+        same(found[..., columns], expected[..., columns], share=share)
+
+
+def directions_compared(system, found, expected):
+    """Differences of directions within half a turn, weighted with the force: a small force has none."""
+    names = [c.name for c in system.layout.channels]
+    radial = {n: k for k, n in enumerate(names) if n.endswith(".radial]")}
+    largest = max((np.abs(expected[..., k]).max() for k in radial.values()), default=0.0)
+    found = found.copy()
+    for k, name in enumerate(names):
+        if name.endswith(".direction]"):
+            force = expected[..., radial[name.replace(".direction]", ".radial]")]]
+            turned = (found[..., k] - expected[..., k] + np.pi) % (2.0 * np.pi) - np.pi
+            found[..., k] = expected[..., k] + turned * force / (largest or 1.0)
+    return found, expected
 
 
 ROTATIONS = {"x": ALONG_X, "tilted": TILTED, "nearly": NEARLY}

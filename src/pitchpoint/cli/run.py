@@ -31,6 +31,7 @@ NOT_BEGUN: dict[str, Any] = {
     "window": None,
     "events": 0,
     "channels": {},
+    "planet_loads": {},
 }
 """Parts of the summary that are empty if a run fails before its first step."""
 

@@ -81,6 +81,7 @@ def load_user_law(
     *,
     allow_code: bool,
     parameters: Sequence[float] = (),
+    appended: int = 0,
     where: str = "law",
 ) -> UserLaw:
     """Load a law from a Python file.
@@ -95,6 +96,8 @@ def load_user_law(
         False: nothing is imported, and a ModelError states how to permit it.
     parameters
         Parameters of the law.
+    appended
+        Number of values that the element appends to them, such as the rate of a spring.
     where
         Path of the key in the model, for messages.
 
@@ -105,7 +108,8 @@ def load_user_law(
     """
     function = load_function(reference, folder, ("t", "x", "p"), allow_code=allow_code, where=where)
     law = UserLaw(function, np.ascontiguousarray(parameters, dtype=np.float64), reference)
-    if not hasattr(function, "address") and law.diagnose(0.0, 0.0).startswith(
+    trial = UserLaw(function, np.append(law.parameters, np.zeros(appended)), reference)
+    if not hasattr(function, "address") and trial.diagnose(0.0, 0.0).startswith(
         f"{reference} raised IndexError"
     ):
         # compiled laws do not check their indices: a missing parameter would be whatever follows in memory

@@ -27,6 +27,8 @@ TIME = "t"
 LAW_ARGUMENTS = ("t", "x", "p")
 CONTROLLER_ARGUMENTS = ("t", "inputs", "state", "parameters")
 """Arguments of the functions of blocks and controllers."""
+APPENDED = {"springs": 1, "torsion_springs": 1}
+"""Numbers that follow the parameters of a Python law, by section: the rate of a spring."""
 
 
 def made(machine: Any) -> Iterator[tuple[str, Place]]:

@@ -215,7 +215,9 @@ def rotations(system: System, spins: Sequence[int]) -> Array:
     turning = {s: column for column, s in enumerate(spins) if free.moves(s)}
     for group, held in _by_train(free, [*turning, *_beside(free, [*turning], free.group_of)]).items():
         own, basis = free.groups[group]
-        inverse = np.linalg.inv(np.array([free.row(h) for h in held]))
+        rows = np.array([free.row(h) for h in held])
+        # kinds of other packages may link held spins, which then determine each other
+        inverse = np.linalg.inv(rows) if rows.shape[0] == rows.shape[1] else np.linalg.pinv(rows)
         for k, spin in enumerate(held):
             if spin in turning:
                 rates[list(own), turning[spin]] = basis @ inverse[:, k]

@@ -43,6 +43,8 @@ LOAD = KIND.name
 TURNS = 2.0 * math.pi
 SAME = 1e-9
 """Relative difference up to which rates, torques or speeds count as equal."""
+ROUND_OFF = 1e-14
+"""Mean of a torque relative to its largest value that counts as zero."""
 POINTS = 64
 """Points per period of the fastest argument: the mean is exact for harmonics of lower order."""
 LEAST = 4096
@@ -151,7 +153,7 @@ def load_cycle(system: System, state: State, held: Sequence[int], driven: Sequen
     ]
     steady = np.zeros((2, len(free), t.size)) if found is None or stalls else found
     torques = {load.number: load.over(t, *steady) for load in loads}
-    means = {k: float(weights @ values) for k, values in torques.items()}
+    means = {k: _without_round_off(float(weights @ values), values) for k, values in torques.items()}
     # every second point of a period, or the second half without one
     part = slice(None, None, 2) if period > 0.0 else slice(t.size // 2, None)
     fewer = weights[::2] / weights[::2].sum() if period > 0.0 else _window(t.size - t.size // 2)
@@ -299,3 +301,8 @@ def _integrated(rate: Array, h: float) -> Array:
     """Integral from the first point by the trapezoidal rule, shape of `rate`."""
     steps = 0.5 * h * (rate[:, 1:] + rate[:, :-1])
     return np.concatenate([np.zeros((len(rate), 1)), np.cumsum(steps, axis=1)], axis=1)
+
+
+def _without_round_off(mean: float, values: Array) -> float:
+    """Mean of values, 0 if only their rounding errors are left: a sine has no mean."""
+    return mean if abs(mean) > ROUND_OFF * float(np.abs(values).max(initial=0.0)) else 0.0

@@ -88,7 +88,7 @@ def test_the_model_alone_has_what_follows_from_it(tmp_path: Path) -> None:
         "mesh force 2128 N (mean 5",
         "load share",
         "mesh mode of stage",
-        "stage \\u00d7 3",
+        "2× mesh stage",
         "Campbell diagram",
     ):
         assert words in page, words

@@ -163,19 +163,6 @@ def test_laws():
                 {
                     "s": SurfaceContact(
                         ends=("a", "b"),
-                        first=ContactSurface(shape="cone", half_angle=0.3),
-                        second=ContactSurface(shape="plane"),
-                        law=LAW,
-                    )
-                }
-            ),
-            "contact of cone and plane is not supported",
-        ),
-        (
-            lambda: surfaces(
-                {
-                    "s": SurfaceContact(
-                        ends=("a", "b"),
                         first=BALL,
                         second=ContactSurface(shape="triangles", file="/nowhere.npy"),
                         law=LAW,

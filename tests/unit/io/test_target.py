@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import struct
 from pathlib import Path
 
 import h5py
@@ -25,6 +27,9 @@ from pitchpoint.io.target import KINDS, OutputError, check_target, write_file
 from pitchpoint.io.writing import Channel, ResultWriter
 from pitchpoint.io.yaml_edit import changed_text
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.model.schema import json_schema
+from pitchpoint.report.figure_picture import marked_png
+from pitchpoint.report.stiffness_tables import StiffnessTable, csv_text
 from pitchpoint.viz.report.page import page
 
 GEAR = CylindricalGear(z=17, m_n=1e-3, b=0.01)
@@ -55,6 +60,14 @@ def own_file(kind: str, path: Path) -> Path:
         at = {"place": np.zeros((1, 3)), "axes": np.eye(3)[None], "body_shape": np.ones((1, 1, 6))}
         write_mode_animation(named, bodies=["a"], names=["1"], frequency=np.ones(1), **at)
         named.rename(path)
+    elif kind == "stiffness":
+        table = StiffnessTable(np.zeros(1), np.ones(1), (1.0, 1.0))
+        path.write_text(csv_text([("m", "mesh", table)]), encoding="utf-8")
+    elif kind == "png":
+        head = b"\x89PNG\r\n\x1a\n" + struct.pack(">I", 13) + b"IHDR" + bytes(17)
+        path.write_bytes(marked_png(head))
+    elif kind == "schema":
+        path.write_text(json.dumps(json_schema(), indent=2), encoding="utf-8")
     else:
         if kind == "step":
             pytest.importorskip("OCP", reason="OCC (the extra cad) is not installed")

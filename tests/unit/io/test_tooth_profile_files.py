@@ -286,10 +286,12 @@ def test_profiles_made_in_python_pass_the_same_checks(tmp_path: Path) -> None:
     found = turned.gears["a"].geometry
     assert found.outline is not None
     assert found.outline.gap(found, "left", ROLL) == pytest.approx(np.full(40, 2e-4 * found.r_b), abs=1e-11)
+    # a list of points is read as in a file
+    assert model.replace("gears.a.tooth_profile", ToothProfile(tooth=xy)) == again  # type: ignore[arg-type]
     for wrong, words in (
         (ToothProfile(tooth=Points(((math.nan, 1.0), *xy))), r"tooth_profile\.tooth"),
         (ToothProfile(tooth=Points(xy[:20])), r"tooth_profile\.tooth"),
-        (ToothProfile(tooth=xy), "wrong type"),  # type: ignore[arg-type]
+        (ToothProfile(tooth=xy[:20]), r"tooth_profile\.tooth"),  # type: ignore[arg-type]
     ):
         with pytest.raises(ModelError, match=words):
             model.replace("gears.a.tooth_profile", wrong)

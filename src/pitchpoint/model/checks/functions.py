@@ -17,13 +17,13 @@ from pitchpoint.model.components.law import PythonLaw
 from pitchpoint.model.keys import Place
 from pitchpoint.model.parts import Parts
 from pitchpoint.model.reading.reader import Reader
-from pitchpoint.model.signals import CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
+from pitchpoint.model.signals import APPENDED, CONTROLLER_ARGUMENTS, LAW_ARGUMENTS
 
 Definition = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 class Named(NamedTuple):
-    """A function named in a model: its place, its arguments and the number of given parameters."""
+    """A function named in a model: its place, its arguments and the number of parameters that it receives."""
 
     law: PythonLaw
     at: Place
@@ -46,7 +46,7 @@ GROUPS = ("meshes", "bearings", "couplings", "loads", "scenarios")
 def _named(part: Any, at: Place) -> Iterator[Named]:
     """All functions within a component, mapping or sequence."""
     if isinstance(part, PythonLaw):
-        yield Named(part, at, LAW_ARGUMENTS, len(part.parameters))
+        yield Named(part, at, LAW_ARGUMENTS, len(part.parameters) + APPENDED.get(str(at[0]), 0))
     elif isinstance(getattr(part, "function", None), PythonLaw):  # blocks and controllers have `parameters`
         arguments = CONTROLLER_ARGUMENTS if at[0] == "controllers" else LAW_ARGUMENTS
         yield Named(part.function, (*at, "function"), arguments, len(part.parameters))

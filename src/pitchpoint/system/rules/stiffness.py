@@ -80,7 +80,14 @@ def user_law(law: PythonLaw, where: str) -> UserLaw:
         If the file or function does not exist, or has other arguments.
     """
     from pitchpoint.core.user_law import load_user_law
+    from pitchpoint.model.signals import APPENDED
 
     path = Path(law.file)
-    reference = f"{path.name}:{law.function}"
-    return load_user_law(reference, path.parent, allow_code=True, parameters=law.parameters, where=where)
+    return load_user_law(
+        f"{path.name}:{law.function}",
+        path.parent,
+        allow_code=True,
+        parameters=law.parameters,
+        appended=APPENDED.get(where.partition(".")[0], 0),
+        where=where,
+    )
