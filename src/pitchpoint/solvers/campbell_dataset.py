@@ -68,22 +68,26 @@ def solve_campbell(
     Returns
     -------
     xarray.Dataset
-        Modes are branches, see `solvers.campbell`; `name` is a coordinate of `mode`.
-
-        * over `speed` and `mode`: frequency [Hz], the damped natural frequency, 0 where a mode does not
-          oscillate; damping_ratio, 1 where it is overdamped; whirl and whirl_index; character (number of the
-          mode whose shape at rest is most similar); strain_to_kinetic and gyroscopic_share, which sum to 1
-        * with `component` strain_share, with `part` kinetic_share, over `part` and `motion`: they sum to 1
-        * over `excitation`: excitation_order, excitation_kind
-        * over `mesh`: order, and with `speed` mesh_frequency [Hz]
-        * over `crossing`, ranked: crossing_speed, crossing_frequency, crossing_damping_ratio, crossing_mode
-          (number), crossing_order (name), crossing_whirl, crossing_source, crossing_participation,
-          crossing_amplification, and crossing_separation with `operating`
+        Modes are branches, see `solvers.campbell`; `name` is a coordinate of `mode`. Variables: see Notes.
 
     Raises
     ------
     SolverError
         If the body or scenario does not exist, an order is unknown, or there is no equilibrium.
+
+    Notes
+    -----
+    Over `speed` and `mode`: frequency [Hz], the damped natural frequency, 0 where a mode does not oscillate;
+    damping_ratio, 1 where it is overdamped; whirl and whirl_index; character, the number of the mode whose
+    shape at rest is most similar; strain_to_kinetic and gyroscopic_share, which sum to 1. With `component`
+    strain_share, with `part` kinetic_share, over `part` and `motion`: they sum to 1.
+
+    Over `excitation`: excitation_order, excitation_kind. Over `mesh`: order, and with `speed` mesh_frequency
+    [Hz].
+
+    Over `crossing`, ranked: crossing_speed, crossing_frequency, crossing_damping_ratio, crossing_mode
+    (number), crossing_order (name), crossing_whirl, crossing_source, crossing_participation,
+    crossing_amplification, and crossing_separation with `operating`.
     """
     began = time.perf_counter()
     found = follow_modes(system, speeds, body, scenario, count=count, progress=progress)
