@@ -112,8 +112,9 @@ def _place(b, f, g, along, r, r_rate, bend, weight, free):
 
 
 @kernel
-def _press_ring(b, c, f, g, kk, R, tube, z, angle, weight, free):
-    """Add the contact at one angle of a ring."""
+def _press_ring(b, c, f, g, kk, ring, angle, weight, free):
+    """Add the contact at one angle of a ring: its radius, the radius of its tube and its height [m]."""
+    R, tube, z = ring
     x = math.cos(angle)
     y = math.sin(angle)
     _in_marker(b, z, R * x, R * y)
@@ -147,24 +148,21 @@ def _minimum(b, R, z, lo, hi):
 @kernel
 def ring_of_contact(b, c, f, g, kk, R, tube, z):
     """Add the contacts of a ring of radius R in the plane at z of marker i."""
+    ring = (R, tube, z)
     step = 2.0 * math.pi / SAMPLES
     if b["stations"] > 0:  # law for the whole ring
         for k in range(SAMPLES):
-            _press_ring(b, c, f, g, kk, R, tube, z, k * step, 1.0 / SAMPLES, False)
+            _press_ring(b, c, f, g, kk, ring, k * step, 1.0 / SAMPLES, False)
         return
     least = 1e300
     most = -1e300
-    before, _, _ = _on_ring(b, R, z, -step)
-    now, _, _ = _on_ring(b, R, z, 0.0)
     for k in range(SAMPLES):
-        after, _, _ = _on_ring(b, R, z, (k + 1) * step)
+        now, _, _ = _on_ring(b, R, z, k * step)
         least = min(least, now)
         most = max(most, now)
-        before = now
-        now = after
     if most - least <= COAXIAL * R:
         for k in range(AROUND):
-            _press_ring(b, c, f, g, kk, R, tube, z, k * (2.0 * math.pi / AROUND), 1.0 / AROUND, False)
+            _press_ring(b, c, f, g, kk, ring, k * (2.0 * math.pi / AROUND), 1.0 / AROUND, False)
         return
     before, _, _ = _on_ring(b, R, z, -step)
     now, _, _ = _on_ring(b, R, z, 0.0)
@@ -172,7 +170,7 @@ def ring_of_contact(b, c, f, g, kk, R, tube, z):
         after, _, _ = _on_ring(b, R, z, (k + 1) * step)
         if now <= before and now < after:
             angle = _minimum(b, R, z, (k - 1) * step, (k + 1) * step)
-            _press_ring(b, c, f, g, kk, R, tube, z, angle, 1.0, True)
+            _press_ring(b, c, f, g, kk, ring, angle, 1.0, True)
         before = now
         now = after
 
