@@ -102,9 +102,8 @@ def compute(
     """Compute the diagram and write what is requested; return the output of `campbell --json`."""
     from pitchpoint.analysis.campbell_ranking import select_modes
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import how_a_status_ends
+    from pitchpoint.cli.results import finished
     from pitchpoint.core.errors import split_notes
-    from pitchpoint.core.status import OK, sentence
     from pitchpoint.report.campbell import campbell_of
 
     begun = time.perf_counter()
@@ -124,12 +123,7 @@ def compute(
         )
     data = select_modes(data, selection, options["frequency"])
     _write(model, file, name, files, data, options)
-    summary = {
-        "status": how_a_status_ends(OK),
-        "sentence": sentence(OK),
-        "wall_s": time.perf_counter() - begun,
-        "output": None if files["output"] is None else str(files["output"]),
-        "notes": split_notes(str(data.attrs["notes"])),
+    summary = finished(begun, files["output"], split_notes(str(data.attrs["notes"]))) | {
         "body": data.attrs["body"],
         "speeds": [float(data["speed"][0]), float(data["speed"][-1])],
         "operating_speed": data.attrs.get("operating_speed"),

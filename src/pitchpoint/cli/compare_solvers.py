@@ -66,8 +66,7 @@ def compute(
 ) -> tuple[dict[str, Any], None]:
     """Compare the integrators on one scenario; return the output of `compare-solvers --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import how_a_status_ends
-    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.cli.results import finished
     from pitchpoint.solvers.compare import compare_solvers
     from pitchpoint.system.compile import compile_model
 
@@ -79,11 +78,7 @@ def compute(
     runs = rows_of(found)
     if target is not None:
         _draw(target, runs, f"{model.title or name}: {name}")
-    summary = {
-        "status": how_a_status_ends(OK),
-        "sentence": sentence(OK),
-        "wall_s": time.perf_counter() - begun,
-        "output": None if target is None else str(target),
+    summary = finished(begun, target) | {
         "reference": found.reference,
         "reference_doubt": found.doubt,
         "runs": runs,

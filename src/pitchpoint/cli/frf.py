@@ -126,8 +126,7 @@ def compute(
 ) -> tuple[dict[str, Any], None]:
     """Compute the response and write it if requested; return the output of `frf --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends
-    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.cli.results import finished, header_of
     from pitchpoint.solvers.frequency_response import find_response
     from pitchpoint.system.compile import compile_model
 
@@ -149,12 +148,7 @@ def compute(
         store(target, header_of(model, file, name or "", "frequency_response", "frequency_response"), found)
     if options["picture"] is not None:
         _draw(options["picture"], found)
-    summary = {
-        "status": how_a_status_ends(OK),
-        "sentence": sentence(OK),
-        "wall_s": time.perf_counter() - begun,
-        "output": None if target is None else str(target),
-        "notes": list(found.notes),
+    summary = finished(begun, target, found.notes) | {
         "inputs": [{"name": n, "unit": u} for n, u in zip(found.inputs, found.input_units, strict=True)],
         "outputs": [{"name": n, "unit": u} for n, u in zip(found.outputs, found.output_units, strict=True)],
         "frequency": found.frequency.tolist(),

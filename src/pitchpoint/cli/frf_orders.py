@@ -28,8 +28,7 @@ def compute(
     """Compute the response and write it if requested; return the output of `frf --json`."""
     from pitchpoint.analysis.levels import level, reference_of
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends
-    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.cli.results import finished, header_of
     from pitchpoint.solvers.mesh_response import find_mesh_response
     from pitchpoint.system.compile import compile_model
 
@@ -52,12 +51,7 @@ def compute(
     if options["picture"] is not None:
         _draw(options["picture"], found)
     sizes = np.abs(found.response) / np.sqrt(2.0)
-    summary = {
-        "status": how_a_status_ends(OK),
-        "sentence": sentence(OK),
-        "wall_s": time.perf_counter() - begun,
-        "output": None if target is None else str(target),
-        "notes": list(found.notes),
+    summary = finished(begun, target, found.notes) | {
         "body": found.body,
         "speed": found.speed.tolist(),
         "orders": [

@@ -101,8 +101,7 @@ def compute(
 ) -> tuple[dict[str, Any], None]:
     """Compute the modes and write them if requested; return the output of `modes --json`."""
     from pitchpoint.cli.progress import ProgressDisplay
-    from pitchpoint.cli.results import header_of, how_a_status_ends
-    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.cli.results import finished, header_of
     from pitchpoint.solvers.modal import find_modes
     from pitchpoint.system.compile import compile_model
 
@@ -114,12 +113,7 @@ def compute(
         store(target, header_of(model, file, name or "", "modes", "modal"), found)
     if animation is not None:
         animate(animation, found, model)
-    summary = {
-        "status": how_a_status_ends(OK),
-        "sentence": sentence(OK),
-        "wall_s": time.perf_counter() - begun,
-        "output": None if target is None else str(target),
-        "notes": list(found.notes),
+    summary = finished(begun, target, found.notes) | {
         "total": found.total,
         "modes": rows_of(found),
         "states": [[float(x.real), float(x.imag)] for x in found.state_eigenvalue],

@@ -76,8 +76,7 @@ def compute(
     model: Model, name: str | None, limit: float, keep: tuple[str, ...]
 ) -> tuple[dict[str, Any], None]:
     """Reduce the system; return the output of `reduce --json`."""
-    from pitchpoint.cli.results import how_a_status_ends
-    from pitchpoint.core.status import OK, sentence
+    from pitchpoint.cli.results import finished
     from pitchpoint.solvers.reduction.reduce import reduce_system
     from pitchpoint.system.compile import compile_model
 
@@ -86,12 +85,7 @@ def compute(
     _check_names(system, keep)
     found = reduce_system(system, name, limit=limit, keep=keep)
     error = found.error
-    summary = {
-        "status": how_a_status_ends(OK),
-        "sentence": sentence(OK),
-        "wall_s": time.perf_counter() - begun,
-        "output": None,
-        "notes": list(found.notes),
+    summary = finished(begun, None, found.notes) | {
         "limit": limit,
         "coordinates": list(error.coordinates),
         "kept": list(found.kept),

@@ -130,6 +130,19 @@ def how_a_status_ends(status: int) -> str:
     return {st.OK: FINISHED, st.INTERRUPTED: INTERRUPTED}.get(status, FAILED)
 
 
+def finished(begun: float, target: Path | None, notes: Sequence[str] = ()) -> dict[str, Any]:
+    """Head of the output of `--json` of a computation that succeeded; `begun` by `time.perf_counter()`."""
+    from pitchpoint.core.status import OK, sentence
+
+    return {
+        "status": how_a_status_ends(OK),
+        "sentence": sentence(OK),
+        "wall_s": time.perf_counter() - begun,
+        "output": None if target is None else str(target),
+        "notes": list(notes),
+    }
+
+
 def unless_it_cannot_begin(compute: Callable[[], Computed], empty: Mapping[str, Any]) -> Computed:
     """Compute; a failure or stop before the first step gives a summary with empty tables.
 
