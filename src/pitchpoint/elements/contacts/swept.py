@@ -127,18 +127,25 @@ def _press_ring(b, c, f, g, kk, ring, angle, weight, free):
 
 
 @kernel
+def _newton(x, F, slope, lo, hi):
+    """Newton step of a zero of F, or bisection outside its bracket, and the bracket with x as an end."""
+    if F > 0.0:
+        hi = x
+    else:
+        lo = x
+    new = x - F / slope if slope > 0.0 else lo
+    if not lo < new < hi:
+        new = 0.5 * (lo + hi)
+    return new, lo, hi
+
+
+@kernel
 def _minimum(b, R, z, lo, hi):
     """Angle of the minimum between two angles, by Newton steps within a bracket of F."""
     x = 0.5 * (lo + hi)
     for _ in range(ITERATIONS):
         _, F, slope = _on_ring(b, R, z, x)
-        if F > 0.0:
-            hi = x
-        else:
-            lo = x
-        new = x - F / slope if slope > 0.0 else lo
-        if not lo < new < hi:
-            new = 0.5 * (lo + hi)
+        new, lo, hi = _newton(x, F, slope, lo, hi)
         if abs(new - x) < 1e-15:
             break
         x = new
@@ -197,13 +204,7 @@ def cone_of_contact(b, c, f, g, kk):
         x = 0.5 * hi
         for _ in range(ITERATIONS):
             _, F, slope = _on_axis(b, x)
-            if F > 0.0:
-                hi = x
-            else:
-                lo = x
-            new = x - F / slope if slope > 0.0 else lo
-            if not lo < new < hi:
-                new = 0.5 * (lo + hi)
+            new, lo, hi = _newton(x, F, slope, lo, hi)
             if abs(new - x) < 1e-15 * height:
                 break
             x = new
