@@ -116,6 +116,16 @@ SAME = {
         {"motion": "planar"},
         "bearings.c",
     ),
+    "a rolling bearing": (
+        {"rest": "rolling_bearings: {c: {body: one, designation: 6205}}"},
+        {},
+        "rolling_bearings.c",
+    ),
+    "a plain bearing": (
+        {"rest": "plain_bearings: {c: {body: one, clearance: 0.1 mm, stiffness: 1e8}}"},
+        {},
+        "plain_bearings.c",
+    ),
     "a radial coupling": (
         {"rest": "couplings: {c: {bodies: [one, two], stiffness: {radial: 1e8}}}"},
         {},
@@ -161,6 +171,10 @@ ACTIVE = {
             "rest": "bearings: {c: {body: one, stiffness: {radial: 1e8}, damping: {x: 10}}}",
         },
         {"motion": "planar"},
+    ),
+    "a plain bearing of a planar body": (
+        {"motion": "planar", "rest": "plain_bearings: {c: {body: one, clearance: 1 um, stiffness: 1e8}}"},
+        None,
     ),
     "virtual_teeth": ({"law": "{law: din3990, virtual_teeth: cos3}"}, None),
     "rim of a ring": ({"b": ", type: internal, rim_thickness: 20 mm, tip_diameter: 104 mm"}, None),

@@ -267,9 +267,10 @@ class Reader:
         """Read a list entry by entry and check its length."""
         low, high = description.length
         if not isinstance(data, list | tuple):
-            return self.problem(
-                path, "is not a list", value=shown(data), remedy=f"write {example(description)}"
-            )
+            remedy = f"write {example(description)}"
+            if description.length == (3, 3) and description.dimension == "length" and isinstance(data, str):
+                remedy = f"write [x, y, z], such as [0, 0, {data[:20]}] on the z axis"
+            return self.problem(path, "is not a list", value=shown(data), remedy=remedy)
         if not low <= len(data) <= high:
             end, most = (low, "at least ") if len(data) < low else (high, "at most ")
             wanted = f"{'' if low == high else most}{end} {'entry' if end == 1 else 'entries'}"

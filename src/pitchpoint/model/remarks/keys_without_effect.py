@@ -17,29 +17,18 @@ from pitchpoint.model.components.flank_contact import FlexibleContact, Precomput
 from pitchpoint.model.components.joint import FUNCTIONS
 from pitchpoint.model.components.law import Constant
 from pitchpoint.model.components.stiffness import OF_PAIRS, Din3990, Energy, Hertz
-from pitchpoint.model.frames import ALONG, GROUND, body_frame, split
+from pitchpoint.model.frames import ALONG, body_frame
 from pitchpoint.model.keys import defaults_of
 from pitchpoint.model.mechanism import coordinate
 from pitchpoint.model.remarks.flank_contact import contact_keys
+from pitchpoint.model.remarks.supports import idle_springs, idle_supports
 from pitchpoint.model.scenario import ERROR_METHODS, EXPLICIT_METHODS, STIFF_METHODS
 from pitchpoint.model.signals import signals_without_effect
 
 if TYPE_CHECKING:
-    from pitchpoint.model.components.bearing import Bearing
-    from pitchpoint.model.components.bushing import Bushing
-    from pitchpoint.model.components.coupling import Coupling
     from pitchpoint.model.components.mesh import ContactDamping, Mesh
     from pitchpoint.model.components.stiffness import StiffnessLaw
     from pitchpoint.model.model import Model
-
-#: Directions in which a body can move, as columns of a 6x6 matrix (x, y, z, rx, ry, rz).
-MOVES: dict[str, tuple[int, ...]] = {
-    "fixed": (),
-    "torsion": (5,),
-    "planar": (0, 1, 5),
-    "free": (0, 1, 2, 3, 4, 5),
-    "joint": (0, 1, 2, 3, 4, 5),  # its parent may move
-}
 
 #: Inertias required by each motion, by their keys in the body and in the gear.
 POLAR, MASS = ("inertia", "polar_inertia"), ("mass", "mass")
@@ -76,8 +65,8 @@ def keys_without_effect(model: Model) -> tuple[Message, ...]:
         *_blanks(model),
         *_inertias(model),
         *_joints(model),
-        *_springs(model),
-        *_supports(model),
+        *idle_springs(model),
+        *idle_supports(model),
         *_loads(model),
         *_scenarios(model),
         *_driven_starts(model),
@@ -263,50 +252,6 @@ def _joints(model: Model) -> Iterator[Message]:
                 yield remark(
                     f"{group}.{body}.markers.{marker}", f"has no effect: {body}.{marker} is not used"
                 )
-
-
-def _springs(model: Model) -> Iterator[Message]:
-    """Springs and bushings without any stiffness or damping."""
-    for group, own in (("springs", "force"), ("torsion_springs", "torque")):
-        for name, spring in getattr(model, group).items():
-            if spring.stiffness == spring.damping == 0.0 and getattr(spring, own) is None:
-                yield remark(
-                    f"{group}.{name}", f"has no effect: it has neither stiffness nor damping nor {own}"
-                )
-    for name, bushing in model.bushings.items():
-        if not _holds(bushing, set(MOVES["joint"])):
-            yield remark(f"bushings.{name}", "has no effect: it has neither stiffness nor damping")
-
-
-def _supports(model: Model) -> Iterator[Message]:
-    """Bearings and couplings that act only in directions without motion."""
-    for name, bearing in model.bearings.items():
-        motion = model.bodies[bearing.body].moves
-        house = split(bearing.housing)[0] if bearing.housing is not None else GROUND
-        moving = set(MOVES[motion])
-        if house != GROUND:  # a station of a beam moves in all directions
-            moving |= set(MOVES[model.bodies[house].moves if house in model.bodies else "joint"])
-        if not _holds(bearing, moving):
-            yield remark(
-                f"bearings.{name}",
-                f"has no effect and no force at any load: it acts in no direction in which "
-                f"{bearing.body} (motion: {motion}) moves",
-            )
-    for name, coupling in model.couplings.items():
-        if not _holds(coupling, {k for b in coupling.bodies for k in MOVES[model.bodies[b].moves]}):
-            yield remark(
-                f"couplings.{name}",
-                f"has no effect and no force at any load: it acts in no direction in which "
-                f"{' or '.join(coupling.bodies)} moves",
-            )
-
-
-def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:
-    """Whether a spring or damper acts in any of the given directions."""
-    matrices = [part.stiffness.matrix6()]
-    if part.damping is not None:
-        matrices.append(part.damping.matrix6())  # a ratio damps the directions of the stiffness
-    return any(row[j] != 0.0 for m in matrices for row in m for j in moves)
 
 
 def _loads(model: Model) -> Iterator[Message]:

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Remarks on springs, bearings and couplings without force at any motion of their bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from pitchpoint.core.errors import Message, remark
+from pitchpoint.model.frames import GROUND, split
+from pitchpoint.model.rings import ring_bodies
+
+if TYPE_CHECKING:
+    from pitchpoint.model.components.bearing import Bearing
+    from pitchpoint.model.components.bushing import Bushing
+    from pitchpoint.model.components.coupling import Coupling
+    from pitchpoint.model.model import Model
+
+#: Directions in which a body can move, as columns of a 6x6 matrix (x, y, z, rx, ry, rz).
+MOVES: dict[str, tuple[int, ...]] = {
+    "fixed": (),
+    "torsion": (5,),
+    "planar": (0, 1, 5),
+    "free": (0, 1, 2, 3, 4, 5),
+    "joint": (0, 1, 2, 3, 4, 5),  # its parent may move
+}
+
+
+def idle_springs(model: Model) -> Iterator[Message]:
+    """Springs and bushings without any stiffness or damping."""
+    for group, own in (("springs", "force"), ("torsion_springs", "torque")):
+        for name, spring in getattr(model, group).items():
+            if spring.stiffness == spring.damping == 0.0 and getattr(spring, own) is None:
+                yield remark(
+                    f"{group}.{name}", f"has no effect: it has neither stiffness nor damping nor {own}"
+                )
+    for name, bushing in model.bushings.items():
+        if not _holds(bushing, set(MOVES["joint"])):
+            yield remark(f"bushings.{name}", "has no effect: it has neither stiffness nor damping")
+
+
+def idle_supports(model: Model) -> Iterator[Message]:
+    """Bearings and couplings that act only in directions without motion."""
+    for name, bearing in model.bearings.items():
+        motion = model.bodies[bearing.body].moves
+        house = split(bearing.housing)[0] if bearing.housing is not None else GROUND
+        moving = set(MOVES[motion])
+        if house != GROUND:  # a station of a beam moves in all directions
+            moving |= set(MOVES[model.bodies[house].moves if house in model.bodies else "joint"])
+        if not _holds(bearing, moving):
+            yield remark(
+                f"bearings.{name}",
+                f"has no effect and no force at any load: it acts in no direction in which "
+                f"{bearing.body} (motion: {motion}) moves",
+            )
+    for group in ("rolling_bearings", "plain_bearings"):
+        for name, part in getattr(model, group).items():
+            bodies = [b for b in ring_bodies(part) if b != GROUND]
+            if all(b in model.bodies and model.bodies[b].moves in ("torsion", "fixed") for b in bodies):
+                both, move = " and ".join(bodies), "move" if bodies[1:] else "moves"
+                yield remark(
+                    f"{group}.{name}",
+                    f"has no effect and no force at any load: {both} {move} neither along nor across the "
+                    "axis of rotation",
+                    f"give {both} motion: free or planar, or use an elastic shaft",
+                )
+    for name, coupling in model.couplings.items():
+        if not _holds(coupling, {k for b in coupling.bodies for k in MOVES[model.bodies[b].moves]}):
+            yield remark(
+                f"couplings.{name}",
+                f"has no effect and no force at any load: it acts in no direction in which "
+                f"{' or '.join(coupling.bodies)} moves",
+            )
+
+
+def _holds(part: Bearing | Coupling | Bushing, moves: set[int]) -> bool:
+    """Whether a spring or damper acts in any of the given directions."""
+    matrices = [part.stiffness.matrix6()]
+    if part.damping is not None:
+        matrices.append(part.damping.matrix6())  # a ratio damps the directions of the stiffness
+    return any(row[j] != 0.0 for m in matrices for row in m for j in moves)
