@@ -77,15 +77,8 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
     names, records = system.names[LOAD], system.records[LOAD]
     balancing = balancing_loads(system)
     torques = _listed([names[k] for k in balancing])
-    loads = _listed([names[k] for k in cycle.means])
-    time = format_quantity(cycle.averaged, "time", 4)
-    if cycle.period > 0.0:
-        over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
-    else:
-        error = format_quantity(cycle.error, "torque", 2)
-        over = f"{time} (no common period; estimated error {error})"
     verb = "balance" if len(balancing) > 1 else "balances"
-    text = f"{torques} {verb} the mean torque of {loads} over {over}"
+    text = f"{torques} {verb} {_mean_of(system, cycle)}"
     if cycle.stalls:
         bodies = _listed(list(cycle.stalls))
         remedy = "drive the body, increase its inertia or speed, or reduce the ripple of the load"
@@ -102,6 +95,37 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
             now, wanted = (format_quantity(x, "angular_speed", 5) for x in (mean + cycle.offset[spin], mean))
             starts.append(f"{system.layout.bodies[body]} starts at {now} for a mean speed of {wanted}")
     return (": ".join([text, *starts]),)
+
+
+def _mean_of(system: System, cycle: LoadCycle) -> str:
+    """Loads of a cycle and the time of their mean."""
+    names = system.names[LOAD]
+    loads = _listed([names[k] for k in cycle.means])
+    time = format_quantity(cycle.averaged, "time", 4)
+    if cycle.period > 0.0:
+        over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
+    else:
+        error = format_quantity(cycle.error, "torque", 2)
+        over = f"{time} (no common period; estimated error {error})"
+    return f"the mean torque of {loads} over {over}"
+
+
+def balanced_words(system: System, state: State, cycle: LoadCycle | None) -> str:
+    """What the balancing torques of a start balance: loads at the start or their mean, flank friction.
+
+    Parameters
+    ----------
+    system, state
+        The system, and the state at t = 0.
+    cycle
+        Its pulsating loads, if there are any.
+    """
+    text = "the loads at the start" if cycle is None else _mean_of(system, cycle)
+    times, _ = cycle_instants(system, state)
+    if times.size > 1:
+        count = "one mesh cycle" if times.size == IN_CYCLE else f"{CYCLES} cycles of the slowest mesh"
+        text += f", and flank friction over {count} ({format_quantity(times.size * times[1], 'time', 4)})"
+    return text
 
 
 def _listed(names: Sequence[str]) -> str:
