@@ -24,7 +24,8 @@ def balancing_torques(model: Model) -> dict[str, dict[str, Any]]:
     -------
     dict
         By scenario: `torques` [N m] by load, and in words what they `balance` over which cycle; or `failure`,
-        why there is none. Losses of vibrating flanks are determined by runs only. Empty without `torque: balance`, or without scenarios.
+        why there is none. Losses of vibrating flanks are determined by runs only. Empty without
+        `torque: balance`, or without scenarios.
     """
     from pitchpoint.model.components.law import Balance
 
