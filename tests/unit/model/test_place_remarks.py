@@ -130,7 +130,7 @@ def test_a_torsional_connection_of_distant_axes_is_told_with_the_distance(group:
     text = SHAFTS.replace("SECTION", f"{group}:\n  joint: {TURNING[group]}")
     (sentence,) = told(text.replace("PLACE", "600 mm, 120 mm, 800 mm"))
     assert sentence == (
-        f"{group}.joint.bodies: motor and pump have parallel axes 120 mm apart, and the torque between them acts "
-        "without a force; correct the positions, or connect them by a mesh or a ratio"
+        f"{group}.joint.bodies: motor and pump have parallel axes 120 mm apart, and the torque between them "
+        "acts without a force; correct the positions, or connect them by a mesh or a ratio"
     )
     assert told(text.replace("PLACE", "600 mm, 0.5 mm, 800 mm")) == ()  # a misalignment
