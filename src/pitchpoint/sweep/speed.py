@@ -34,8 +34,9 @@ from pitchpoint.solvers.sampling import Accumulators, new_statistics, read_stati
 from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
 from pitchpoint.solvers.time import scenario_of
 from pitchpoint.sweep.drift import drift_notes
-from pitchpoint.sweep.tables import channel_tables, jump_tables, mesh_tables, places
+from pitchpoint.sweep.tables import channel_tables, factor_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
+from pitchpoint.system.planet_loads import factors_of
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
 
@@ -258,8 +259,13 @@ class _SweepRun:
             **{name: numbers[name] for name, _, _ in CONTACTS},
             "contact_loss_share": float(found.share_zero[state]),
             "back_contact_share": float(found.share_negative[state]),
+            **self._factors(channels),
             "channels": channels,
         }
+
+    def _factors(self, channels: dict[str, Any]) -> dict[str, float]:
+        """Mesh load factors of the planetary stages."""
+        return {} if self.system.model is None else factors_of(self.system.model, channels)
 
 
 def run_sweep(
@@ -346,9 +352,9 @@ def sweep_speed(
         `QUANTITY_mean`, `_rms`, `_min`, `_max`, and the numbers of its contact, such as
         `contact_loss_share`, `impact_rate` [1/s] and `closing_speed_max` [m/s]; all channels of the system
         by name, such as `bearing_force[left.fx]`, with the third dimension `statistic` (mean, rms, min,
-        max); `jump_direction` (index in `direction`) and `jump_mesh_frequency` [Hz] over `jump`. Missing
-        points are NaN. The attributes contain the notes. Result files of `pitchpoint sweep` have the same
-        names of channels and jumps.
+        max); `load_sharing_factor[STAGE]` of planetary stages; `jump_direction` (index in `direction`) and
+        `jump_mesh_frequency` [Hz] over `jump`. Missing points are NaN. The attributes contain the notes.
+        Result files of `pitchpoint sweep` have the same names of channels and jumps.
 
     Raises
     ------
@@ -366,6 +372,7 @@ def sweep_speed(
     data = {
         **mesh_tables(found.points, at),
         **channel_tables(system.layout.channels, found.points, at),
+        **factor_tables(found.points, at),
         **jump_tables(found.jumps, directions),
     }
     coords: dict[str, Any] = {

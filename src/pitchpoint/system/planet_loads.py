@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Load sharing of the planets of a stage, from the mean forces of their meshes.
 
-The mesh load factor K_gamma is the largest load of the parallel meshes over their mean (ISO 6336-1:2019,
-clause 7): 1 for equal planets, N if one of N planets carries all.
+The mesh load factor K_gamma (ISO 6336:2019) is the largest load of the parallel meshes over their mean: 1 for
+equal planets, N if one of N planets carries all.
 """
 
 from __future__ import annotations
@@ -116,11 +116,31 @@ def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> 
 
 def with_factors(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
     """Statistics of channels with a row for the mesh load factor of every stage."""
-    rows = {}
-    for name, loads in loads_of_planets(model, lambda c: _mean_of(channels, c)).items():
-        value = math.nan if loads.factor is None else loads.factor
-        rows[f"{FACTOR}[{name}]"] = {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
-    return {**channels, **rows}
+    return {**channels, **{name: factor_row(value) for name, value in factors_of(model, channels).items()}}
+
+
+def is_factor(name: str) -> bool:
+    """Whether a name in tables is that of a mesh load factor."""
+    return name.startswith(f"{FACTOR}[")
+
+
+def factor_row(value: float) -> dict[str, Any]:
+    """Mesh load factor as a row of statistics: the factor of the means has no variation."""
+    return {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
+
+
+def factors_of(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
+    """Mesh load factors from statistics of channels, by their names in tables; NaN without load."""
+    found = loads_of_planets(model, lambda c: _mean_of(channels, c))
+    return {
+        f"{FACTOR}[{name}]": math.nan if loads.factor is None else loads.factor
+        for name, loads in found.items()
+    }
+
+
+def factor_quantities(model: Model) -> list[tuple[str, str, str]]:
+    """Names, unit and description of the mesh load factors of all stages."""
+    return [(f"{FACTOR}[{stage}]", "1", WORDS) for stage in model.planetary_stages]
 
 
 def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
