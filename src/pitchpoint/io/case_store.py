@@ -7,12 +7,11 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.contact_numbers import RATTLE, factor_row, is_factor
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
-from pitchpoint.system.planet_loads import factor_row, is_factor
 
 LETTERS = 500
 """Maximum size of the sentence of a case [bytes]."""

@@ -7,11 +7,10 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.contact_numbers import RATTLE, is_factor
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
-from pitchpoint.system.planet_loads import is_factor
 
 STATISTICS = ("mean", "rms", "min", "max")
 QUANTITIES = (

@@ -74,7 +74,7 @@ def _pulsating(system: System) -> tuple[bool, bool]:
     """Whether a mesh has flank friction, and whether one is a contact of tooth surfaces."""
     banks = system.banks(MESH)
     rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in banks)
-    surface = any(np.any(bank["source"] == SURFACE) for bank in banks if "source" in bank.dtype.names)
+    surface = any(np.any(bank["source"] == SURFACE) for bank in banks if "source" in (bank.dtype.names or ()))
     return rough, surface
 
 

@@ -20,11 +20,10 @@ import numpy as np
 from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
-from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.contact_numbers import RATTLE, is_factor
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.model.numbers import number_at
 from pitchpoint.sweep.threads import on_all_cores
-from pitchpoint.system.planet_loads import is_factor
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -270,10 +269,10 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
     for name, unit in first.items():
         table = [[r.channels[name][s] if name in r.channels else np.nan for s in STATISTICS] for r in results]
         words = {"units": unit, "long_name": name.partition("[")[0].replace("_", " ")}
-        values, dims = np.array(table, float), ("case", "statistic")
-        if is_factor(name):  # of mean forces: one number
-            values, dims = values[:, 0], dims[:1]
-        data[name] = (dims, values, {**words, "symbol": symbol(name)})
+        values = np.array(table, float)
+        # the factor of mean forces is one number
+        over, shown = (("case",), values[:, 0]) if is_factor(name) else (("case", "statistic"), values)
+        data[name] = (over, shown, {**words, "symbol": symbol(name)})
     for key, numbers, unit, meaning in contact_tables(results):
         data[key] = ("case", numbers, {"units": unit, "long_name": meaning})
     coords: dict[str, Any] = {"case": np.arange(len(results)), "statistic": list(STATISTICS)}

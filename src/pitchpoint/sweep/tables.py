@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pitchpoint.core.nomenclature import symbol
+from pitchpoint.io.contact_numbers import is_factor
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.dataset import channel_attributes
 from pitchpoint.system.layout import Channel
-from pitchpoint.system.planet_loads import FACTOR, WORDS, is_factor
+from pitchpoint.system.planet_loads import FACTOR, WORDS
 
 DIMENSIONS = ("direction", "mesh_frequency")
 

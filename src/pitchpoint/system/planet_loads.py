@@ -116,17 +116,11 @@ def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> 
 
 def with_factors(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
     """Statistics of channels with a row for the mesh load factor of every stage."""
-    return {**channels, **{name: factor_row(value) for name, value in factors_of(model, channels).items()}}
-
-
-def is_factor(name: str) -> bool:
-    """Whether a name in tables is that of a mesh load factor."""
-    return name.startswith(f"{FACTOR}[")
-
-
-def factor_row(value: float) -> dict[str, Any]:
-    """Mesh load factor as a row of statistics: the factor of the means has no variation."""
-    return {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
+    rows = {
+        name: {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
+        for name, value in factors_of(model, channels).items()
+    }
+    return {**channels, **rows}
 
 
 def factors_of(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
@@ -145,6 +139,11 @@ def factor_quantities(model: Model) -> list[tuple[str, str, str]]:
 
 def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """Loads of the planets from statistics of channels, as plain data for files and tables."""
+    return as_data(model, loads_of_planets(model, lambda c: _mean_of(channels, c)))
+
+
+def as_data(model: Model, stages: Mapping[str, PlanetLoads]) -> dict[str, dict[str, Any]]:
+    """Loads of the planets as plain data."""
     return {
         name: {
             "planets": list(model.planetary_stages[name].names),
@@ -153,7 +152,7 @@ def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[st
             "share": list(loads.share),
             FACTOR: loads.factor,
         }
-        for name, loads in loads_of_planets(model, lambda c: _mean_of(channels, c)).items()
+        for name, loads in stages.items()
     }
 
 

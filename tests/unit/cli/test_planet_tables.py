@@ -11,6 +11,7 @@ from pitchpoint.cli.main import run_command
 from pitchpoint.io.case_store import read_cases
 from pitchpoint.io.reading import open_result
 from pitchpoint.io.yaml_model import loads_model
+from pitchpoint.solvers.quasistatic.roll import roll_through
 from pitchpoint.sweep.cases import cases_dataset, grid, run_cases
 from pitchpoint.sweep.speed import sweep_speed
 from pitchpoint.system.compile import compile_model
@@ -19,6 +20,7 @@ from tests.support.planet_stages import PIN_BEARING, stage_file
 
 PATH = "planetary_stages.set.pin_errors.planet_1.tangential"
 NAME = "load_sharing_factor[set]"
+BACKLASH = "stiffness: {law: constant, value: 5e8 N/m}, damper: {ratio: 0.05}, backlash: {normal: 0.4 mm}"
 FILE = stage_file(
     f"planets: 3\nmotion: planar\nbearing: {{{PIN_BEARING}, damping: {{ratio: 0.03}}}}\n"
     "pin_errors: {planet_1: {tangential: 10 um}}"
@@ -93,3 +95,25 @@ def test_factors_of_varied_sweeps(tmp_path):
     assert table.dims == ("case", "direction", "point")
     assert table.values[0] == pytest.approx(1.0, abs=1e-6)
     assert table.values[1].min() > 1.01
+
+
+def test_a_report_has_the_load_sharing_of_runs_and_rolls(tmp_path, capsys):
+    file, pages = written(tmp_path, FILE), []
+    for scenario in ("steady", "slow"):
+        result, page = tmp_path / f"{scenario}.h5", tmp_path / f"{scenario}.html"
+        found = json_of(["run", file, "-s", scenario, "-o", str(result)], capsys)["planet_loads"]["set"]
+        assert run_command(["report", file, str(result), "-o", str(page)]) == 0
+        capsys.readouterr()
+        pages.append(page.read_text("utf-8"))
+        assert f"mesh load factor K<sub>γ</sub> = {found['load_sharing_factor']:.4f}" in pages[-1]
+        assert f"{100.0 * found['share'][1]:.2f}" in pages[-1]
+    assert "Load sharing of the planets" in pages[0]
+
+
+def test_a_planet_behind_by_its_pin_error_is_told_as_such():
+    """A pin that is 100 µm ahead has no load; loads on both sides would not change it."""
+    text = stage_file("planets: 3\npin_errors: {planet_1: {tangential: 100 um}}", mesh=BACKLASH)
+    found = roll_through(compile_model(loads_model(text), "slow"))
+    (words,) = [str(note) for note in found.notes if "carries no load" in str(note)]
+    assert words.startswith("planet_1 carries no load: errors of the pins and the clearance of sun-planet_1")
+    assert "both sides" not in words
