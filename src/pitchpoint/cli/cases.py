@@ -184,15 +184,14 @@ def compute(
 def kept(model: Model, scenario: Scenario) -> tuple[list[tuple[str, str, str]], dict[str, Any]]:
     """Channels with statistics in the table, meshes with contact numbers, and the size of the sweeps."""
     from pitchpoint.system.compile import compile_model
-    from pitchpoint.system.planet_loads import FACTOR
-    from pitchpoint.system.planet_loads import WORDS as WORDS_OF_FACTOR
+    from pitchpoint.system.planet_loads import factor_quantities
 
     if scenario.sweep is not None:
         both = scenario.sweep.direction == "both"
         directions = ["up", "down"] if both else [scenario.sweep.direction]
-        return [], {"directions": directions, "n_points": scenario.sweep.points}
+        return factor_quantities(model), {"directions": directions, "n_points": scenario.sweep.points}
     channels = [(c.name, c.unit, c.long_name) for c in compile_model(model, scenario).layout.channels]
-    channels += [(f"{FACTOR}[{stage}]", "1", WORDS_OF_FACTOR) for stage in model.planetary_stages]
+    channels += factor_quantities(model)
     if scenario.kind == "quasi_static":
         for mesh in model.every_mesh:
             words = "transmission error without load"
@@ -231,6 +230,7 @@ def as_data(result: CaseResult) -> dict[str, Any]:
 def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> None:
     """Print the mesh forces of each case next to its values; one row per case, for rolls one per mesh."""
     from pitchpoint.cli import roll
+    from pitchpoint.cli.case_bearings import show_bearing_forces
     from pitchpoint.cli.results import how_a_status_ends
     from pitchpoint.core.status import OK
 
@@ -263,6 +263,8 @@ def _print(title: str, results: Sequence[CaseResult], paths: Sequence[str]) -> N
             rows.append([*values, *cells, *factor_cells(result, stages)])
     notes = [f"{len(results) - MAX_ROWS} more cases are in the file"] if len(results) > MAX_ROWS else []
     table(title, columns, rows, notes, keys=len(paths) + (rolled and several))
+    listed = [([str(r.values[path]) for path in paths], r.channels) for r in results[:MAX_ROWS]]
+    show_bearing_forces(title, listed, columns[: len(paths)])
     for result in results:
         if result.status != OK:
             show(
@@ -285,13 +287,19 @@ def is_roll(result: CaseResult) -> bool:
 def stages_of(result: CaseResult) -> list[str]:
     """Names of the planetary stages with a mesh load factor in a case."""
     start = "load_sharing_factor["
-    return [name[len(start) : -1] for name in result.channels if name.startswith(start)]
+    names = result.points[0] if result.points else result.channels
+    return [name[len(start) : -1] for name in names if name.startswith(start)]
 
 
 def factor_cells(result: CaseResult, stages: Sequence[str]) -> list[str]:
-    """Mesh load factor of every stage."""
-    rows = [result.channels.get(f"load_sharing_factor[{stage}]") for stage in stages]
-    return [NOTHING if row is None or math.isnan(row["mean"]) else f"{row['mean']:.4f}" for row in rows]
+    """Mesh load factor of every stage; the largest one of a sweep."""
+    names = [f"load_sharing_factor[{stage}]" for stage in stages]
+    known = [
+        [p[name] for p in result.points] or [result.channels.get(name, {}).get("mean", math.nan)]
+        for name in names
+    ]
+    largest = [max((x for x in values if not math.isnan(x)), default=None) for values in known]
+    return [NOTHING if value is None else f"{value:.4f}" for value in largest]
 
 
 def meshes_of(result: CaseResult) -> list[str]:

@@ -58,6 +58,7 @@ def summary(model: Model) -> dict[str, Any]:
     """Data of the simulated model."""
     from pitchpoint.model.mechanism import seat_frame
     from pitchpoint.model.signals import HEAD, signal_lines
+    from pitchpoint.report.balance import balancing_torques
     from pitchpoint.report.bearing_data import bearing_data
     from pitchpoint.report.defaults import defaults
     from pitchpoint.report.masses import masses
@@ -129,6 +130,7 @@ def summary(model: Model) -> dict[str, Any]:
         "couplings": list(model.couplings),
         **{group: list(getattr(model, group)) for group in (*FORCES, *model.others)},
         "loads": list(model.loads),
+        "balance": balancing_torques(model),
         "signals": [dict(zip(HEAD, line, strict=True)) for line in signal_lines(model)],
         "scenarios": {name: scenario.kind for name, scenario in model.scenarios.items()},
         "defaults": [{"key": key, "value": value} for key, value in defaults(model)],
@@ -280,6 +282,8 @@ def _print(model: Model, file: str) -> None:
     for group in ("bearings", "couplings", *FORCES, *model.others, "loads"):
         if found[group] and group != "rolling_bearings":
             show(f"{group}: {', '.join(found[group])}")
+    for scenario, balance in found["balance"].items():
+        show(f"torque: balance in {scenario}: {_balance_words(balance)}")
     if model.rolling_bearings:
         _show_bearings(model)
     if found["signals"]:
@@ -290,6 +294,14 @@ def _print(model: Model, file: str) -> None:
     if assumed:
         rows = [[entry["key"], entry["value"]] for entry in assumed]
         table("Defaults in effect", ["key", "value"], rows)
+
+
+def _balance_words(balance: dict[str, Any]) -> str:
+    """Balancing torques of a scenario, and what they balance."""
+    if "failure" in balance:
+        return f"not found; {balance['failure']}"
+    torques = ", ".join(f"{name} {shown(value, 'torque', 5)}" for name, value in balance["torques"].items())
+    return f"{torques}; {balance['balance']}"
 
 
 def _show_bearings(model: Model) -> None:

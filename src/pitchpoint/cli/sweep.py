@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -87,6 +89,7 @@ def compute(
     from pitchpoint.solvers.time import loop_of
     from pitchpoint.sweep.speed import plan_sweep, run_sweep
     from pitchpoint.system.compile import compile_model
+    from pitchpoint.system.planet_loads import factor_quantities
 
     expect(loop_of(model.scenarios[name].method))
     system = compile_model(model, name)
@@ -95,6 +98,7 @@ def compute(
     directions = [d for d in ("up", "down") if d in swept.directions]
     header = header_of(model, file, name, "sweep", model.scenarios[name].method)
     channels = [(c.name, c.unit, c.long_name) for c in system.layout.channels]
+    channels += factor_quantities(model)
     with SweepWriter(target, header, swept.mesh, directions, speeds, frequencies, channels) as writer:
 
         def keep(point: dict[str, Any]) -> None:
@@ -138,6 +142,7 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
         return shown(frequency / per_speed, "angular_speed", 5)
 
     points = summary["points"]
+    factors = [name for name in points[0] if name.startswith("load_sharing_factor[")]
     rattles = any(p["impact_rate"] > 0.0 for p in points)
     rows = []
     for direction in dict.fromkeys(p["direction"] for p in points):
@@ -155,10 +160,18 @@ def _print(title: str, summary: dict[str, Any], sweep: Sweep | None) -> None:
                 shown(max((greatest(p["mesh_force"]) for p in here), key=abs), "force", 5),
                 f"{100.0 * lost['contact_loss_share']:.1f} %",
                 *([f"{1e3 * max(p['closing_speed_max'] for p in here):.4g} mm/s"] if rattles else []),
+                *(_largest(p.get(name) for p in here) for name in factors),
                 ", ".join(place(f) for f in jumps) or "none",
             ]
         )
     first = "mesh frequency" if sweep is None or per_speed is None else f"speed of {sweep.body}"
     columns = [first, "points", "maximum rms of deflection", "at", "maximum mesh force"]
-    columns += ["maximum contact loss", *["maximum closing speed"] * rattles, "jumps at"]
+    columns += ["maximum contact loss", *["maximum closing speed"] * rattles]
+    columns += [*(f"maximum K_γ {name[name.index('[') + 1 : -1]}" for name in factors), "jumps at"]
     table(f"{title}, mesh {summary['mesh']}", columns, rows)
+
+
+def _largest(values: Iterable[float | None]) -> str:
+    """Largest mesh load factor of some points; a dash without load."""
+    known = [value for value in values if value is not None and not math.isnan(value)]
+    return f"{max(known):.4f}" if known else "–"

@@ -9,10 +9,12 @@ LISTED = 12
 """Maximum number of names in a hint."""
 _SIMILAR = 0.6
 """Minimum similarity of a suggestion, from 0 to 1. At 0.5, `m9` suggests `m2` and `tacho` suggests `acc`."""
+_PART = 4
+"""Least number of letters of a part of a name that suggests it."""
 
 
 def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:
-    """Names of similar spelling, ignoring case, blanks, hyphens and underscores.
+    """Names of similar spelling, or that contain the name, ignoring case, blanks, hyphens and underscores.
 
     Parameters
     ----------
@@ -27,11 +29,16 @@ def nearest(name: object, names: Iterable[str], count: int = 1) -> list[str]:
     --------
     >>> nearest("profil-shift", ["tip_diameter", "profile_shift"])
     ['profile_shift']
+    >>> nearest("modul", ["tip_diameter", "normal_module"])
+    ['normal_module']
     """
     from difflib import get_close_matches
 
-    known = {_plain(each): each for each in names}
-    return [known[found] for found in get_close_matches(_plain(name), list(known), count, _SIMILAR)]
+    known, written = {_plain(each): each for each in names}, _plain(name)
+    close = get_close_matches(written, list(known), count, _SIMILAR)
+    if not close and len(written) >= _PART:
+        close = [each for each in known if written in each][:count]
+    return [known[found] for found in close]
 
 
 def did_you_mean(name: object, names: Iterable[str], count: int = 1) -> str:

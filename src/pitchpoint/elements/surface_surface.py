@@ -15,7 +15,8 @@ tube radius is zero) is in the plane z = 0. For spheres use the kind point_surfa
 * triangles: contact at the centroid of every face that is inside the other body, weighted with half of the
   face area in either direction, so that finer triangles converge to an elastic foundation (law per area);
 * triangles on a plane, cylinder, cone, torus or sphere: contact at the face centroids, weighted with the full
-  face area, on the exact surface.
+  face area, on the exact surface;
+* plate on a plane: elastic foundation at Gauss points of the rectangle (contact/plate.py); law for the plate.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pitchpoint.contact.plate import plate_points
 from pitchpoint.contact.surface import CONE, CYLINDER, PLANE, RIM, TRIANGLES
 from pitchpoint.contact.triangles import TriangleSurface
 from pitchpoint.core.kernel import kernel, view
@@ -52,6 +54,7 @@ __all__ = [
     "set_cylinders_in_line",
     "set_mesh_on_shape",
     "set_meshes",
+    "set_plate_on_plane",
     "set_ring_on_plane",
     "set_ring_on_surface",
     "surface_surface",
@@ -288,6 +291,30 @@ def set_mesh_on_shape(
     """
     _set_convex(record, form, size, hollow)
     set_triangles(record, "i", pool, surface)
+    record["depth"] = np.inf if depth is None else depth
+    record["margin"] = np.inf
+
+
+def set_plate_on_plane(
+    record: np.void, pool: Pool, sides: Sequence[float], depth: float | None = None
+) -> None:
+    """Set the contact of a rectangular plate of body i with a plane of body j.
+
+    Parameters
+    ----------
+    record
+        Record of the contact (`contacts.record.new_records`); markers and law are set separately, the law for
+        the whole plate.
+    pool
+        Pool of the kind.
+    sides
+        Lengths of the plate along x and y of its marker [m].
+    depth
+        Maximum penetration of a point for contact [m]; None: no limit.
+    """
+    if not min(sides) > 0.0:
+        raise ValueError(f"plate: sides {sides[0]:g} m and {sides[1]:g} m (limit above 0)")
+    record["form_i"], record["form_j"], record["start_i"] = TRIANGLES, PLANE, pool.add(plate_points(sides))
     record["depth"] = np.inf if depth is None else depth
     record["margin"] = np.inf
 

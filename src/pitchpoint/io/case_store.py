@@ -7,7 +7,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.contact_numbers import RATTLE, factor_row, is_factor
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
@@ -28,7 +28,8 @@ class CaseWriter(TableWriter):
     values
         Values of every varied path as texts, one per case.
     channels
-        Name, SI unit and description of the channels with stored statistics.
+        Name, SI unit and description of the channels with stored statistics, and of the mesh load factors of
+        planetary stages, which are single numbers.
     meshes
         Meshes of a time response, with stored contact numbers.
     directions, n_points
@@ -55,7 +56,11 @@ class CaseWriter(TableWriter):
         quantities = [
             *(Quantity(f"given[{p}]", ("case",), "", f"{p} as given", dtype="text") for p in values),
             *(Quantity(f"value[{p}]", ("case",), "", f"{p} in SI units") for p in values),
-            *(Quantity(name, ("case", "statistic"), unit, words) for name, unit, words in channels),
+            *(
+                Quantity(name, at if is_factor(name) else (*at, "statistic"), unit, words)
+                for name, unit, words in channels
+                for at in [("case", "direction", "point") if n_points else ("case",)]
+            ),
             *(Quantity(f"{n}[{m}]", ("case",), unit, words) for m in meshes for n, unit, words in RATTLE),
             Quantity("case_status", ("case",), "1", "status of the case; 1 is success", dtype="i4"),
             Quantity("case_sentence", ("case", "letter"), "", "status of the case in words", dtype="S1"),
@@ -80,7 +85,7 @@ class CaseWriter(TableWriter):
             self.fill(f"value[{path}]", k, number)
         for name, row in result.channels.items():
             if name in self._channels:
-                self.fill(name, k, [row[s] for s in STATISTICS])
+                self.fill(name, k, row["mean"] if is_factor(name) else [row[s] for s in STATISTICS])
         for mesh in self._meshes:
             state = result.channels.get(f"contact_state[{mesh}]", {})
             for name, _, _ in RATTLE:
@@ -91,8 +96,9 @@ class CaseWriter(TableWriter):
                 (p for p in result.points if p["direction"] == direction), key=lambda p: p["mesh_frequency"]
             )
             for i, point in enumerate(here):
-                for name in ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS)):
-                    self.fill(name, (k, d, i), point[name])
+                for name in ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS), *self._channels):
+                    if name in point:
+                        self.fill(name, (k, d, i), point[name])
                 for name, _, _ in QUANTITIES:
                     self.fill(name, (k, d, i), [point[name][s] for s in STATISTICS])
         self.fill("case_sentence", k, _letters(result.sentence))
@@ -122,10 +128,11 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
         if v.ndim == 2 and v.shape[1] == len(STATISTICS)
     }
     contacts = {n: v[...] for n, v in file.items() if v.ndim == 1 and n.partition("[")[0] in _CONTACT_NAMES}
+    factors = {n: v[...] for n, v in file.items() if is_factor(n)}
     swept = "mesh_frequency" in file
     directions = _texts(file["direction"][...]) if swept else []
     names = ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS), *(n for n, _, _ in QUANTITIES))
-    points = {n: file[n][...] for n in names if n in file} if swept else {}
+    points = {n: file[n][...] for n in (*names, *factors) if n in file} if swept else {}
     found = []
     for k, code in enumerate(status):
         if code < 0:
@@ -134,6 +141,7 @@ def _plain(file: Mapping[str, Any]) -> list[dict[str, Any]]:
             n: {"unit": unit} | {s: float(x) for s, x in zip(STATISTICS, v[k], strict=True)}
             for n, (v, unit) in tables.items()
         }
+        channels |= {n: factor_row(float(v[k])) for n, v in factors.items() if v.ndim == 1}
         for n, v in contacts.items():
             name, _, mesh = n.partition("[")
             channels[f"contact_state[{mesh}"][name] = float(v[k])
@@ -161,7 +169,7 @@ def _points(tables: Mapping[str, Any], directions: Sequence[str], case: int) -> 
             if not frequencies[i] > 0.0:
                 continue
             point: dict[str, Any] = {"direction": direction}
-            for name in ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS)):
+            for name in ("speed", "mesh_frequency", *(n for n, _, _ in CONTACTS), *filter(is_factor, tables)):
                 if name in tables:  # files of earlier versions have fewer
                     point[name] = float(tables[name][case, d, i])
             for name, unit, _ in QUANTITIES:

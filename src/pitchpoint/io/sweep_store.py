@@ -7,7 +7,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.contact_numbers import RATTLE, is_factor
 from pitchpoint.io.container import Header
 from pitchpoint.io.reading import open_table
 from pitchpoint.io.tables import Axis, Quantity, TableWriter
@@ -36,7 +36,8 @@ class SweepWriter(TableWriter):
     speeds, mesh_frequencies
         Speed of the swept body [rad/s] and mesh frequency [Hz] of every point, ascending, shape (n,).
     channels
-        Name, SI unit and description of all channels with stored statistics.
+        Name, SI unit and description of all channels with stored statistics, and of the mesh load factors of
+        planetary stages, which are single numbers.
     """
 
     def __init__(
@@ -63,7 +64,10 @@ class SweepWriter(TableWriter):
         quantities = [
             Quantity("speed", ("mesh_frequency",), "rad/s", "speed of the swept body", "omega"),
             *(Quantity(f"{n}[{mesh}]", (*point, "statistic"), unit, words) for n, unit, words in QUANTITIES),
-            *(Quantity(name, (*point, "statistic"), unit, words) for name, unit, words in others),
+            *(
+                Quantity(name, point if is_factor(name) else (*point, "statistic"), unit, words)
+                for name, unit, words in others
+            ),
             *(Quantity(f"{n}[{mesh}]", point, unit, words) for n, unit, words in CONTACTS),
             Quantity("point_status", point, "1", "status of the computation of the point", dtype="i4"),
         ]
@@ -82,6 +86,8 @@ class SweepWriter(TableWriter):
         for name in self._others:
             if name in known:
                 self.fill(name, at, [known[name][key] for key in STATISTICS])
+            elif name in values:
+                self.fill(name, at, values[name])
         for name, _, _ in CONTACTS:
             if name in values:
                 self.fill(f"{name}[{self.mesh}]", at, values[name])

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from numbers import Real
-from typing import Any
+from typing import Any, Self
 
+from pitchpoint.core.errors import Message, ModelError
+from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.keys import BAD, Key, keys_of
 
 WORDS = ("choice", "text", "boolean", "end", "file", "formula", "parameter", "coordinates", "material")
@@ -37,7 +39,29 @@ class Unread:
     data: Any
 
 
-class Component:
+class Checked:
+    """Base class whose constructor reports unknown keys like those of a file, with the nearest spelling."""
+
+    def __new__(cls, *_: Any, **given: Any) -> Self:
+        """Check the names of the keys; the constructor of the dataclass follows."""
+        names = {field.name for field in fields(cls)}  # type: ignore[arg-type]
+        if not given.keys() <= names:
+            allowed = [*keys_of(cls)]
+            raise ModelError(
+                [
+                    Message(
+                        f"{cls.__name__}.{name}",
+                        "is an unknown key",
+                        remedy=f"{did_you_mean(name, allowed)}allowed are {', '.join(allowed)}",
+                    )
+                    for name in given
+                    if name not in names
+                ]
+            )
+        return super().__new__(cls)
+
+
+class Component(Checked):
     """A component: a frozen dataclass with keys.
 
     Numbers are in SI units and radians. Every value can also be given as in a file, as a text with its unit,

@@ -87,6 +87,11 @@ def carrying_end(machine: Machine, end: str) -> str:
     return end if beam is None else carrying_end(machine, beam.ends[0])
 
 
+def carrier_of(machine: Machine, end: str) -> str:
+    """Body of an end, or ground; for a station of a beam the body that carries the beam."""
+    return split(carrying_end(machine, end))[0]
+
+
 def marker_of(machine: Machine, end: str) -> Marker | None:
     """Marker of an end, or station of a beam; None for an origin and for unknown names."""
     body, name = split(end)

@@ -23,7 +23,9 @@ from pitchpoint.model.frames import (
     Array,
     Machine,
     arm,
+    beam_of,
     body_frame,
+    carrier_of,
     joint_axes,
     joint_place,
     split,
@@ -61,6 +63,13 @@ class Seat:
     """Whether the joint is reversed: it moves its first body."""
     coordinates: tuple[str, ...] = ()
     """Names of the coordinates, in the order of the displacements."""
+    beam: str | None = None
+    """Beam whose station carries the joint; `parent` is the body that carries the beam."""
+
+    @property
+    def base(self) -> str:
+        """What the joint moves with: the parent, or the beam whose station carries the joint."""
+        return self.beam or self.parent
 
 
 @dataclass(frozen=True)
@@ -109,7 +118,7 @@ def hang(parts: Parts) -> Mechanism:
     joints = {n: j for n, j in parts.joints.items() if _usable(parts, j)}
     roots = _roots(parts, joints)
     seats = {n: roots[n] for n in parts.bodies if n in roots}
-    _seat_by_joints(joints, seats)
+    _seat_by_joints(parts, joints, seats)
     used = {s.joint for s in seats.values()}
     order = _sorted(parts, seats)
     for name in parts.bodies:
@@ -117,18 +126,23 @@ def hang(parts: Parts) -> Mechanism:
         parts.bodies[name] = replace(parts.bodies[name], joint=seat.joint if seat is not None else None)
     return Mechanism(
         order,
-        tuple(n for n, j in joints.items() if n not in used and all(_hangs(e, seats) for e in j.bodies)),
+        tuple(
+            n
+            for n, j in joints.items()
+            if n not in used and all(_hangs(carrier_of(parts, e), seats) for e in j.bodies)
+        ),
         tuple(n for n in parts.bodies if n not in seats),
     )
 
 
 def _usable(parts: Parts, joint: Joint) -> bool:
     ends = [split(e)[0] for e in joint.bodies]
-    return ends[0] != ends[1] and all(e == GROUND or e in parts.bodies for e in ends)
+    on_beams = [beam_of(parts, e) is not None for e in joint.bodies]
+    known = all(on or e == GROUND or e in parts.bodies for on, e in zip(on_beams, ends, strict=True))
+    return known and (ends[0] != ends[1] or (all(on_beams) and joint.bodies[0] != joint.bodies[1]))
 
 
-def _hangs(end: str, seats: Mapping[str, Seat]) -> bool:
-    body = split(end)[0]
+def _hangs(body: str, seats: Mapping[str, Seat]) -> bool:
     return body == GROUND or body in seats
 
 
@@ -137,7 +151,10 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
     discs."""
     ends = {n: [split(e)[0] for e in j.bodies] for n, j in joints.items()}
     moved = {e[1] for n, e in ends.items() if not joints[n].cut}
-    moved |= {e[0] for n, e in ends.items() if e[1] == GROUND and not joints[n].cut}
+    standing = {n for n, j in joints.items() if beam_of(parts, j.bodies[1]) is not None} | {
+        n for n, e in ends.items() if e[1] == GROUND
+    }
+    moved |= {ends[n][0] for n in standing if not joints[n].cut}
     found = {}
     for name, body in parts.bodies.items():
         if body.motion is None and (
@@ -151,10 +168,16 @@ def _roots(parts: Parts, joints: Mapping[str, Joint]) -> dict[str, Seat]:
     return found
 
 
-def _seat_by_joints(joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None:
-    """Add bodies to the tree by the first joint that can carry its second body, else by a reversed joint."""
+def _seat_by_joints(parts: Parts, joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None:
+    """Add bodies to the tree by the first joint that can carry its second body, else by a reversed joint.
+
+    A station of a beam is in the tree with the body that carries the beam; joints do not carry stations.
+    """
     names = [n for n, j in joints.items() if not j.cut]
-    ends = [tuple(split(e)[0] for e in joints[n].bodies) for n in names]
+    ends = [tuple(carrier_of(parts, e) for e in joints[n].bodies) for n in names]
+    beams = [
+        tuple(split(e)[0] if beam_of(parts, e) is not None else None for e in joints[n].bodies) for n in names
+    ]
     touching: dict[str, list[int]] = {}
     for k, pair in enumerate(ends):
         for body in pair:
@@ -165,9 +188,9 @@ def _seat_by_joints(joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None
     def hangs(body: str) -> None:
         """Register the joints of a body that was added to the tree."""
         for k in touching.get(body, ()):
-            if ends[k][0] == body:
+            if ends[k][0] == body and beams[k][1] is None:
                 heappush(onward, k)
-            elif joints[names[k]].type not in FUNCTIONS:
+            elif ends[k][1] == body and beams[k][0] is None and joints[names[k]].type not in FUNCTIONS:
                 heappush(back, k)
 
     for body in (GROUND, *seats):
@@ -181,7 +204,7 @@ def _seat_by_joints(joints: Mapping[str, Joint], seats: dict[str, Seat]) -> None
             continue
         joint = joints[names[k]]
         words = _RENAMED.get(joint.type, joint.names) if turned else joint.names
-        seats[carried] = Seat(carried, carrier, names[k], joint.type, turned, words)
+        seats[carried] = Seat(carried, carrier, names[k], joint.type, turned, words, beams[k][turned])
         hangs(carried)
 
 
@@ -208,7 +231,7 @@ def spinner_of(machine: Machine, mechanism: Mechanism, body: str) -> str | None:
         return None
     axis = seat_frame(machine, seat)[1][:, 2]
     while seat is not None and seat.kind == "fixed":
-        seat = mechanism.seats.get(seat.parent)
+        seat = mechanism.seats.get(seat.parent) if seat.beam is None else None
     if seat is None or seat.kind not in COUNTED:
         return None
     return seat.body if axis @ seat_frame(machine, seat)[1][:, 2] > 1.0 - 1e-12 else None
@@ -217,7 +240,7 @@ def spinner_of(machine: Machine, mechanism: Mechanism, body: str) -> str | None:
 def base_of(machine: Machine, mechanism: Mechanism, body: str) -> str:
     """Body to which the spin of a body refers: its parent, or the parent of the body whose spin it shares."""
     seat = mechanism.seats.get(spinner_of(machine, mechanism, body) or body)
-    return GROUND if seat is None else seat.parent
+    return GROUND if seat is None else seat.base
 
 
 def place_joined(parts: Parts) -> None:
@@ -229,19 +252,25 @@ def place_joined(parts: Parts) -> None:
     joints = [j for j in parts.joints.values() if j.stage is None and _usable(parts, j)]
     touching: dict[str, list[int]] = {}
     for k, joint in enumerate(joints):
-        for end in joint.bodies:
-            touching.setdefault(split(end)[0], []).append(k)
+        for body in {b for end in joint.bodies for b in _placing(parts, end)}:
+            touching.setdefault(body, []).append(k)
     queue = [(0, k) for k in range(len(joints))]  # round and number, a heap
     while queue:
         turn, k = heappop(queue)
         place = joint_place(parts, joints[k])
         for end in joints[k].bodies:
             body = split(end)[0]
-            if place is not None and body != GROUND and parts.bodies[body].origin is None:
+            if place is not None and body in parts.bodies and parts.bodies[body].origin is None:
                 x, y, z = (float(v) for v in place - arm(parts, end))
                 parts.bodies[body] = replace(parts.bodies[body], origin=(x, y, z))
                 for other in touching[body]:
                     heappush(queue, (turn + (other <= k), other))
+
+
+def _placing(parts: Parts, end: str) -> set[str]:
+    """Bodies whose positions define that of an end: for a station those at both ends of its beam."""
+    beam = beam_of(parts, end)
+    return {split(end)[0]} if beam is None else {b for e in beam.ends for b in _placing(parts, e)}
 
 
 def seat_frame(machine: Machine, seat: Seat) -> tuple[Array, Array]:
@@ -358,4 +387,4 @@ def freedoms(mechanism: Mechanism, machine: Machine, others: int = 0) -> tuple[i
 def same_base(parts: Parts, one: str, two: str) -> bool:
     """Whether two bodies have the same parent, so that their spins refer to the same frame."""
     seats = parts.mechanism.seats
-    return one not in seats or two not in seats or seats[one].parent == seats[two].parent
+    return one not in seats or two not in seats or seats[one].base == seats[two].base

@@ -235,7 +235,7 @@ class Model(Contents):
     # --- derived data ----------------------------------------------------------------------------------
     def line(self, place: Place) -> int | None:
         """Line of a key in the model file, such as ("loads", "push"); None if not in a file."""
-        return (self.lines or {}).get(place)
+        return self._all_lines.get(place)
 
     def line_of(self, where: str) -> int | None:
         """Line of a key by its dotted path, or of the nearest enclosing key; None without a file."""
@@ -246,7 +246,15 @@ class Model(Contents):
 
     @cached_property
     def _lines_by_path(self) -> dict[str, int]:
-        return {dotted(place): line for place, line in (self.lines or {}).items()}
+        return {dotted(place): line for place, line in self._all_lines.items()}
+
+    @cached_property
+    def _all_lines(self) -> dict[tuple[Any, ...], int]:
+        """Lines of the keys of the file, and of the components of planetary stages."""
+        from pitchpoint.model.planetary_stages import lines_of_planets
+
+        lines = self.lines or {}
+        return {**dict(lines_of_planets(self.planetary_stages, lines)), **lines}
 
     def backlash(self, mesh: str) -> float:
         """Backlash along the base tangent at the centre distance [m]: as given, or from geometry.

@@ -20,7 +20,7 @@ from pitchpoint.core.nearest import did_you_mean
 from pitchpoint.model.components.bearing import Bearing
 from pitchpoint.model.components.body import Body
 from pitchpoint.model.components.joint import Joint
-from pitchpoint.model.components.planetary_stage import JOINTS, PinError, PlanetaryStage
+from pitchpoint.model.components.planetary_stage import JOINTS, PinError, PlanetaryStage, SinglePlanet
 from pitchpoint.model.frames import Array, body_frame
 from pitchpoint.model.keys import Place
 from pitchpoint.model.reading.reader import Reader
@@ -135,7 +135,34 @@ def places_in_file(name: str, stage: PlanetaryStage) -> dict[Place, Place]:
         if group == "meshes":
             found[group, word, "gears"] = at
             found[group, word, "center_distance"] = (*at, "center_distance")
+    for planet, own in stage.single_planets.items():
+        place: Place = (*at, "single_planets", planet)
+        for key in ("modifications", "deviations", "tooth_thickness_allowance"):
+            if getattr(own, key) is not None:
+                found["gears", planet, key] = (*place, key)
+        found |= {("gears", planet, "faults", fault): (*place, "faults", fault) for fault in own.faults}
+        for side, mesh in _meshes_of(stage, planet).items():
+            found |= {("meshes", mesh, key): (*place, side, key) for key in getattr(own, side).given}
     return found
+
+
+def _meshes_of(stage: PlanetaryStage, planet: str) -> dict[str, str]:
+    """Meshes of one planet, by the key of the stage that describes them."""
+    sides = {"sun_mesh": stage.sun_meshes(), "ring_mesh": stage.ring_meshes()}
+    if planet not in stage.names:
+        return {}
+    return {side: meshes[stage.names.index(planet)] for side, meshes in sides.items() if meshes}
+
+
+def lines_of_planets(
+    stages: Mapping[str, PlanetaryStage], lines: Mapping[Place, int]
+) -> Iterator[tuple[Place, int]]:
+    """Components of the planets with the lines of the keys that describe them, or of their stages."""
+    for name, stage in stages.items():
+        for place, key in places_in_file(name, stage).items():
+            known = [line for n in range(len(key), 1, -1) if (line := lines.get(key[:n])) is not None]
+            if known:
+                yield place, known[0]
 
 
 def at_stages(model: Any, messages: Iterable[Message]) -> tuple[Message, ...]:
@@ -193,10 +220,13 @@ def members(name: str, stage: PlanetaryStage) -> Iterator[tuple[str, str, Any, s
             )
             yield "bearings", f"{planet}-bearing", bearing, "bearing"
     common = {"center_distance": stage.center_distance, "stage": name}
+    own = {planet: stage.single_planets.get(planet, SinglePlanet()) for planet in stage.names}
     for planet, mesh in zip(stage.names, stage.sun_meshes(), strict=False):
-        yield "meshes", mesh, stage.sun_mesh.between((str(stage.sun), planet), **common), "sun_mesh"
+        gears = (str(stage.sun), planet)
+        yield "meshes", mesh, stage.sun_mesh.between(gears, own[planet].sun_mesh, **common), "sun_mesh"
     for planet, mesh in zip(stage.names, stage.ring_meshes(), strict=False):
-        yield "meshes", mesh, stage.ring_mesh.between((planet, str(stage.ring)), **common), "ring_mesh"
+        gears = (planet, str(stage.ring))
+        yield "meshes", mesh, stage.ring_mesh.between(gears, own[planet].ring_mesh, **common), "ring_mesh"
 
 
 def _gear(name: str, stage: PlanetaryStage, planet: str) -> Gear:

@@ -15,6 +15,7 @@ from typing import Any
 
 from pitchpoint.core.errors import Message, ModelError
 from pitchpoint.core.plugins import plugin_objects
+from pitchpoint.model.component import Checked
 from pitchpoint.model.components.actuator import ACTUATORS, Actuator
 from pitchpoint.model.components.beam import Beam
 from pitchpoint.model.components.bearing import Bearing
@@ -77,7 +78,7 @@ def section(meaning: str, of: Any, *rules: str, needs: tuple[str, ...] = (), lat
 
 
 @dataclass(frozen=True, kw_only=True)
-class Contents:
+class Contents(Checked):
     """All keys of a model file, in their order."""
 
     title: str = text("title of the model", "")

@@ -13,6 +13,7 @@ from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.main_channels import drawn_groups
+from pitchpoint.report.planets import load_sharing
 from pitchpoint.report.result_kinds import kind_of
 from pitchpoint.report.rolls import given_roll, without_given
 from pitchpoint.report.run_frequencies import mean_mesh_frequencies
@@ -222,7 +223,7 @@ def _add_file(found: _Found, file: str, model: Model) -> None:
             found.contacts[take(found.contacts)] = contact_result(data, note)
             return
         if header["kind"] == "quasi_static":
-            found.rolls[take(found.rolls)] = given_roll(data, note)
+            found.rolls[take(found.rolls)] = given_roll(data, note, model)
             return
         found.runs[take(found.runs)] = time_run(model, data, header, note)
     else:
@@ -269,7 +270,8 @@ def time_run(model: Model, data: xr.Dataset, attrs: Mapping[str, Any], note: str
     meshes = mean_mesh_frequencies(model, data, settle)
     groups = drawn_groups(model, map(str, data.data_vars), str(attrs.get("scenario", "")))
     notes = split_notes(str(data.attrs.get("notes", "")))
-    about: dict[str, Any] = {"note": note, "remarks": notes, "groups": groups}
+    planets = load_sharing(model, data, settle)
+    about: dict[str, Any] = {"note": note, "remarks": notes, "groups": groups, "planets": planets}
     return TimeRun(data=data, settle_time=settle, mesh_frequencies=meshes, **about)
 
 
@@ -311,7 +313,7 @@ def _add_dataset(found: _Found, data: xr.Dataset, model: Model) -> None:
         found.contacts[name] = contact_result(data)
     elif kind == "quasi_static":
         name = _free("slow roll", str(len(found.rolls) + 1), found.rolls)
-        found.rolls[name] = given_roll(data)
+        found.rolls[name] = given_roll(data, model=model)
     else:
         what = f"a dataset over {', '.join(map(str, data.dims))}" if kind else type(data).__name__
         raise PitchpointError(

@@ -58,7 +58,7 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
     for name in names[:1]:
         data, lost = _finite(runs[name].data)
         try:
-            scene = scene_of(model, data)
+            scene = scene_of(_own_model(model, data), data)
         except PitchpointError as error:
             words = f"The motion of {name} cannot be shown: {error}."
             break
@@ -78,6 +78,21 @@ def scene_part(model: Model, runs: Mapping[str, TimeRun]) -> SceneData:
         )
     at_rest = "The scene shows the machine at rest."
     return SceneData(scene=replace(scene, channels=()), words=f"{words} {at_rest}".strip())
+
+
+def _own_model(model: Model, data: xr.Dataset) -> Model:
+    """Model of a run: the one stored in its result if its values differ from those of the given model."""
+    from pitchpoint.core.provenance import content_hash
+    from pitchpoint.report.stored_model import model_of
+
+    known = str(data.attrs.get("model_hash", ""))
+    if known in ("", content_hash(model)):
+        return model
+    try:
+        own = model_of(data)
+    except PitchpointError:
+        return model
+    return own if content_hash(own) == known else model
 
 
 def _finite(data: xr.Dataset) -> tuple[xr.Dataset, str]:

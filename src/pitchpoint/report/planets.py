@@ -8,12 +8,33 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.model.checks.planetary_stages import planet_gaps
 from pitchpoint.model.components.planetary_stage import PinError
 from pitchpoint.model.planetary_stages import nominal_distance
+from pitchpoint.system.planet_loads import as_data, loads_in, planet_loads
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from pitchpoint.model.model import Model
 
 ROUNDING = 1e-9
 """Base pitches by which a phase may miss a whole period."""
+
+
+def load_sharing(model: Model, data: xr.Dataset, settle_time: float = 0.0) -> dict[str, dict[str, Any]]:
+    """Loads of the planets in a result, by the statistics of the run if they are stored.
+
+    Parameters
+    ----------
+    model, data
+        The model and its result: slow roll or time response.
+    settle_time
+        Start of the means of a time response without stored statistics [s].
+    """
+    from pitchpoint.viz.quantities import stored_statistics
+
+    if not model.planetary_stages:
+        return {}
+    stored = {str(n): s for n, v in data.data_vars.items() if (s := stored_statistics(v.attrs)) is not None}
+    return loads_in(model, stored) or as_data(model, planet_loads(model, data, settle_time))
 
 
 def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pitchpoint.report.planets import load_sharing
+
 if TYPE_CHECKING:
     import xarray as xr
 
@@ -245,8 +247,8 @@ def closed(phase: Array, values: Array, cycle: float = 1.0) -> Array:
     return np.concatenate([[end], values, [end]])
 
 
-def given_roll(data: xr.Dataset, note: str = "") -> RollData:
-    """Transmission errors of a given roll over the periods of each mesh."""
+def given_roll(data: xr.Dataset, note: str = "", model: Model | None = None) -> RollData:
+    """Transmission errors of a given roll over the periods of each mesh, and load sharing of planets."""
     from pitchpoint.viz.report.build import RollData
 
     position = np.asarray(data[POSITION].values, dtype=np.float64)
@@ -262,7 +264,8 @@ def given_roll(data: xr.Dataset, note: str = "") -> RollData:
             errors[force_title(force)] = data[f"transmission_error[{mesh}]"].values
         found[mesh] = _own_periods(position, data[f"mesh_phase[{mesh}]"].values), errors
     rolled = words.removeprefix("periods of ").removesuffix(" rolled")
-    return RollData(curves=found, mesh=rolled if rolled in found else "", note=note)
+    planets = {} if model is None else load_sharing(model, data)
+    return RollData(curves=found, mesh=rolled if rolled in found else "", note=note, planets=planets)
 
 
 def _own_periods(position: Array, phase: Array) -> Array:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from pitchpoint.core.kernel import kernel
 from pitchpoint.elements.kind import DRIVE
-from pitchpoint.solvers.torque_paths import against_the_base
+from pitchpoint.solvers.torque_paths import against_the_base, turning
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
@@ -192,8 +192,10 @@ def _index(system: System, record: np.void, c: np.void, force: float, driven: se
 
     NaN without a mean force [N], without a gear that is free to rotate, and for gears on a carrier.
     """
-    if any(len(against_the_base(system, record, end)) > 1 for end in "ij"):
-        return float("nan")
+    for end in "ij":
+        row = against_the_base(system, record, end)
+        if len(row) > 1 or not row.keys() <= turning(system, int(record[end])).keys():
+            return float("nan")  # the line of centres turns, also where one of the gears is fixed
     sides = []
     bodies = system.program["body"]
     for end, radius, gear in (("i", "r_b1", 1), ("j", "r_b2", 2)):

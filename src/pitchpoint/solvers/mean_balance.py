@@ -3,7 +3,9 @@
 
 A torque that balances a pulsating load at one instant only changes the mean speed with every revolution. The
 mean speed is constant if the work balances: angle-dependent loads enter with their mean over their period,
-flank friction, which pulsates with the mesh phase, with its mean over mesh cycles.
+flank friction, which pulsates with the mesh phase, with its mean over mesh cycles. So do the forces of tooth
+surfaces: their stored energy depends on the phase, also at constant load, and does work at one position
+(decision 0034), 1e-4 to 1e-3 of the torque, which is zero over a cycle.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ from numpy.typing import NDArray
 from pitchpoint.core.errors import note
 from pitchpoint.core.units import format_quantity
 from pitchpoint.elements.kind import MESH
+from pitchpoint.elements.mesh.record import SURFACE
 from pitchpoint.elements.signal import TWO_PI
 from pitchpoint.multibody.bodies import spin_of
 from pitchpoint.solvers.equilibrium.closed_loops import is_looped
@@ -30,6 +33,8 @@ SAME = 1e-9
 """Relative difference below which two values, or two mesh frequencies, count as equal."""
 IN_CYCLE = 16
 """Instants per mesh cycle at which friction is averaged if all meshes have the same frequency."""
+IN_SURFACE_CYCLE = 64
+"""The same for contact of tooth surfaces, whose stiffness changes within a small part of a cycle: 4e-6."""
 MAX_COORDINATES = 300
 """Largest number of coordinates for which friction is averaged: every instant needs an equilibrium."""
 CYCLES = 3
@@ -39,13 +44,14 @@ RIPPLE = 1e-4
 
 
 def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
-    """Instants [s] at which flank friction is averaged, and their weights; the weights sum to one.
+    """Instants [s] at which flank forces are averaged, and their weights; the weights sum to one.
 
-    Only the start if nothing rotates, no flank has friction, or the system has closed loops or is large.
+    Only the start if nothing rotates, no flank has friction and none is a tooth surface, or the system has
+    closed loops or is large.
     """
-    rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in system.banks(MESH))
-    rates = np.zeros(0)
-    if rough and system.sizes["nd"] <= MAX_COORDINATES and not is_looped(system):
+    rough, surface = _pulsating(system)
+    rates, count = np.zeros(0), IN_SURFACE_CYCLE if surface else IN_CYCLE
+    if (rough or surface) and system.sizes["nd"] <= MAX_COORDINATES and not is_looped(system):
         body = system.program["body"]
         speeds = {
             name: float(state.v[spin_of(body, b)])
@@ -57,11 +63,19 @@ def cycle_instants(system: System, state: State) -> tuple[Array, Array]:
     if not rates.size:
         return NOW
     if np.ptp(rates) <= SAME * rates.max():
-        share = np.arange(IN_CYCLE) / IN_CYCLE
-        return share * TWO_PI / rates[0], np.full(IN_CYCLE, 1.0 / IN_CYCLE)
-    share = np.arange(CYCLES * IN_CYCLE) / (CYCLES * IN_CYCLE)
+        share = np.arange(count) / count
+        return share * TWO_PI / rates[0], np.full(count, 1.0 / count)
+    share = np.arange(CYCLES * count) / (CYCLES * count)
     weights = 1.0 - np.cos(TWO_PI * share)
     return share * CYCLES * TWO_PI / rates.min(), weights / weights.sum()
+
+
+def _pulsating(system: System) -> tuple[bool, bool]:
+    """Whether a mesh has flank friction, and whether one is a contact of tooth surfaces."""
+    banks = system.banks(MESH)
+    rough = any(np.any(bank["contact"]["mu"] > 0.0) for bank in banks)
+    surface = any(np.any(bank["source"] == SURFACE) for bank in banks if "source" in (bank.dtype.names or ()))
+    return rough, surface
 
 
 def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ...]:
@@ -77,15 +91,8 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
     names, records = system.names[LOAD], system.records[LOAD]
     balancing = balancing_loads(system)
     torques = _listed([names[k] for k in balancing])
-    loads = _listed([names[k] for k in cycle.means])
-    time = format_quantity(cycle.averaged, "time", 4)
-    if cycle.period > 0.0:
-        over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
-    else:
-        error = format_quantity(cycle.error, "torque", 2)
-        over = f"{time} (no common period; estimated error {error})"
     verb = "balance" if len(balancing) > 1 else "balances"
-    text = f"{torques} {verb} the mean torque of {loads} over {over}"
+    text = f"{torques} {verb} {_mean_of(system, cycle)}"
     if cycle.stalls:
         bodies = _listed(list(cycle.stalls))
         remedy = "drive the body, increase its inertia or speed, or reduce the ripple of the load"
@@ -102,6 +109,43 @@ def cycle_notes(system: System, state: State, cycle: LoadCycle) -> tuple[str, ..
             now, wanted = (format_quantity(x, "angular_speed", 5) for x in (mean + cycle.offset[spin], mean))
             starts.append(f"{system.layout.bodies[body]} starts at {now} for a mean speed of {wanted}")
     return (": ".join([text, *starts]),)
+
+
+def _mean_of(system: System, cycle: LoadCycle) -> str:
+    """Loads of a cycle and the time of their mean."""
+    names = system.names[LOAD]
+    loads = _listed([names[k] for k in cycle.means])
+    time = format_quantity(cycle.averaged, "time", 4)
+    if cycle.period > 0.0:
+        over = f"{time}, their common period" if len(cycle.means) > 1 else f"its period of {time}"
+    else:
+        error = format_quantity(cycle.error, "torque", 2)
+        over = f"{time} (no common period; estimated error {error})"
+    return f"the mean torque of {loads} over {over}"
+
+
+def balanced_words(system: System, state: State, cycle: LoadCycle | None) -> str:
+    """What the balancing torques of a start balance: loads at the start or their mean, flank forces.
+
+    Parameters
+    ----------
+    system, state
+        The system, and the state at t = 0.
+    cycle
+        Its pulsating loads, if there are any.
+    """
+    text = "the loads at the start" if cycle is None else _mean_of(system, cycle)
+    times, _ = cycle_instants(system, state)
+    if times.size > 1:
+        one = times.size in (IN_CYCLE, IN_SURFACE_CYCLE)
+        count = "one mesh cycle" if one else f"{CYCLES} cycles of the slowest mesh"
+        forces = " and ".join(
+            word
+            for word, there in zip(("flank friction", "flank contact"), _pulsating(system), strict=True)
+            if there
+        )
+        text += f", and {forces} over {count} ({format_quantity(times.size * times[1], 'time', 4)})"
+    return text
 
 
 def _listed(names: Sequence[str]) -> str:

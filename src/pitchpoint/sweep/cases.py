@@ -20,7 +20,7 @@ import numpy as np
 from pitchpoint.core.errors import CompileError, ModelError, PitchpointError, SolverError, join_notes
 from pitchpoint.core.progress import Progress, silent
 from pitchpoint.core.status import DIED, INCONSISTENT, INTERRUPTED, OK, REFUSED, sentence
-from pitchpoint.io.contact_numbers import RATTLE
+from pitchpoint.io.contact_numbers import RATTLE, is_factor
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.model.numbers import number_at
 from pitchpoint.sweep.threads import on_all_cores
@@ -269,7 +269,10 @@ def cases_dataset(results: Sequence[CaseResult]) -> xr.Dataset:
     for name, unit in first.items():
         table = [[r.channels[name][s] if name in r.channels else np.nan for s in STATISTICS] for r in results]
         words = {"units": unit, "long_name": name.partition("[")[0].replace("_", " ")}
-        data[name] = (("case", "statistic"), np.array(table, float), {**words, "symbol": symbol(name)})
+        values = np.array(table, float)
+        # the factor of mean forces is one number
+        over, shown = (("case",), values[:, 0]) if is_factor(name) else (("case", "statistic"), values)
+        data[name] = (over, shown, {**words, "symbol": symbol(name)})
     for key, numbers, unit, meaning in contact_tables(results):
         data[key] = ("case", numbers, {"units": unit, "long_name": meaning})
     coords: dict[str, Any] = {"case": np.arange(len(results)), "statistic": list(STATISTICS)}
@@ -318,6 +321,7 @@ def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tu
     shape = (len(results), len(directions), most)
     tables = {name: (np.full((*shape, 4), np.nan), unit) for name, unit, _ in QUANTITIES}
     scalars = {"speed": "rad/s", "mesh_frequency": "Hz", **{name: unit for name, unit, _ in CONTACTS}}
+    scalars |= {name: "1" for r in results for p in r.points for name in p if is_factor(name)}
     tables |= {name: (np.full(shape, np.nan), unit) for name, unit in scalars.items()}
     for c, result in enumerate(results):
         for d, direction in enumerate(directions):
@@ -328,7 +332,7 @@ def sweep_tables(results: Sequence[CaseResult]) -> tuple[list[str], dict[str, tu
                 for name, _, _ in QUANTITIES:
                     tables[name][0][c, d, k] = [point[name][s] for s in STATISTICS]
                 for name in scalars:
-                    tables[name][0][c, d, k] = point[name]
+                    tables[name][0][c, d, k] = point.get(name, np.nan)
     return directions, tables
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -33,8 +33,10 @@ from pitchpoint.solvers.initial_state.start import body_rates, prepare_start
 from pitchpoint.solvers.sampling import Accumulators, new_statistics, read_statistics
 from pitchpoint.solvers.step_choice import mesh_mode, next_chunk
 from pitchpoint.solvers.time import scenario_of
-from pitchpoint.sweep.tables import channel_tables, jump_tables, mesh_tables, places
+from pitchpoint.sweep.drift import drift_notes
+from pitchpoint.sweep.tables import channel_tables, factor_tables, jump_tables, mesh_tables, places
 from pitchpoint.system.meshes import mesh_records
+from pitchpoint.system.planet_loads import factors_of
 from pitchpoint.system.remarks import deep_contacts
 from pitchpoint.system.system import System
 
@@ -43,8 +45,6 @@ if TYPE_CHECKING:
 
     from pitchpoint.model.scenario import Scenario
 
-DRIFT = 0.005
-"""Relative deviation of the mean speed from the prescribed speed above which a note is added."""
 STEPS_PER_PERIOD = 200
 """Minimum number of steps per period of every mesh and every mesh mode, unless given by the scenario.
 
@@ -169,7 +169,8 @@ class _SweepRun:
         for record in own.rows(DRIVE):
             record["speed"] = first * plan.ratio[own.layout.bodies[int(record["i"])]]
         start = prepare_start(own, replace(scenario, speed={body: first}, duration=1.0))
-        self.system, self.notes = start.system, start.notes
+        self.system, self.notes, self.cycle = start.system, start.notes, start.cycle
+        self.waves = {name: drive.ripple.values() for name, drive in scenario.drive.items()}
         self.mode = max(mesh_mode(row, self.system) for row in mesh_records(self.system))
         self.speed = first
         self.run = generalized_alpha.start(self.system, start.state, self._step(first))
@@ -199,6 +200,25 @@ class _SweepRun:
                 w.v[self.system.spin(name)] += (speed - self.speed) * ratio * share
         self.speed = speed
         self.run.change_step(self._step(speed))
+
+    def cut_ripple(self, speed: float, window: float) -> float:
+        """Deviation of the mean speed [rad/s] over a window [s] that does not contain whole waves.
+
+        Waves of drives begin and end at any angle; those of loads as at the first point, at most in
+        proportion to the speed.
+        """
+        angle = sum(
+            2.0 * wave.amplitude / abs(self.plan.ratio[name])
+            for name, waves in self.waves.items()
+            if self.plan.ratio.get(name)
+            for wave in waves
+        )
+        if self.cycle is None:
+            return angle / window
+        first = next(self.plan.points())[1]
+        longer = max(1.0, abs(first) / speed)
+        share = min(1.0, longer * self.cycle.slowest / (math.pi * window))
+        return angle / window + longer * float(self.cycle.ripple[self.system.spin(self.body)]) * share
 
     def advance(self, periods: int, sums: Accumulators | None) -> int:
         """Integrate over some mesh periods, with statistics unless `sums` is None; returns the status."""
@@ -239,8 +259,13 @@ class _SweepRun:
             **{name: numbers[name] for name, _, _ in CONTACTS},
             "contact_loss_share": float(found.share_zero[state]),
             "back_contact_share": float(found.share_negative[state]),
+            **self._factors(channels),
             "channels": channels,
         }
+
+    def _factors(self, channels: dict[str, Any]) -> dict[str, float]:
+        """Mesh load factors of the planetary stages."""
+        return {} if self.system.model is None else factors_of(self.system.model, channels)
 
 
 def run_sweep(
@@ -305,20 +330,8 @@ def run_sweep(
             *walk.notes,
             *row_notes(walk.system),
             *deep_contacts(system.model, (p["channels"] for p in points)),
-            *_drifted(points, chosen.sweep.body if chosen.sweep else ""),
+            *drift_notes(points, walk.body, plan.measure, walk.cut_ripple),
         ),
-    )
-
-
-def _drifted(points: Sequence[dict[str, Any]], body: str) -> tuple[str, ...]:
-    """Note if the mean speed without a drive deviates from the prescribed speed."""
-    off = [p["channels"][f"speed[{body}]"]["mean"] / p["speed"] - 1.0 for p in points if p["speed"] != 0.0]
-    worst = max(off, key=abs, default=0.0)
-    if abs(worst) < DRIFT:
-        return ()
-    return (
-        f"{body}: the mean speed deviates by up to {100.0 * worst:+.2g} % from the prescribed speed, because "
-        "the loads do not balance; drive or hold a body, or reduce settle_periods",
     )
 
 
@@ -339,9 +352,9 @@ def sweep_speed(
         `QUANTITY_mean`, `_rms`, `_min`, `_max`, and the numbers of its contact, such as
         `contact_loss_share`, `impact_rate` [1/s] and `closing_speed_max` [m/s]; all channels of the system
         by name, such as `bearing_force[left.fx]`, with the third dimension `statistic` (mean, rms, min,
-        max); `jump_direction` (index in `direction`) and `jump_mesh_frequency` [Hz] over `jump`. Missing
-        points are NaN. The attributes contain the notes. Result files of `pitchpoint sweep` have the same
-        names of channels and jumps.
+        max); `load_sharing_factor[STAGE]` of planetary stages; `jump_direction` (index in `direction`) and
+        `jump_mesh_frequency` [Hz] over `jump`. Missing points are NaN. The attributes contain the notes.
+        Result files of `pitchpoint sweep` have the same names of channels and jumps.
 
     Raises
     ------
@@ -359,6 +372,7 @@ def sweep_speed(
     data = {
         **mesh_tables(found.points, at),
         **channel_tables(system.layout.channels, found.points, at),
+        **factor_tables(found.points, at),
         **jump_tables(found.jumps, directions),
     }
     coords: dict[str, Any] = {

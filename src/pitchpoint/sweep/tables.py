@@ -10,9 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pitchpoint.core.nomenclature import symbol
+from pitchpoint.io.contact_numbers import is_factor
 from pitchpoint.io.sweep_store import CONTACTS, QUANTITIES, STATISTICS
 from pitchpoint.solvers.dataset import channel_attributes
 from pitchpoint.system.layout import Channel
+from pitchpoint.system.planet_loads import FACTOR, WORDS
 
 DIMENSIONS = ("direction", "mesh_frequency")
 
@@ -78,6 +81,13 @@ def channel_tables(channels: Sequence[Channel], points: Sequence[Point], at: Pla
         table = at.table(values, len(STATISTICS))
         data[c.name] = ((*DIMENSIONS, "statistic"), table, channel_attributes(c))
     return data
+
+
+def factor_tables(points: Sequence[Point], at: Places) -> dict[str, Variable]:
+    """Mesh load factors of planetary stages."""
+    names = [name for name in points[0] if is_factor(name)] if points else []
+    words = {"units": "1", "long_name": WORDS, "symbol": symbol(FACTOR)}
+    return {name: (DIMENSIONS, at.table([p[name] for p in points]), words) for name in names}
 
 
 def jump_tables(jumps: Sequence[Mapping[str, Any]], directions: Sequence[str]) -> dict[str, Variable]:

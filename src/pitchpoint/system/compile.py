@@ -67,7 +67,8 @@ def _compile(model: Model, scenario: Scenario | str | None) -> System:
     if not model.bodies:
         raise CompileError("the model has no bodies; add `bodies`")
     chosen = _named(model, scenario) if isinstance(scenario, str) else scenario
-    tree = [*bodies(model), *beam_stations(model), *housing_seats(model)]
+    numbered = bodies(model) | beam_stations(model)
+    tree = [*(numbered[k] for k in sorted(numbered)), *housing_seats(model)]
     states: dict[str, int] = {}
     places = Places(
         end=partial(end_of, model),

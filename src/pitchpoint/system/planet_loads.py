@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Load sharing of the planets of a stage, from the mean forces of their meshes.
 
-The mesh load factor K_gamma is the largest load of the parallel meshes over their mean (ISO 6336-1:2019,
-clause 7): 1 for equal planets, N if one of N planets carries all.
+The mesh load factor K_gamma (ISO 6336:2019) is the largest load of the parallel meshes over their mean: 1 for
+equal planets, N if one of N planets carries all.
 """
 
 from __future__ import annotations
@@ -116,15 +116,34 @@ def planet_loads(model: Model, result: xr.Dataset, settle_time: float = 0.0) -> 
 
 def with_factors(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, Mapping[str, Any]]:
     """Statistics of channels with a row for the mesh load factor of every stage."""
-    rows = {}
-    for name, loads in loads_of_planets(model, lambda c: _mean_of(channels, c)).items():
-        value = math.nan if loads.factor is None else loads.factor
-        rows[f"{FACTOR}[{name}]"] = {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
+    rows = {
+        name: {"unit": "1", "mean": value, "rms": 0.0, "min": value, "max": value}
+        for name, value in factors_of(model, channels).items()
+    }
     return {**channels, **rows}
+
+
+def factors_of(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, float]:
+    """Mesh load factors from statistics of channels, by their names in tables; NaN without load."""
+    found = loads_of_planets(model, lambda c: _mean_of(channels, c))
+    return {
+        f"{FACTOR}[{name}]": math.nan if loads.factor is None else loads.factor
+        for name, loads in found.items()
+    }
+
+
+def factor_quantities(model: Model) -> list[tuple[str, str, str]]:
+    """Names, unit and description of the mesh load factors of all stages."""
+    return [(f"{FACTOR}[{stage}]", "1", WORDS) for stage in model.planetary_stages]
 
 
 def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """Loads of the planets from statistics of channels, as plain data for files and tables."""
+    return as_data(model, loads_of_planets(model, lambda c: _mean_of(channels, c)))
+
+
+def as_data(model: Model, stages: Mapping[str, PlanetLoads]) -> dict[str, dict[str, Any]]:
+    """Loads of the planets as plain data."""
     return {
         name: {
             "planets": list(model.planetary_stages[name].names),
@@ -133,7 +152,7 @@ def loads_in(model: Model, channels: Mapping[str, Mapping[str, Any]]) -> dict[st
             "share": list(loads.share),
             FACTOR: loads.factor,
         }
-        for name, loads in loads_of_planets(model, lambda c: _mean_of(channels, c)).items()
+        for name, loads in stages.items()
     }
 
 

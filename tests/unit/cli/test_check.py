@@ -9,6 +9,7 @@ import pytest
 
 from pitchpoint.cli.main import run_command
 from tests.support.cli_files import ISO_EX1, TORSION, json_of, written
+from tests.unit.solvers.test_mean_balance import FRICTION, gearbox
 
 
 def test_says_what_will_be_simulated(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -57,3 +58,28 @@ def test_unreadable_files_exit_2(tmp_path: Path, capsys: pytest.CaptureFixture[s
     assert run_command(["check", str(path)]) == 2
     assert "UTF-8" in capsys.readouterr().err
     assert run_command(["check", str(tmp_path)]) == 2
+
+
+BALANCED = {
+    "constant": ('"100 N m"', "", "the loads at the start"),
+    "wave": ('"100*(1 + 0.5*sin(angle))"', "", "the mean torque of out over its period of 120 ms"),
+    "friction": (
+        '"100 N m"',
+        FRICTION,
+        "the loads at the start, and flank friction over one mesh cycle (2 ms)",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", BALANCED)
+def test_a_balancing_torque_is_printed_with_what_it_balances(name, tmp_path, capsys):
+    law, friction, words = BALANCED[name]
+    file = written(tmp_path, gearbox(law, friction=friction))
+    found = json_of(["check", file], capsys)["balance"]["run"]
+    assert found["balance"] == words
+    loss = 0.0 if not friction else 2e-2
+    assert found["torques"]["in"] == pytest.approx(100.0 / 3.0, rel=loss or 1e-5)
+    assert run_command(["check", file]) == 0
+    assert f"torque: balance in run: in {found['torques']['in']:.5g} N m; {words}" in " ".join(
+        capsys.readouterr().out.split()
+    )

@@ -110,3 +110,27 @@ torsion_springs:
         assert found[0].startswith(
             "torsion_springs.coupling: acts at the start of the shaft out, but load is nearer to its end"
         )
+
+
+SHAFTS = """
+bodies:
+  motor: {inertia: 0.1 kg m^2, motion: torsion, position: [0, 0, 0], axes: {z: [0.6, 0, 0.8]}}
+  pump: {inertia: 0.1 kg m^2, motion: torsion, position: [PLACE], axes: {z: [0.6, 0, 0.8]}}
+SECTION
+"""
+TURNING = {
+    "couplings": "{bodies: [motor, pump], stiffness: {torsion: 1e4 N m/rad}}",
+    "torsion_springs": "{bodies: [motor, pump], stiffness: 1e4 N m/rad}",
+    "clutches": "{bodies: [motor, pump], capacity: 100 N m}",
+}
+
+
+@pytest.mark.parametrize("group", TURNING)
+def test_a_torsional_connection_of_distant_axes_is_told_with_the_distance(group: str) -> None:
+    text = SHAFTS.replace("SECTION", f"{group}:\n  joint: {TURNING[group]}")
+    (sentence,) = told(text.replace("PLACE", "600 mm, 120 mm, 800 mm"))
+    assert sentence == (
+        f"{group}.joint.bodies: motor and pump have parallel axes 120 mm apart, and the torque between them "
+        "acts without a force; correct the positions, or connect them by a mesh or a ratio"
+    )
+    assert told(text.replace("PLACE", "600 mm, 0.5 mm, 800 mm")) == ()  # a misalignment

@@ -19,6 +19,7 @@ from pitchpoint.solvers.equilibrium.solve import solve_equilibrium
 from pitchpoint.solvers.modal import find_modes
 from pitchpoint.solvers.time import solve_time
 from pitchpoint.system.compile import compile_model
+from pitchpoint.system.source import coordinate_source, source
 from tests.support.planet_stages import PIN_BEARING, TEETH, by_hand, stage_file
 
 ERRORS = "planets: 3\npin_errors: {planet_1: {tangential: 20 um}, planet_3: {radial: -10 um}}"
@@ -254,3 +255,81 @@ def test_pin_and_bearing_in_series():
     matrix = np.array(bearing.on_pin().matrix6())
     assert np.diag(matrix) == pytest.approx([2e8, 2e8, 1e8, 0.0, 0.0, 0.0], rel=1e-15)
     assert PlanetBearing(stiffness=Stiffness6(radial=6e8)).on_pin() == Stiffness6(radial=6e8)
+
+
+SINGLE = """planets: 3
+single_planets:
+  planet_2:
+    sun_mesh: {backlash: {normal: 200 um}, transmission_error: {cosine: [2 um]}}
+    ring_mesh:
+      backlash: {normal: 120 um}
+    faults:
+      crack: {type: root_crack, tooth: 3, flank: left, depth: 3 mm}
+"""
+
+
+def test_meshes_of_one_planet_have_their_own_settings():
+    """The others, and keys that are not given, are those of the stage; as in a set written by hand."""
+    stage = loads_model(stage_file(SINGLE, mesh=BACKLASH))
+    gaps = {name: mesh.backlash.normal for name, mesh in stage.meshes.items()}
+    assert gaps.pop("sun-planet_2") == pytest.approx(200e-6)
+    assert gaps.pop("planet_2-ring") == pytest.approx(120e-6)
+    assert set(gaps.values()) == {80e-6}
+    assert stage.meshes["sun-planet_2"].transmission_error.cosine == (2e-6,)
+    assert stage.meshes["planet_2-ring"].transmission_error is None
+    assert stage.meshes["sun-planet_2"].law == stage.meshes["sun-planet_1"].law
+    assert stage.meshes["sun-planet_2"].damper == stage.meshes["sun-planet_1"].damper
+    again = loads_model(model_text(stage))
+    assert again == stage
+    assert again.meshes == stage.meshes
+    wider = stage.replace("planetary_stages.set.single_planets.planet_2.sun_mesh.backlash.normal", "0.3 mm")
+    assert wider.meshes["sun-planet_2"].backlash.normal == pytest.approx(3e-4)
+    hand = by_hand(mesh=BACKLASH)
+    for mesh, gap in (
+        ("sun-planet_2: {gears: [sun, planet_2]", 200),
+        ("planet_2-ring: {gears: [planet_2, ring]", 120),
+    ):
+        head, _, tail = hand.partition(mesh)
+        hand = head + mesh + tail.replace("normal: 80 um", f"normal: {gap} um", 1)
+    one, two = (
+        values(solve_equilibrium(compile_model(loads_model(text))))
+        for text in (
+            stage_file(
+                SINGLE.replace(", transmission_error: {cosine: [2 um]}", "").partition("    faults")[0],
+                mesh=BACKLASH,
+            ),
+            hand,
+        )
+    )
+    for name in two:
+        assert one[name] == pytest.approx(two[name], rel=1e-8, abs=1e-5), name
+
+
+def test_problems_of_a_single_planet_are_at_its_keys():
+    text = stage_file(SINGLE, mesh=BACKLASH)
+    deep = next(line for line, words in enumerate(text.split("\n"), start=1) if "crack" in words)
+    (problem,) = refused(text.replace("depth: 3 mm", "depth: 300 mm"))
+    assert problem.startswith(
+        f"planetary_stages.set.single_planets.planet_2.faults.crack.depth (line {deep})"
+    )
+    (other,) = refused(text.replace("planet_2:\n", "planet_7:\n"))
+    assert "single_planets.planet_7" in other
+
+
+def test_components_of_planets_have_the_lines_of_their_stage():
+    """Of failed computations, too: the coordinate planet_2.spin and the mesh sun-planet_2."""
+    text = stage_file(SINGLE, mesh=BACKLASH)
+    model = loads_model(text)
+    line = {
+        words: number
+        for number, text_of in enumerate(text.split("\n"), start=1)
+        for words in ("set:", "planet:", "sun_mesh:", "    ring_mesh:", "crack:", "sun_mesh: {backlash")
+        if words in text_of
+    }
+    assert model.line(("bodies", "planet_2")) == line["set:"]
+    assert model.line(("gears", "planet_1")) == line["planet:"]
+    assert model.line_of("gears.planet_2.faults.crack.depth") == line["crack:"]
+    assert model.line(("meshes", "sun-planet_2", "backlash")) == line["sun_mesh: {backlash"]
+    system = compile_model(model)
+    assert source(system, "gear_mesh", "sun-planet_3").startswith("meshes.sun-planet_3 (line ")
+    assert coordinate_source(system, "planet_2.spin") == f"planet_2.spin (line {line['set:']})"

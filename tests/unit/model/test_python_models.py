@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import copy
+import dataclasses
 import pickle
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 import pytest
 
 import pitchpoint as pp
+from pitchpoint.core.errors import ModelError
 from pitchpoint.core.provenance import content_hash
 from pitchpoint.io.yaml_model import load_model, loads_model
 from pitchpoint.model.components.gear import Rack
@@ -296,3 +298,23 @@ def test_ipython_completes_sections_and_names() -> None:
     assert any("normal_module" in one for one in found('model.gears["pinion"].norm'))
     assert any("Gear" in one for one in found("pp.Ge"))
     assert made().gears._ipython_key_completions_() == ["pinion", "wheel"]
+
+
+def test_an_unknown_key_of_a_component_is_a_problem_with_the_nearest_name():
+    """All of them at once, as in a file."""
+    with pytest.raises(ModelError) as caught:
+        pp.Gear(number_of_teth=20, modul=2)
+    first, second = (str(problem) for problem in caught.value.problems)
+    assert first.startswith(
+        "Gear.number_of_teth: is an unknown key; did you mean number_of_teeth? allowed are type,"
+    )
+    assert second.startswith("Gear.modul: is an unknown key; did you mean normal_module? allowed are")
+    with pytest.raises(ModelError, match=r"Model.gaers: is an unknown key; did you mean gears\?"):
+        pp.Model(gaers={})
+
+
+def test_components_are_copied_and_pickled():
+    gear = pp.Gear(number_of_teeth=20, normal_module="2 mm", face_width=0.02)
+    assert copy.deepcopy(gear) == gear
+    assert pickle.loads(pickle.dumps(gear)) == gear
+    assert dataclasses.replace(gear, number_of_teeth=21).number_of_teeth == 21

@@ -257,3 +257,4 @@ def test_variants_share_their_pictures(file: Path, tmp_path: Path) -> None:
         assert f"steady: input torque {torque} N m, output torque {torque} N m</th>" in text
     assert "mesh force, stage [" in section
     assert ".h5 was computed with a different version" not in text
+    assert "different version of the model" not in text  # the scene has the model of its run

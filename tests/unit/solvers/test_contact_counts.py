@@ -15,6 +15,7 @@ from pitchpoint.io.contact_numbers import RATTLE
 from pitchpoint.io.yaml_model import loads_model
 from pitchpoint.solvers.contact_counts import CONTACT_NUMBERS, new_counts, read_counts
 from pitchpoint.solvers.time import run_time
+from tests.support.planet_stages import stage_file
 from tests.support.planetary import gear_pairs, planetary
 from tests.validation.test_free_gap import INERTIA, MODEL, RADIUS, STIFFNESS, closed_form
 
@@ -122,3 +123,12 @@ def test_no_index_for_gears_on_a_carrier():
     for numbers in read_counts(system, counts).values():
         assert math.isnan(numbers["rattle_index"])
         assert numbers["front_contact_share"] == 1.0
+
+
+def test_no_index_for_planets_in_a_fixed_ring():
+    """The ring is at rest, but the line of centres turns with the carrier."""
+    system = compile_model(loads_model(stage_file()))
+    counts = new_counts(system)
+    counts["total"], counts["momentum"], counts["least_1"], counts["least_2"] = 1.0, 5.0, -7.0, -7.0
+    for mesh, numbers in read_counts(system, counts).items():
+        assert math.isnan(numbers["rattle_index"]), mesh

@@ -34,6 +34,7 @@ SIZES: dict[str, tuple[str, ...]] = {
 }
 #: Sizes required of both surfaces of other pairs, in the order of `ORDER`.
 PAIRS: dict[tuple[str, str], tuple[tuple[str, ...], tuple[str, ...]]] = {
+    ("plane", "plane"): ((), ()),
     ("cylinder", "plane"): (("radius", "length"), ()),
     ("cone", "plane"): (("half_angle", "length"), ()),
     ("torus", "plane"): (("radius", "tube"), ()),
@@ -75,6 +76,7 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
         )
     if contact.permanent:
         _held(contact, at, report)
+    _plates(parts, contact, at, report)
     if "triangles" in shapes or any(p.shape == "sphere" and not p.hollow for p, _ in (one, two)):
         for part, key in (one, two):
             _sizes(part, SIZES[part.shape], (*at, key), report)
@@ -84,9 +86,7 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
     if pair not in PAIRS:
         report.problem(
             at,
-            f"is between {_named(one[0])} and {_named(two[0])}, which touch along an area"
-            if pair == ("plane", "plane")
-            else f"is between {_named(one[0])} and {_named(two[0])}, which is not supported",
+            f"is between {_named(one[0])} and {_named(two[0])}, which is not supported",
             remedy="describe corners of one of them by spheres, edges by cylinders, or it by triangles",
         )
         return
@@ -105,6 +105,46 @@ def check_surfaces(parts: Parts, name: str, contact: SurfaceContact, report: Rea
         _bore(contact, at, report)
     elif pair == ("cylinder", "cylinder") and not contact.line:
         _crossed(parts, contact, at, report)
+
+
+def _plates(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -> None:
+    """Check the size of a plate on a plane, and that both planes have their material on opposite sides."""
+    both = (("first", contact.first), ("second", contact.second))
+    sized = [key for key, part in both if part.size is not None]
+    if [part.shape for _, part in both] != ["plane", "plane"]:
+        for key in sized:
+            report.problem((*at, key, "size"), "has no effect: it is for two planes", remedy="remove it")
+        return
+    if any((*at, key, "size") in report.tainted for key, _ in both):
+        return
+    if len(sized) != 1:
+        report.problem(
+            at,
+            "is between two planes of limited size" if sized else "is between two planes without limits",
+            remedy="give the size of the smaller one only: it is a plate on an infinite plane"
+            if sized
+            else "give the plate that touches the plane its sides, such as size: [80 mm, 40 mm]",
+        )
+    cosine = _cosine(parts, contact, at, report)
+    if cosine is not None and cosine > 0.0:
+        report.problem(
+            (*at, "ends"),
+            "have planes that face the same way, with "
+            f"{math.degrees(math.acos(min(1.0, cosine))):.3g} deg between their z axes",
+            limit="> 90 deg",
+            remedy="rotate the axes of a marker: z points out of the material of its plane",
+        )
+
+
+def _cosine(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -> float | None:
+    """Cosine of the angle between the z axes of both ends; None if an end is unknown."""
+    from pitchpoint.model.frames import GROUND, axes_of, split
+
+    known = (*parts.bodies, *parts.beams, GROUND)
+    if (*at, "ends") in report.tainted or any(split(end)[0] not in known for end in contact.ends):
+        return None
+    a, b = (axes_of(parts, end)[:, 2] for end in contact.ends)
+    return float(a @ b)
 
 
 def _named(part: ContactSurface) -> str:
@@ -181,13 +221,10 @@ def _bore(contact: SurfaceContact, at: Place, report: Reader) -> None:
 
 def _crossed(parts: Parts, contact: SurfaceContact, at: Place, report: Reader) -> None:
     """Check that cylinders with point contact are not parallel."""
-    from pitchpoint.model.frames import GROUND, axes_of, split
-
-    known = (*parts.bodies, *parts.beams, GROUND)
-    if (*at, "ends") in report.tainted or any(split(end)[0] not in known for end in contact.ends):
+    cosine = _cosine(parts, contact, at, report)
+    if cosine is None:
         return
-    a, b = (axes_of(parts, end)[:, 2] for end in contact.ends)
-    sine = math.sqrt(max(0.0, 1.0 - float(a @ b) ** 2))
+    sine = math.sqrt(max(0.0, 1.0 - cosine**2))
     if sine < PARALLEL:
         report.problem(
             at,

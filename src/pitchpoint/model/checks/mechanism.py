@@ -85,7 +85,7 @@ def _seats(parts: Parts, report: Reader) -> None:
     """Report joints that do not fit into the tree."""
     for name, joint in parts.joints.items():
         first, second = (split(e)[0] for e in joint.bodies)
-        moved = [b for b in (first, second) if b != GROUND and parts.bodies[b].motion is not None]
+        moved = [b for b in (first, second) if b in parts.bodies and parts.bodies[b].motion is not None]
         moved = [b for b in moved if not parts.bodies[b].stands_in]  # joints add to their motion
         if GROUND in (first, second) and moved:
             report.problem(
@@ -115,7 +115,8 @@ def _rigid(parts: Parts) -> dict[str, str]:
     """For every body the first body that it is rigidly connected to by fixed joints of the tree."""
     group = {GROUND: GROUND}
     for name, seat in parts.mechanism.seats.items():
-        group[name] = group.get(seat.parent, seat.parent) if seat.kind == "fixed" else name
+        rigid = seat.kind == "fixed" and seat.beam is None
+        group[name] = group.get(seat.parent, seat.parent) if rigid else name
     return group
 
 
@@ -125,7 +126,8 @@ def _cuts(parts: Parts, report: Reader) -> None:
     for name in parts.mechanism.cut:
         joint = parts.joints[name]
         first, second = (split(e)[0] for e in joint.bodies)
-        if group[first] == group[second] and rows_of(joint) > 0 and joint.type not in FUNCTIONS:
+        rigid = first != second and group.get(first, first) == group.get(second, second)
+        if rigid and rows_of(joint) > 0 and joint.type not in FUNCTIONS:
             report.problem(
                 ("joints", name, "bodies"),
                 f"connect {first} and {second}, which are already connected by fixed joints",

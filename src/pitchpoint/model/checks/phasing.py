@@ -71,7 +71,7 @@ def gives_way(parts: Parts, meshes: Mapping[str, Mesh], name: str) -> bool:
     for gear in gears:
         body = parts.body_of(gear)
         while body is not None and body != GROUND and body in seats:
-            if parts.bodies[body].elastic is not None or "x" in seats[body].coordinates:
+            if parts.bodies[body].elastic is not None or "x" in seats[body].coordinates or seats[body].beam:
                 return True
             body = seats[body].parent
     return False

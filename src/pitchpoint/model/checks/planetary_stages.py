@@ -2,8 +2,8 @@
 """Checks of planetary stages: spacing of the planets, equal centre distances, room between the planets.
 
 With sun and ring, all planets can be assembled if the angles between them are whole multiples of
-2 pi/(z_s + z_r) (H. W. Müller, Die Umlaufgetriebe, 2nd ed., Springer 1998); for N planets at equal angles
-(z_s + z_r)/N is then a whole number.
+2 pi/(z_s + z_r); for N planets at equal angles (z_s + z_r)/N is then a whole number. Derivation:
+docs/theory/planetary_stages.md, "Assembly".
 """
 
 from __future__ import annotations

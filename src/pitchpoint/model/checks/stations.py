@@ -30,18 +30,12 @@ def check_stations(parts: Parts, report: Reader) -> None:
 
 
 def _station(parts: Parts, end: str, at: Place, report: Reader) -> None:
-    """Report a station that a beam does not have, and joints, which stations do not carry."""
+    """Report a station that a beam does not have."""
     name, number = split(end)
     beam = parts.beams.get(name)
     if beam is None:
         return  # unreadable, reported already
-    if at[0] == "joints":
-        report.problem(
-            at,
-            f"names {end}, a station of a beam, which carries no joints",
-            remedy=f"use a bushing, or divide {name} into two beams with a body between them",
-        )
-    elif number in (ends := {"1": beam.ends[0], str(beam.pieces + 1): beam.ends[1]}):
+    if number in (ends := {"1": beam.ends[0], str(beam.pieces + 1): beam.ends[1]}):
         report.problem(at, f"names an end of the beam {name}", value=end, remedy=f"write {ends[number]}")
     elif not number:
         report.problem(at, f"names the beam {name} without a station", remedy=_listed(parts, name, beam))

@@ -162,6 +162,14 @@ class ContactSurface(Component):
         None,
     )
     half_angle: float | None = positive("angle", "cone: angle between the axis and the surface", None)
+    size: tuple[float, float] | None = quantities(
+        "length",
+        "plane: sides along x and y of a plate, centred at the origin, that touches another plane",
+        None,
+        length=(2, 2),
+        minimum=0.0,
+        above=True,
+    )
     hollow: bool = boolean("material outside; reverses triangles", False)
     file: str | None = key("file", "triangles: .stl or .npy file", None)
     unit: float | None = positive(
@@ -174,9 +182,9 @@ class ContactSurface(Component):
 class SurfaceContact(Component):
     """Surfaces of two bodies in space.
 
-    Pairs: all except two planes. For line contact (cylinder or cone on a plane, cylinders) the law applies to
-    the whole line; for triangles with any surface except a sphere it applies per square metre; otherwise to
-    each contact point.
+    All pairs are possible; of two planes one is a plate with a `size`. For line contact (cylinder or cone on
+    a plane, cylinders) the law applies to the whole line, for two planes to the whole plate; for triangles
+    with any surface except a sphere it applies per square metre; otherwise to each contact point.
     """
 
     ends: tuple[str, str] = ends(ENDS, length=(2, 2))
@@ -191,7 +199,7 @@ class SurfaceContact(Component):
     friction: ContactFriction | None = component(ContactFriction, "friction; frictionless if omitted")
     depth: float | None = positive(
         "length",
-        "triangles: largest penetration that counts as contact",
+        "triangles, plate: largest penetration that counts as contact",
         None,
         display="fraction of the size",
     )

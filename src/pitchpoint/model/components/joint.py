@@ -104,7 +104,7 @@ class Joint(Component):
         "moved: prescribed motion over time; user: user-defined coordinates",
     )
     bodies: tuple[str, str] = ends(
-        "base and moved body, each of them ground, a body or BODY.MARKER", length=(2, 2)
+        "base and moved body, each of them ground, a body, BODY.MARKER or BEAM.STATION", length=(2, 2)
     )
     position: Triple | None = quantities(
         "length",

@@ -59,10 +59,28 @@ class StageMesh(Component):
     transmission_error: TransmissionError | None = same_key(Mesh, "transmission_error")
     misalignment: Misalignment | None = same_key(Mesh, "misalignment")
 
-    def between(self, gears: tuple[str, str], **more: object) -> Mesh:
-        """Mesh of two gears with these settings."""
-        values = {name: getattr(self, name) for name in keys_of(StageMesh)}
+    def between(self, gears: tuple[str, str], own: SingleMesh, **more: object) -> Mesh:
+        """Mesh of two gears with these settings, and those of a single planet."""
+        values = {name: getattr(self, name) for name in keys_of(StageMesh)} | own.given
         return Mesh(gears=gears, **values, **more)  # type: ignore[arg-type]
+
+
+@dataclass(frozen=True, kw_only=True)
+class SingleMesh(Component):
+    """Settings of the mesh of one planet with the sun, or with the ring, that replace the common ones."""
+
+    backlash: Backlash | None = same_key(Mesh, "backlash")
+    damping: ContactDamping | None = same_key(Mesh, "damping")
+    damper: Damper | None = same_key(Mesh, "damper")
+    friction: Friction | None = same_key(Mesh, "friction")
+    transmission_error: TransmissionError | None = same_key(Mesh, "transmission_error")
+    misalignment: Misalignment | None = same_key(Mesh, "misalignment")
+
+    @property
+    def given(self) -> dict[str, object]:
+        """Settings that are not those of the stage."""
+        values = {name: getattr(self, name) for name in keys_of(SingleMesh)}
+        return {name: value for name, value in values.items() if value is not None}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -108,6 +126,8 @@ class SinglePlanet(Component):
     tooth_thickness_allowance: float | None = quantity(
         "length", "normal tooth thickness allowance", None, display="that of planet"
     )
+    sun_mesh: SingleMesh = component(SingleMesh, "mesh with the sun", SingleMesh())
+    ring_mesh: SingleMesh = component(SingleMesh, "mesh with the ring", SingleMesh())
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -46,7 +46,8 @@ class Damping6(Component):
     matrix: Matrix6 | None = key("matrix", "full 6x6 matrix in SI units, instead of the other keys", None)
     ratio: float | None = quantity(
         "dimensionless",
-        "fraction of critical damping in each direction, with the inertia of the body",
+        "fraction of critical damping in each direction, with the inertia of the body, of couplings the "
+        "reduced inertia of both bodies, without the bodies fixed or geared to them",
         None,
         minimum=0.0,
         maximum=10.0,

@@ -52,7 +52,7 @@ class Reader:
     within
         Data of the component that is being read, for values that depend on other keys.
     aliases
-        Paths in the file of components that represent others: SECTION, NAME or SECTION, NAME, KEY.
+        Paths in the file of components that represent others: SECTION, NAME or that with one or two keys.
     parameters, unreadable
         Values of the parameters by name, and the names of those without value.
     used
@@ -109,7 +109,7 @@ class Reader:
 
     def _in_file(self, path: Place) -> Place:
         """Path in the file of a key of a component that represents another."""
-        for n in (3, 2):
+        for n in (4, 3, 2):
             if path[:n] in self.aliases:
                 return (*self.aliases[path[:n]], *path[n:])
         return path

@@ -21,15 +21,18 @@ Span = tuple[str, str, Array, Array, float, float]
 """Body, gear, position and axis of the body, axial start and end of the gear [m]."""
 TURNING = ("torsion_springs", "torsion_maxwells", "clutches")
 """Sections whose torques act at the origin of a body, which is the start of a shaft."""
+ALIGNED = 1e-3
+"""Distance of two axes that a torsional connection may bridge as misalignment [m]."""
 SAME = 1e-6
 """Distance of two axes, relative to the tip diameter, up to which they coincide."""
 
 
 def places_left_open(model: Model) -> tuple[Message, ...]:
     """A remark for every axis that is located by a joint, overlapping gears, the far end of a
-    shaft, and carriers off the axis of their central gears."""
+    shaft, torsional connections of distant axes, and carriers off the axis of their central gears."""
     beside = (remark(f"bodies.{o.carrier}.position", o.words, o.remedy) for o in off_axis(model))
-    return (*_axes_by_joints(model), *_gears_in_gears(model), *_far_ends(model), *beside)
+    apart = (*_far_ends(model), *_distant_axes(model))
+    return (*_axes_by_joints(model), *_gears_in_gears(model), *apart, *beside)
 
 
 def _axes_by_joints(model: Model) -> Iterator[Message]:
@@ -105,6 +108,25 @@ def _far_ends(model: Model) -> Iterator[Message]:
                         "torque does not twist the shaft between them",
                         "use an element of couplings with a position instead",
                     )
+
+
+def _distant_axes(model: Model) -> Iterator[Message]:
+    """Couplings and torsional elements between bodies on parallel axes that are apart."""
+    for group in ("couplings", *TURNING):
+        for name, part in getattr(model, group).items():
+            if len(part.bodies) < 2:
+                continue
+            (at, axes), (other, way) = (body_frame(model, body) for body in part.bodies)
+            if at is None or other is None or abs(axes[:, 2] @ way[:, 2]) < 1.0 - SAME:
+                continue
+            apart = float(np.linalg.norm(np.cross(axes[:, 2], other - at)))
+            if apart > ALIGNED:
+                yield remark(
+                    f"{group}.{name}.bodies",
+                    f"{' and '.join(part.bodies)} have parallel axes {format_quantity(apart, 'length', 4)} "
+                    "apart, and the torque between them acts without a force",
+                    "correct the positions, or connect them by a mesh or a ratio",
+                )
 
 
 def _on_one_axis(spans: list[Span], sizes: list[float]) -> Iterator[tuple[Span, Span]]:

@@ -96,8 +96,8 @@ def _surface(part: ContactSurface, size: float) -> shapes.Surface:
         return corners.reshape(-1, 3)[first], triangles
     radius = part.radius or 0.1 * size
     if part.shape == "plane":
-        side, deep = 0.2 * size, 0.01 * size
-        return shapes.box((side, side, deep), (0.0, 0.0, -0.5 * deep))
+        sides, deep = part.size or (0.2 * size, 0.2 * size), 0.01 * size
+        return shapes.box((*sides, deep), (0.0, 0.0, -0.5 * deep))
     if part.shape == "sphere":
         return shapes.ball(radius)
     if part.shape == "cylinder":

@@ -38,11 +38,11 @@ def rest_scene(model: Model) -> Scene:
     from pitchpoint.system.rules.bodies import bodies
 
     found = []
-    for body in bodies(model):
+    known = bodies(model)
+    for body in known.values():
         place, axes = frame_at_rest(model, body.name)
         found.append(SceneBody(name=body.name, place=place, axes=axes))
-    # body k of the list has the index k + 1 in the records
-    numbers = {k + 1: k for k in range(len(found))}
+    numbers = {number: k for k, number in enumerate(known)}
     places = Places(model, numbers, {body.name: k for k, body in enumerate(found)})
     solids, notes = scene_solids(model, places)
     bending, remarks = elastic_parts(model, places, lambda _: None)

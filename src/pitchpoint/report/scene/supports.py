@@ -62,7 +62,8 @@ def carriers(model: Model, at: Places) -> dict[str, list[SceneSolid]]:
             for joint in model.joints.values()
             if joint.type == "revolute"
             and split(joint.bodies[0])[0] == name
-            and model.bodies[split(joint.bodies[1])[0]].gears
+            and (moved := model.bodies.get(split(joint.bodies[1])[0])) is not None
+            and moved.gears
             and body.moves != "fixed"
         ]
         origin, axes = at.world(name)
@@ -109,7 +110,7 @@ def covers(model: Model) -> dict[str, str]:
     rings = [ring_bodies(p)[1] for g in (model.rolling_bearings, model.plain_bearings) for p in g.values()]
     seats = [b.housing or GROUND for b in model.bearings.values()]
     pins = [j.bodies for j in model.joints.values() if j.type == "revolute"]
-    carrying = [on for on, body in pins if body != GROUND and model.bodies[split(body)[0]].gears]
+    carrying = [on for on, end in pins if (body := model.bodies.get(split(end)[0])) and body.gears]
     holding = {split(end)[0] for end in (*rings, *seats, *carrying)}
     found = {}
     for name, body in model.bodies.items():

@@ -20,6 +20,7 @@ from pitchpoint.solvers.stiffness_parts import Array
 from pitchpoint.system.meshes import mesh_names, mesh_records
 
 if TYPE_CHECKING:
+    from pitchpoint.model.model import Model
     from pitchpoint.system.system import System
 
 
@@ -55,6 +56,15 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
         if np.abs(rows[:, system.layout.channel(f"mesh_force[{mesh}]")] * record["r_b1"]).max() <= least
     ]
     found = []
+    relieved, empty = _relieved(system.model, empty)
+    for planet, meshes in relieved.items():
+        found.append(
+            note(
+                f"{planet} carries no load: errors of the pins and the clearance of {' and '.join(meshes)} "
+                "exceed the deflection of the other planets",
+                remedy="increase the torque or reduce the errors if this is not intended",
+            )
+        )
     if empty:
         why = f", and {' and '.join(over)} are balanced by holding torques" if over else ""
         found.append(
@@ -71,6 +81,18 @@ def load_notes(system: System, held: Sequence[int], reaction: Array, rows: Array
             )
         )
     return (*found, *(same for spin in left if (same := _same_way(system, spin, torques))))
+
+
+def _relieved(model: Model, empty: Sequence[str]) -> tuple[dict[str, list[str]], list[str]]:
+    """Unloaded meshes by planet, where other planets of the stage carry load, and all other meshes."""
+    planets: dict[str, list[str]] = {}
+    for stage in model.planetary_stages.values():
+        sides = [meshes for meshes in (stage.sun_meshes(), stage.ring_meshes()) if meshes]
+        for planet, *own in zip(stage.names, *sides, strict=True):
+            if set(own) <= set(empty) and not set(sides[0]) <= set(empty):
+                planets[planet] = own
+    known = {mesh for meshes in planets.values() for mesh in meshes}
+    return planets, [mesh for mesh in empty if mesh not in known]
 
 
 def friction_notes(system: System) -> tuple[str, ...]:

@@ -31,24 +31,22 @@ BARE = 1e-9
 """Mass and inertia of a station relative to those of a beam element; a body must not be massless."""
 
 
-def beam_stations(model: Model) -> list[Body]:
-    """Stations of all beams, numbered after the bodies of the model."""
-    found = []
+def beam_stations(model: Model) -> dict[int, Body]:
+    """Stations of all beams by their number in the records."""
+    found, first = {}, beam_numbers(model)
     for name, part in model.beams.items():
         (root, axes), length = _line(model, part)
         piece = _piece(part, length)
         mass, parent = BARE * piece.mass, end_of(model, carrying_end(model, part.ends[0]))[0]
-        for number, share in part.stations.items():
-            found.append(
-                Body(
-                    name=f"{name}.{number}",
-                    motion=FLOATING,
-                    parent=parent,
-                    position=tuple(root + axes[:, 2] * share * length),
-                    axes=axes,
-                    mass=mass,
-                    inertia=mass * piece.length**2 * np.eye(3),
-                )
+        for k, (number, share) in enumerate(part.stations.items(), start=first[name]):
+            found[k] = Body(
+                name=f"{name}.{number}",
+                motion=FLOATING,
+                parent=parent,
+                position=tuple(root + axes[:, 2] * share * length),
+                axes=axes,
+                mass=mass,
+                inertia=mass * piece.length**2 * np.eye(3),
             )
     return found
 

@@ -62,55 +62,62 @@ ROUND = 1e-12
 """Relative tolerance of moments of inertia and centre of mass below which a body is round."""
 
 
-def bodies(model: Model) -> list[Body]:
-    """All bodies, parents first, shafts as stations; body k of the list has number k + 1 in the records."""
+def bodies(model: Model) -> dict[int, Body]:
+    """All bodies by their number in the records, parents first, shafts as stations."""
     number = body_numbers(model)
-    found: dict[str, Body] = {}
+    found: dict[int, Body] = {}
     for n, seat in model.mechanism.seats.items():
         if n in model.elastic_bodies:
-            found |= {b.name: b for b in elastic_of(model, n, number[n]).bodies}
+            found |= dict(enumerate(elastic_of(model, n, number[n]).bodies, start=number[n]))
         elif n in model.shafts:
-            found |= {b.name: b for b in shaft_of(model, n, number[n]).bodies}
+            found |= dict(enumerate(shaft_of(model, n, number[n]).bodies, start=number[n]))
         else:
-            found[n] = _body(model, seat, _parent(model, seat))
+            found[number[n]] = _body(model, seat, _parent(model, seat))
     for part in model.unbalances.values():
         if part.body in model.shafts:
             k, z = seat_at(model, part.body, part.position[2])
-            name = list(found)[k - 1]
-            found[name] = with_point_mass(found[name], part.mass, np.array([*part.position[:2], z]))
+            found[k] = with_point_mass(found[k], part.mass, np.array([*part.position[:2], z]))
             continue
-        body, place = found[part.body], point_on(model, part.body, part.position)
+        k = number[part.body]
+        body, place = found[k], point_on(model, part.body, part.position)
         if model.bodies[part.body].moves == "torsion" and body.inertia is None:
             # the body only spins: the transverse inertia has no effect but must be physical
             body = replace(body, transverse_inertia=max(body.transverse_inertia, body.polar_inertia))
-        found[part.body] = with_point_mass(body, part.mass, place)
-    return list(found.values())
+        found[k] = with_point_mass(body, part.mass, place)
+    return found
 
 
 def body_numbers(model: Model) -> dict[str, int]:
     """Number of each body in the records; ground is 0, a shaft has the number of its first station."""
-    known, found = _LAST.get("model", (None, {}))
+    return _numbers(model)[0]
+
+
+def beam_numbers(model: Model) -> dict[str, int]:
+    """Number of the first station of each beam."""
+    return _numbers(model)[1]
+
+
+def _numbers(model: Model) -> tuple[dict[str, int], dict[str, int]]:
+    """Numbers of bodies and of beams; the stations of a beam precede the bodies on them, others are last."""
+    known, found = _LAST.get("model", (None, ({}, {})))
     if known is None or known() is not model:  # cached, as rules call this once per component
-        found, k = {GROUND: 0}, 1
-        for name in model.mechanism.seats:
-            found[name] = k
-            k += count_of(model, name)
+        found, k = ({GROUND: 0}, {}), 1
+        seats = model.mechanism.seats
+        order = [(seats[name].beam, name) for name in seats] + [(beam, None) for beam in model.beams]
+        for beam, name in order:
+            if beam is not None and beam not in found[1]:
+                found[1][beam] = k
+                k += len(model.beams[beam].stations)
+            if name is not None:
+                found[0][name] = k
+                k += count_of(model, name)
         if not model.elastic_bodies:  # their number of bodies depends on files, which may change
             _LAST["model"] = weakref.ref(model), found
     return found
 
 
-_LAST: dict[str, tuple[weakref.ref[Model], dict[str, int]]] = {}
-"""Body numbers of the last model."""
-
-
-def beam_numbers(model: Model) -> dict[str, int]:
-    """Number of the first station of each beam, after all bodies of the model."""
-    found, k = {}, 1 + sum(count_of(model, name) for name in model.mechanism.seats)
-    for name, part in model.beams.items():
-        found[name] = k
-        k += len(part.stations)
-    return found
+_LAST: dict[str, tuple[weakref.ref[Model], tuple[dict[str, int], dict[str, int]]]] = {}
+"""Numbers of bodies and beams of the last model."""
 
 
 def count_of(model: Model, body: str) -> int:
@@ -121,10 +128,10 @@ def count_of(model: Model, body: str) -> int:
 
 
 def _parent(model: Model, seat: Seat) -> int:
-    """Number of the parent body; for a shaft that of the station at the joint."""
+    """Number of the parent body; for a shaft or a beam that of the station at the joint."""
     if seat.joint is None:
         return body_numbers(model)[seat.parent]
-    return frame_at(model, seat.parent, joint_place(model, model.joints[seat.joint]))[0]
+    return frame_at(model, seat.base, joint_place(model, model.joints[seat.joint]))[0]
 
 
 def _spinner(model: Model, seat: Seat) -> int:

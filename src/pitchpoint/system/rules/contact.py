@@ -241,6 +241,11 @@ def _pair(
     shapes = one.shape, two.shape
     if "triangles" in shapes:
         _on_triangles(row, pool, one, two, part, where)
+    elif shapes == ("plane", "plane"):
+        sides = one.size
+        if sides is None or two.size is not None:
+            raise CompileError(f"{where}.size: of two planes one requires a size")
+        surface_surface.set_plate_on_plane(row, pool, sides, part.depth)
     elif shapes == ("cylinder", "plane"):
         radius, length = _required(one.radius, "radius", where), _required(one.length, "length", where)
         surface_surface.set_cylinder_on_plane(row, radius, length, part.stations)
@@ -290,8 +295,8 @@ def _on_triangles(
 def _in_order(first: ContactSurface, second: ContactSurface) -> bool:
     """Whether the surfaces are in the order that the element kinds require.
 
-    Spheres first, triangles before simple shapes, these in the order of `ORDER`, the inner before the hollow
-    one, the shorter of two cylinders or cones before the longer one.
+    Spheres first, triangles before simple shapes, these in the order of `ORDER`, a plate before the plane,
+    the inner before the hollow one, the shorter of two cylinders or cones before the longer one.
     """
     if _is_ball(first) or _is_ball(second):
         return _is_ball(first)
@@ -299,6 +304,8 @@ def _in_order(first: ContactSurface, second: ContactSurface) -> bool:
         return first.shape == "triangles"
     if first.shape != second.shape:
         return ORDER.index(first.shape) < ORDER.index(second.shape)
+    if first.shape == "plane":
+        return first.size is not None
     if first.hollow != second.hollow:
         return second.hollow
     return first.length is None or second.length is None or first.length <= second.length

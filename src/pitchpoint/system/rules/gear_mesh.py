@@ -287,7 +287,7 @@ def _only_spins(model: Model, body: str) -> bool:
     seat = model.mechanism.seats[body]
     rubs = seat.joint is not None and model.joints[seat.joint].friction is not None
     sensed = any(isinstance(s, LoadSensor) and split(s.at)[0] == body for s in model.sensors.values())
-    return seat.parent == GROUND and seat.kind in ("revolute", "fixed") and not rubs and not sensed
+    return seat.base == GROUND and seat.kind in ("revolute", "fixed") and not rubs and not sensed
 
 
 def _turn(axes: Array) -> float:

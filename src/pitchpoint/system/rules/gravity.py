@@ -20,5 +20,6 @@ def gravity_bank(model: Model) -> Bank:
     if model.gravity is None or not any(model.gravity):
         return Bank("gravity", np.zeros(0, element.RECORD), ())
     tree = bodies(model)
-    records = element.gravity_records(tree, model.gravity)
-    return Bank("gravity", records, tuple(tree[int(r["i"]) - 1].name for r in records))
+    records = element.gravity_records([*tree.values()], model.gravity)
+    records["i"] = np.array([*tree], dtype=np.int64)[records["i"] - 1]
+    return Bank("gravity", records, tuple(tree[int(r["i"])].name for r in records))

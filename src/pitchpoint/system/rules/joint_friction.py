@@ -38,7 +38,7 @@ def friction_bank(places: Places) -> Bank:
         row = np.zeros(1, element.RECORD)[0]
         seat = model.mechanism.carrier(name)
         if seat is not None:
-            row["i"], row["j"] = number[seat.body], frame_at(model, seat.parent, joint_place(model, joint))[0]
+            row["i"], row["j"] = number[seat.body], frame_at(model, seat.base, joint_place(model, joint))[0]
             beyond = element.bodies_beyond(bodies, number[seat.body])
             row["n_beyond"], row["beyond"] = beyond.size, pool.add(beyond.view(np.float64))
         else:
@@ -67,7 +67,7 @@ def _place(row: Any, model: Model, joint: Joint, seat: Seat | None, column: int)
     place = joint_place(model, joint)
     axis = (joint_axes(model, joint) if seat is None else seat_frame(model, seat)[1])[:, column]
     row["on_i"] = column == 1
-    ends = [split(e)[0] for e in joint.bodies] if seat is None else [seat.parent, seat.body]
+    ends = [split(e)[0] for e in joint.bodies] if seat is None else [seat.base, seat.body]
     for end, body in zip("ji", ends, strict=True):
         _, at, axes = frame_at(model, body, place)
         row[f"p_{end}"] = axes.T @ ((at if place is None else place) - at)

@@ -181,11 +181,14 @@ class RollData:
         Mesh that defines the periods of the roll.
     note
         Sentence above the curves (status of an unfinished roll).
+    planets
+        Load sharing of planetary stages, see `planet_table`.
     """
 
     curves: Mapping[str, tuple[ArrayLike, Mapping[str, ArrayLike]]]
     mesh: str = ""
     note: str = ""
+    planets: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -246,6 +249,8 @@ class TimeRun:
         Sentence above the signals (status of an unfinished run).
     remarks
         Notes of the run, listed above the signals.
+    planets
+        Load sharing of planetary stages, see `planet_table`.
     """
 
     data: Any
@@ -256,6 +261,7 @@ class TimeRun:
     remarks: Sequence[str] = ()
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
     groups: Sequence[tuple[str, Sequence[str]]] = ()
+    planets: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -17,6 +17,7 @@ from pitchpoint.viz.mesh_cycle_plot import (
 )
 from pitchpoint.viz.quantities import channel_scale, number, scale
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.report.planets import planet_table
 from pitchpoint.viz.tables import common_name
 
 MAX_CYCLES = 4
@@ -115,6 +116,7 @@ def roll_section(rolls: Mapping[str, Any]) -> Section:
     for name, roll in rolls.items():
         section.add(f"<h3>{escape(name)}</h3>")
         section.add(f"<p>{escape(roll.note)}</p>" if roll.note else "")
+        section.add(planet_table(roll.planets))
         for mesh, (periods, errors) in roll.curves.items():
             if np.size(periods) < 2:
                 continue

@@ -15,6 +15,7 @@ from pitchpoint.viz.quantities import Array, Channel, amount, channels, number, 
 from pitchpoint.viz.report.bearing_forces import QUANTITY, bearing_forces, bearing_table, with_resultants
 from pitchpoint.viz.report.contact_times import contact_table
 from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.report.planets import planet_table
 from pitchpoint.viz.run_record import (
     FORCE_PARTS,
     TIME_QUANTITIES,
@@ -73,6 +74,8 @@ def time_section(runs: Mapping[str, Any], seen: str = "", overlaid: Collection[s
         words = f"<p>{escape(window_words(begin, end).capitalize())}.</p>"
         section.add(f"<h4>Contact of the flanks</h4>{words}{contact}" if contact else "")
         section.add(f"<h4>Bearing forces</h4>{words}{table}" if table else "")
+        shares = planet_table(run.planets)
+        section.add(f"<h4>Load sharing of the planets</h4>{words}{shares}" if shares else "")
         if name == seen or name not in overlaid:
             for title, names in groups_of(run, found):
                 _add_group(section, title, time, [found[n] for n in names if n in found], states, steady)

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Note of a speed sweep on mean speeds that deviate from the prescribed ones."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+DRIFT = 0.005
+"""Relative deviation of the mean speed from the prescribed speed above which a note is added."""
+
+
+def drift_notes(
+    points: Sequence[dict[str, Any]], body: str, measure: int, cut: Callable[[float, float], float]
+) -> tuple[str, ...]:
+    """Note if the mean speed deviates from the prescribed speed by more than a cut wave of a ripple explains.
+
+    Statistics extend over whole mesh cycles, not over whole waves of a drive or of a load.
+
+    Parameters
+    ----------
+    points
+        Points of the sweep (`sweep.speed.SweepSummary`).
+    body
+        The swept body.
+    measure
+        Mesh cycles of the statistics.
+    cut
+        Function of speed [rad/s] and time of the statistics [s]: deviation of the mean speed [rad/s] because
+        of waves of which the statistics contain a part.
+    """
+    off = []
+    for point in points:
+        speed = abs(point["speed"])
+        if speed > 0.0:
+            deviation = point["channels"][f"speed[{body}]"]["mean"] / point["speed"] - 1.0
+            if abs(deviation) >= DRIFT + cut(speed, measure / point["mesh_frequency"]) / speed:
+                off.append(deviation)
+    if not off:
+        return ()
+    worst = max(off, key=abs)
+    return (
+        f"{body}: the mean speed deviates by up to {100.0 * worst:+.2g} % from the prescribed speed, because "
+        "the loads do not balance; drive or hold a body, or reduce settle_periods",
+    )
