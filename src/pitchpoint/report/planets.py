@@ -8,8 +8,12 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.model.checks.planetary_stages import planet_gaps
 from pitchpoint.model.components.planetary_stage import PinError
 from pitchpoint.model.planetary_stages import nominal_distance
+from pitchpoint.system.planet_loads import loads_of_planets
+from pitchpoint.viz.quantities import stored_statistics
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from pitchpoint.model.model import Model
 
 ROUNDING = 1e-9
@@ -48,6 +52,33 @@ def stages_of_model(model: Model) -> dict[str, dict[str, Any]]:
             "planets": planets,
         }
     return found
+
+
+def load_sharing(model: Model, run: xr.Dataset, settle_time: float = 0.0) -> dict[str, float]:
+    """Mesh load factor of every loaded planetary stage in a run.
+
+    Parameters
+    ----------
+    model
+        The model of the run.
+    run
+        Time response; the means are those of all steps, if stored.
+    settle_time
+        Start of the window of the statistics after the first sample [s].
+    """
+
+    def mean(name: str) -> float | None:
+        """Mean of a channel over the window."""
+        if name not in run:
+            return None
+        stored = stored_statistics(run[name].attrs)
+        if stored is not None:
+            return stored["mean"]
+        inside = run[name].sel(time=slice(float(run["time"][0]) + settle_time, None))
+        return float(inside.mean()) if inside.size else None
+
+    found = loads_of_planets(model, mean)
+    return {name: loads.factor for name, loads in found.items() if loads.factor is not None}
 
 
 def _sides(model: Model, name: str) -> dict[str, tuple[str, ...]]:

@@ -87,7 +87,9 @@ def write_report(
         about = describe(model)
         found, remarks = collect(model, results, progress, compare)
     texts = [str(w.message) for w in heard if issubclass(w.category, ValidityWarning)]
-    about = replace(about, warnings=list(dict.fromkeys([*texts, *remarks])))
+    # the notes of a result repeat what the model says of itself
+    further = [remark for remark in remarks if not remark.endswith(tuple(texts))]
+    about = replace(about, warnings=list(dict.fromkeys([*texts, *further])))
     written = write_file(path, report_html(about, found))
     if on_note is not None:
         for text in about.warnings:

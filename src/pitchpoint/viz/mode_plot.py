@@ -17,8 +17,10 @@ if TYPE_CHECKING:
 
 MAX_MODES, MAX_PARTS = 20, len(theme.SERIES) - 1
 """Maximum numbers of modes and of components with a colour."""
-LINE, MARGINS = 24, 110
-"""Height of a mode and of both margins [pixels]."""
+LINE, LEGEND, BOTTOM = 22, 20, 52
+"""Heights of a mode, of a line of the legend, and of the axis with its title [pixels]."""
+LETTERS, BOX = 80, 8
+"""Letters per line of the legend on paper, and space of the mark of a name [letters]."""
 NAMED = 0.2
 """Share of the components without colour from which the largest of them is named."""
 
@@ -51,14 +53,16 @@ def plot_modes(
     for k in range(n):
         damping = f", ζ {number(100.0 * ratio[k], 2)} %" if np.isfinite(ratio[k]) and hertz[k] > 0.0 else ""
         labels.append(f"{k + 1} {names[k]}, {scale('Hz', [hertz[k]]).text(hertz[k])}{damping}")
-    height = MARGINS + LINE * max(n, 2)
-    figure = theme.figure("share in the strain energy [%]", "", height=height)
     order = np.argsort(-share.sum(axis=0), kind="stable")
     largest = [int(c) for c in order[:MAX_PARTS] if share[:, c].max(initial=0.0) > 1e-3]
     bars = {components[c]: share[:, c] for c in largest}
     rest = share.sum(axis=1) - sum((bar for bar in bars.values()), np.zeros(n))
     if rest.max(initial=0.0) > 5e-3:
         bars["others"] = rest
+    lines = -(-sum(len(name) + BOX for name in bars) // LETTERS)
+    top = 16 + LEGEND * lines
+    height = top + BOTTOM + LINE * max(n, 2)
+    figure = theme.figure("share in the strain energy [%]", "", height=height, margin={"t": top})
     for k, (name, values) in enumerate(bars.items()):
         others = name == "others"
         colour = theme.GREY if others else theme.SERIES[k % len(theme.SERIES)]
@@ -79,7 +83,9 @@ def plot_modes(
         barmode="stack",
         bargap=0.3,
         showlegend=True,
-        legend={"traceorder": "normal"},
+        # the legend begins above the names, not above the axis
+        legend={"traceorder": "normal", "x": 0, "xref": "container", "y": 1, "yref": "container"},
+        legend_yanchor="top",
         xaxis={"range": [0.0, 100.0]},
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "nticks": n, "dtick": 1},
     )

@@ -102,6 +102,8 @@ MAX_COLUMNS = 6
 """Maximum number of gears or meshes per table; more would not fit on paper and continue in another table."""
 MAX_ROWS = 30
 """Rows of statistics shown; further rows are collapsed."""
+NO_COEFFICIENT = 1e-5
+"""Size of a coefficient, such as a profile shift, that counts as round-off."""
 _LOWERED = str.maketrans("₀₁₂₃₄₅₆₇₈₉ₐₑₕₙₜₓ", "0123456789aehntx")
 
 
@@ -170,7 +172,7 @@ def _merged(rows: Sequence[str], things: Mapping[str, Mapping[str, Any]]) -> dic
 def _equal(one: Any, other: Any) -> bool:
     """Whether two values are equal as printed: pin errors change a centre distance by less."""
     if isinstance(one, int | float) and isinstance(other, int | float):
-        round_off = 1e-5 if one * other == 0.0 else 0.0  # a coefficient against zero
+        round_off = NO_COEFFICIENT if one * other == 0.0 else 0.0
         return math.isclose(one, other, rel_tol=1e-4, abs_tol=round_off)
     return bool(one == other)
 
@@ -186,10 +188,20 @@ def common_name(names: Sequence[str]) -> str:
     return ", ".join(names) if len(names) < 4 else f"{names[0]} … {names[-1]}"
 
 
-def plain_table(head: Sequence[str], body: Sequence[str], *, numbers: bool = True, words: int = 2) -> str:
-    """HTML table from complete rows; numbers are right-aligned after the first columns with words."""
+def plain_table(
+    head: Sequence[str],
+    body: Sequence[str],
+    *,
+    numbers: bool = True,
+    words: int = 2,
+    texts: Sequence[int] = (),
+) -> str:
+    """HTML table from complete rows; numbers are right-aligned after the first columns with words.
+
+    `texts` are further columns with words.
+    """
     cells = "".join(
-        f'<th scope="col"{" class=num" if numbers and k >= words else ""}>{escape(text)}</th>'
+        f'<th scope="col"{" class=num" if numbers and k >= words and k not in texts else ""}>{escape(text)}</th>'
         for k, text in enumerate(head)
     )
     rows = "".join(body)
@@ -286,6 +298,8 @@ def _cell(value: Any, kind: str, unit: str) -> str:
         return "–" if value is None else escape(str(value))
     if isinstance(value, int):
         return number(value)
+    if kind == "dimensionless" and abs(value) < NO_COEFFICIENT:
+        return "0"
     shown = float(value) if kind == "dimensionless" else in_unit(float(value), kind, unit)
     if kind not in ("length", "angle", "dimensionless") or not 1e-3 <= abs(shown) < 1e5:
         return number(shown, 4)

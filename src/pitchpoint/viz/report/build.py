@@ -129,11 +129,14 @@ class SceneData:
         Name of the displayed time response; empty for a scene at rest.
     words
         Caption, or the reason why there is no scene.
+    hint
+        Sentence about the controls, on the screen only.
     """
 
     scene: Scene | None = None
     run: str = ""
     words: str = ""
+    hint: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -244,8 +247,8 @@ class TimeRun:
         Titles and names of the channels to be drawn, by meaning; default: the main quantities.
     note
         Sentence above the signals (status of an unfinished run).
-    remarks
-        Notes of the run, listed above the signals.
+    load_sharing
+        Mesh load factor of the planets by planetary stage [-].
     """
 
     data: Any
@@ -253,7 +256,7 @@ class TimeRun:
     angle: str | None = None
     highest_order: float | None = None
     note: str = ""
-    remarks: Sequence[str] = ()
+    load_sharing: Mapping[str, float] = field(default_factory=dict)
     mesh_frequencies: Mapping[str, float] = field(default_factory=dict)
     groups: Sequence[tuple[str, Sequence[str]]] = ()
 

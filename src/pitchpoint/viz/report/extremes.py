@@ -51,7 +51,8 @@ def extreme_section(runs: Mapping[str, Any], seen: str = "") -> Section:
         begin, end = time[settled][[0, -1]]
         window = window_words(float(begin), float(end)).capitalize()
         words = f"{window}; times are those of the nearest stored sample."
-        section.add(f"<p>{escape(words)}{' Click a time to set the scene.' if name == seen else ''}</p>")
+        hint = ' <span class="screen">Click a time to set the scene.</span>' if name == seen else ""
+        section.add(f"<p>{escape(words)}{hint}</p>")
     return section
 
 

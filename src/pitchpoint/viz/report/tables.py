@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from pitchpoint.core.status import OK
 from pitchpoint.viz import theme
 from pitchpoint.viz.mode_plot import plot_modes
-from pitchpoint.viz.quantities import channel_label, number, scale
-from pitchpoint.viz.report.page import Section
+from pitchpoint.viz.quantities import channel_label, number, printed, scale
+from pitchpoint.viz.report.page import Section, keep_height
 from pitchpoint.viz.tables import plain_table
 
 if TYPE_CHECKING:
@@ -44,10 +44,12 @@ def mode_section(modes: Any) -> Section:
     section.add(f"<p>Linearised about the loaded state with mean mesh stiffness{held}.</p>")
     section.add(plain_table(("mode", "name", "natural frequency at rest", "damping ratio"), body[:MAX_MODES]))
     if len(modes.components):
+        drawn = plot_modes(
+            modes.names, modes.frequency, modes.damping_ratio, modes.components, modes.strain_share
+        )
+        keep_height(drawn)
         section.add_figure(
-            plot_modes(
-                modes.names, modes.frequency, modes.damping_ratio, modes.components, modes.strain_share
-            ),
+            drawn,
             "Shares of the components in the strain energy of the lowest modes.",
             name="modes",
         )
@@ -68,12 +70,14 @@ def signal_section(lines: Sequence[Sequence[str]]) -> Section:
 
 
 def parameter_section(lines: Sequence[Sequence[str]]) -> Section:
-    """Section with the parameters of the model."""
+    """Section with the parameters of the model; without formulas and descriptions, only their values."""
     section = Section("parameters", "Parameters")
-    if lines:
-        rows = [f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in line)}</tr>" for line in lines]
-        head = ("parameter", "as written", "value", "description")
-        section.add(plain_table(head, rows, numbers=False))
+    table = [(name, *map(printed, (written, value)), words) for name, written, value, words in lines]
+    head = ("parameter", "as written", "value", "description")
+    plain = all(written == value for _, written, value, _ in table)
+    kept = [k for k in range(4) if not (k == 1 and plain) and any(line[k] for line in table)]
+    rows = [f"<tr>{''.join(f'<td>{escape(line[k])}</td>' for k in kept)}</tr>" for line in table]
+    section.add(plain_table([head[k] for k in kept], rows, numbers=False) if rows else "")
     return section
 
 
