@@ -54,8 +54,9 @@ def mark_frequencies(
 
     Notes
     -----
-    Names are placed so that they do not overlap in a plot of half the width of a page. Equal frequencies, as of the meshes of planets, have one line with all names. The names have the attribute
-    `name`, which distinguishes them from numbers at peaks.
+    Names are placed so that they do not overlap in a plot of half the width of a page. Equal frequencies, as
+    of the meshes of planets, have one line with all names. The names have the attribute `name`, which
+    distinguishes them from numbers at peaks.
     """
     end = axis_end(figure)
     shared: dict[float, str] = {}

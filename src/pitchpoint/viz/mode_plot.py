@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from html import escape
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -19,7 +20,7 @@ MAX_MODES, MAX_PARTS = 20, len(theme.SERIES) - 1
 """Maximum numbers of modes and of components with a colour."""
 LINE, LEGEND, BOTTOM = 22, 20, 52
 """Heights of a mode, of a line of the legend, and of the axis with its title [pixels]."""
-LETTERS, BOX = 80, 8
+LETTERS, BOX = 88, 5
 """Letters per line of the legend on paper, and space of the mark of a name [letters]."""
 NAMED = 0.2
 """Share of the components without colour from which the largest of them is named."""
@@ -59,13 +60,13 @@ def plot_modes(
     rest = share.sum(axis=1) - sum((bar for bar in bars.values()), np.zeros(n))
     if rest.max(initial=0.0) > 5e-3:
         bars["others"] = rest
-    lines = -(-sum(len(name) + BOX for name in bars) // LETTERS)
-    top = 16 + LEGEND * lines
+    legend, lines = _legend(list(bars))
+    top = 14 + LEGEND * lines
     height = top + BOTTOM + LINE * max(n, 2)
     figure = theme.figure("share in the strain energy [%]", "", height=height, margin={"t": top})
     for k, (name, values) in enumerate(bars.items()):
         others = name == "others"
-        colour = theme.GREY if others else theme.SERIES[k % len(theme.SERIES)]
+        colour = _colour(name, k)
         words = _largest_others(components, share, largest, rest) if others else None
         figure.add_bar(
             y=labels,
@@ -82,14 +83,29 @@ def plot_modes(
     figure.update_layout(
         barmode="stack",
         bargap=0.3,
-        showlegend=True,
-        # the legend begins above the names, not above the axis
-        legend={"traceorder": "normal", "x": 0, "xref": "container", "y": 1, "yref": "container"},
-        legend_yanchor="top",
+        showlegend=False,
+        # a legend would be as narrow as the axis beside the names of the modes
+        title={**theme.title_above(legend), "x": 0, "xref": "container", "font": {"size": 12}},
         xaxis={"range": [0.0, 100.0]},
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "nticks": n, "dtick": 1},
     )
     return figure
+
+
+def _colour(name: str, index: int) -> str:
+    return theme.GREY if name == "others" else theme.SERIES[index % len(theme.SERIES)]
+
+
+def _legend(names: Sequence[str]) -> tuple[str, int]:
+    """Names of the bars with a square in their colour, and the number of lines."""
+    lines, width = [""], 0
+    for k, name in enumerate(names):
+        if width and width + len(name) + BOX > LETTERS:
+            lines, width = [*lines, ""], 0
+        mark = f'<span style="color:{_colour(name, k)}">■</span>'
+        lines[-1] += f"{'&nbsp;&nbsp; ' if width else ''}{mark} {escape(name)}"
+        width += len(name) + BOX
+    return "<br>".join(lines), len(lines)
 
 
 def _largest_others(

@@ -200,9 +200,10 @@ def plain_table(
 
     `texts` are further columns with words.
     """
+    right = [numbers and k >= words and k not in texts for k in range(len(head))]
     cells = "".join(
-        f'<th scope="col"{" class=num" if numbers and k >= words and k not in texts else ""}>{escape(text)}</th>'
-        for k, text in enumerate(head)
+        f'<th scope="col"{" class=num" if is_number else ""}>{escape(text)}</th>'
+        for text, is_number in zip(head, right, strict=True)
     )
     rows = "".join(body)
     return f'<div class="scroll"><table><thead><tr>{cells}</tr></thead><tbody>{rows}</tbody></table></div>'
@@ -256,15 +257,18 @@ def text_html(text: str) -> str:
 
     Examples
     --------
-    >>> text_html("limit about 0.1 m_n, stage_1 >= 2 mm^2")
-    'limit about 0.1 m<sub>n</sub>, stage_1 ≥ 2 mm²'
+    >>> text_html("limit about 0.1 m_n, stage_1 >= 2 mm^2"), text_html("K_γ of set")
+    ('limit about 0.1 m<sub>n</sub>, stage_1 ≥ 2 mm²', 'K<sub>γ</sub> of set')
     """
-    return re.sub(r"\b[A-Za-z]{1,5}_[A-Za-z0-9]{1,5}\b", _symbol, escape(printed(text)))
+    return re.sub(r"\b[A-Za-z]{1,5}_[A-Za-z0-9α-ω]{1,5}\b", _symbol, escape(printed(text)))
 
 
 def _symbol(found: re.Match[str]) -> str:
     row = table().get(found[0])
-    return symbol_html(row.symbol) if row is not None and row.symbol else found[0]
+    if row is not None and row.symbol:
+        return symbol_html(row.symbol)
+    # a symbol itself; those of Latin letters could be names of the model
+    return found[0] if found[0].isascii() else symbol_html(found[0])
 
 
 def _word_html(word: str) -> str:

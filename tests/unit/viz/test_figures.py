@@ -139,12 +139,13 @@ def test_lines_that_overlap_share_an_axis_and_are_named_above_it() -> None:
 def test_names_of_many_lines_have_room_above_them() -> None:
     names = [f"displacement[a_shaft_with_a_long_name_{k}.rx]" for k in range(8)]
     many = [Channel(name, np.sin(300 * TIME + k), "rad") for k, name in enumerate(names)]
-    figure = plot_signals(TIME, many)
-    (head,) = figure.layout.annotations
-    lines = head.text.count("<br>") + 1
-    assert lines == 8
-    room = (1.0 - figure.layout.yaxis.domain[1]) * (figure.layout.height - 78)
-    assert room >= 16 * lines
+    for half, count in ((False, 4), (True, 8)):
+        figure = plot_signals(TIME, many, half=half)
+        (head,) = figure.layout.annotations
+        lines = head.text.count("<br>") + 1
+        assert lines == count
+        room = (1.0 - figure.layout.yaxis.domain[1]) * (figure.layout.height - 78)
+        assert room >= 16 * lines
 
 
 def test_tilts_are_shown_in_microradians_and_axes_without_powers_of_ten() -> None:

@@ -38,7 +38,8 @@ def power_section(flows: Mapping[str, PowerFlow | str]) -> Section:
         section.add(f"<h3>{escape(', '.join(group))}</h3>" if len(flows) > 1 else "")
         drawing = power_flow_svg(flow)
         whose = f" of {first}" if len(group) > 1 else ""
-        words = f"Mean powers{whose} from {span(*flow.span, 's')}; bands are as wide as the power. {_friction(flow)}"
+        words = f"Mean powers{whose} from {span(*flow.span, 's')}; bands are as wide as the power."
+        words = f"{words} {_friction(flow)}"
         section.add(
             f"<figure>{drawing}<figcaption>{escape(words.strip())}</figcaption></figure>"
             if drawing

@@ -35,6 +35,8 @@ MAX_ENDS = 4
 """Inputs or outputs named for one run."""
 NO_POWER = 1e-4
 """Power relative to the largest one below which an element does not count as input or output."""
+RIPPLE = 1.005
+"""Ratio of the maximum of a mesh force to its mean from which it is given."""
 UNSTABLE = 1e-6
 """Negative damping ratio from which a mode counts as unstable; below it is round-off."""
 CASE_RESULTS = (("mesh_force", "max", "maximum"), ("deflection", "rms", "rms (alternating)"))
@@ -119,7 +121,7 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
         found, "transmission_error", window, lambda low, high: _without_noise(high - low, low, high)
     )
     row |= {
-        f"mesh load factor of the planets K_γ, {stage}": number(factor, 4)
+        f"mesh load factor K_γ of the planets, {stage}": number(factor, 4)
         for stage, factor in run.load_sharing.items()
     }
     row |= _contact(found, time, window)
@@ -176,7 +178,8 @@ def _largest(
     if over_mean:
         channel = found[f"{quantity}[{name}]"]
         mean = abs((channel.statistics or {"mean": float(channel.values[window].mean())})["mean"])
-        text += f", {number(sizes[name] / mean, 3)} times its mean" if mean > 0.1 * sizes[name] else ""
+        known = RIPPLE * mean < sizes[name] < 10.0 * mean
+        text += f", {number(sizes[name] / mean, 3)} times its mean" if known else ""
     return text
 
 
@@ -283,7 +286,7 @@ def _unstable(modes: Any) -> list[str]:
     found = [
         f"{name} ({amount(frequency, 'Hz')}, damping ratio {number(100.0 * ratio, 2)} %)"
         for name, frequency, ratio in rows
-        if ratio < -UNSTABLE
+        if ratio < -UNSTABLE and frequency > 0.0
     ]
     return [f"Unstable about the loaded state: {', '.join(found[:MAX_ENDS])}."] if found else []
 
