@@ -13,6 +13,7 @@ from pitchpoint.core.errors import PitchpointError, split_notes
 from pitchpoint.core.progress import Progress
 from pitchpoint.report.campbell import KEPT as CAMPBELL
 from pitchpoint.report.main_channels import drawn_groups
+from pitchpoint.report.notes import own_notes
 from pitchpoint.report.planets import load_sharing
 from pitchpoint.report.result_kinds import kind_of
 from pitchpoint.report.rolls import given_roll, without_given
@@ -152,20 +153,7 @@ def collect(
         compared=compared,
         sources=found.sources,
     )
-    return shown, [*notes, *more, *found.remarks, *_own_notes(found.notes)]
-
-
-def _own_notes(notes: Sequence[tuple[str, Sequence[str]]]) -> list[str]:
-    """Notes of all results, each once; with the names of the results if not all have it."""
-    owners: dict[str, list[str]] = {}
-    for name, own in notes:
-        for text in own:
-            owners.setdefault(text, []).append(name)
-    whole = len(notes)
-    return [
-        text if len(names) == whole else f"{', '.join(dict.fromkeys(names))}: {text}"
-        for text, names in owners.items()
-    ]
+    return shown, [*notes, *more, *found.remarks, *own_notes(found.notes)]
 
 
 def _add_file(found: _Found, file: str, model: Model) -> None:

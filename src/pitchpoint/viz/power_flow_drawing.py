@@ -21,7 +21,7 @@ WIDEST, THINNEST = 54.0, 1.5
 """Width of the band of the largest power, and minimum width of a band [pixels]."""
 GAP, HEAD, MIN_WIDTH = 62.0, 44.0, 46.0
 """Distance between blocks of a column, space above them, and height of a block [pixels]."""
-LETTERS, ROW = 14, 16.0
+LETTERS, ROW = 12, 16.0
 """Letters of a name that fit into a block, and distance of its lines [pixels]."""
 SIDE, BACK = 10.0, 90.0
 """Margin of the drawing, and reach of the arc of a band to an earlier block [pixels]."""
@@ -266,8 +266,8 @@ def name_lines(name: str) -> list[str]:
 
     Examples
     --------
-    >>> name_lines("output"), name_lines("high_speed_shaft"), name_lines("intermediate shaft 2, left")
-    (['output'], ['high_speed_', 'shaft'], ['intermediate ', 'shaft 2, left'])
+    >>> name_lines("output"), name_lines("high_speed_shaft"), name_lines("wheel_gap_015")
+    (['output'], ['high_speed_', 'shaft'], ['wheel_gap_', '015'])
     """
     if len(name) <= LETTERS:
         return [name]

@@ -17,6 +17,7 @@ from pitchpoint.viz.power_flow import PowerFlow
 from pitchpoint.viz.quantities import printed
 from pitchpoint.viz.report import sections as parts
 from pitchpoint.viz.report.campbell import campbell_section
+from pitchpoint.viz.report.cases import case_section
 from pitchpoint.viz.report.compare import compare_section
 from pitchpoint.viz.report.contact import ContactData, contact_section
 from pitchpoint.viz.report.cycles import mesh_cycle_section, roll_section
@@ -27,7 +28,7 @@ from pitchpoint.viz.report.power import power_section
 from pitchpoint.viz.report.relief import relief_section
 from pitchpoint.viz.report.spectra import default_highest_order, spectrum_section
 from pitchpoint.viz.report.summary import summary_section
-from pitchpoint.viz.report.tables import case_section, mode_section, parameter_section, signal_section
+from pitchpoint.viz.report.tables import mode_section, parameter_section, signal_section
 from pitchpoint.viz.report.time import time_section
 from pitchpoint.viz.scene.content import Scene
 

@@ -24,6 +24,7 @@ from pitchpoint.viz.quantities import (
     window_words,
 )
 from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
+from pitchpoint.viz.report.cases import short_path
 from pitchpoint.viz.report.contact_times import working_flank
 from pitchpoint.viz.report.page import Section
 from pitchpoint.viz.run_record import owner, settled_part
@@ -270,7 +271,7 @@ def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
         cells = [
             escape(states.get(name, "")),
             f"{len(fine)} of {len(table.cases)} finished",
-            escape(", ".join(path.replace("_", " ").replace(".", " ") for path in varied)),
+            escape(", ".join(short_path(path, list(varied)) for path in varied)),
             "<br>".join(ranges[:MAX_ENDS]),
         ]
         body.append(f'<tr><th scope="row">{escape(name)}</th>{_cells(cells)}</tr>')
