@@ -78,9 +78,9 @@ def mark_frequencies(
             )
             if k == 1:
                 words = _short(name)
-                anchor, (left, right) = _extent(words, at / end)
+                anchor, (left, right), beside = _extent(words, at / end)
                 figure.add_annotation(
-                    x=at,
+                    x=at if beside else end * left / NARROW,
                     y=1.0,
                     yref="paper",
                     yanchor="top",
@@ -89,18 +89,23 @@ def mark_frequencies(
                     name="frequency",
                     showarrow=False,
                     xanchor=anchor,
-                    xshift=2 if anchor == "left" else -2,
+                    xshift=0 if not beside else 2 if anchor == "left" else -2,
                     font={"size": 11, "color": PALE if over_map else colour},
                 )
     return len(lines)
 
 
-def _extent(words: str, share: float) -> tuple[str, tuple[float, float]]:
-    """Anchor and ends of a name in the narrowest plot [pixels]: left of its line if it needs the room."""
+def _extent(words: str, share: float) -> tuple[str, tuple[float, float], bool]:
+    """Anchor and ends of a name in the narrowest plot [pixels], and whether it stands beside its line.
+
+    A name without room on either side of its line ends at the end of the axis.
+    """
     width, at = LETTER * len(words), NARROW * share
-    if at + width <= NARROW or at < NARROW - at:
-        return "left", (at, at + width)
-    return "right", (at - width, at)
+    if at + width <= NARROW:
+        return "left", (at, at + width), True
+    if at >= width:
+        return "right", (at - width, at), True
+    return "left", (NARROW - width, NARROW), False
 
 
 def _line_of(left: float, right: float, lines: list[list[tuple[float, float]]]) -> int:

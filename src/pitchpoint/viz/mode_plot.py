@@ -22,6 +22,7 @@ LINE, LEGEND, BOTTOM = 22, 20, 52
 """Heights of a mode, of a line of the legend, and of the axis with its title [pixels]."""
 LETTERS, BOX = 88, 5
 """Letters per line of the legend on paper, and space of the mark of a name [letters]."""
+LEGEND_AT = {"x": 0, "y": 1, "xref": "container", "pad": {"t": 12}, "font": {"size": 12}}
 NAMED = 0.2
 """Share of the components without colour from which the largest of them is named."""
 
@@ -61,7 +62,7 @@ def plot_modes(
     if rest.max(initial=0.0) > 5e-3:
         bars["others"] = rest
     legend, lines = _legend(list(bars))
-    top = 14 + LEGEND * lines
+    top = 22 + LEGEND * lines
     height = top + BOTTOM + LINE * max(n, 2)
     figure = theme.figure("share in the strain energy [%]", "", height=height, margin={"t": top})
     for k, (name, values) in enumerate(bars.items()):
@@ -85,7 +86,14 @@ def plot_modes(
         bargap=0.3,
         showlegend=False,
         # a legend would be as narrow as the axis beside the names of the modes
-        title={**theme.title_above(legend), "x": 0, "xref": "container", "font": {"size": 12}},
+        title={
+            **theme.title_above(legend),
+            "x": 0,
+            "y": 1,
+            "xref": "container",
+            "pad": {"t": 12},
+            "font": {"size": 12},
+        },
         xaxis={"range": [0.0, 100.0]},
         yaxis={"autorange": "reversed", "ticks": "", "showgrid": False, "nticks": n, "dtick": 1},
     )

@@ -141,7 +141,7 @@ def plot_order_map(
 
 
 def _order_title(shafts: Shafts | None) -> str:
-    return f"order of {shafts.chosen}" if shafts else "order [per revolution]"
+    return f"order of {shafts.chosen} [–]" if shafts else "order [–]"
 
 
 def _offer(figure: go.Figure, shafts: Shafts | None, *, over_speed: bool = False) -> None:

@@ -89,8 +89,10 @@ def _table(cases: Sequence[Mapping[str, Any]], paths: Sequence[str]) -> str:
             head.append(shown.title(_words(name, statistic)))
     body = []
     for case in cases[:MAX_ROWS]:
-        cells = [f'<th scope="row">{escape(case["values"].get(paths[0], "–"))}</th>'] if paths else []
-        cells += [f"<td>{escape(case['values'].get(p, '–'))}</td>" for p in paths[1:]]
+        # units stay beside their numbers
+        given = [escape(printed(case["values"].get(p, "–")).replace(" ", "\u00a0")) for p in paths]
+        cells = [f'<th scope="row">{text}</th>' for text in given[:1]]
+        cells += [f"<td>{text}</td>" for text in given[1:]]
         cells.append(f"<td>{escape(case['sentence'])}</td>")
         for name, statistic, shown in columns:
             value = _value(case, name, statistic)

@@ -21,8 +21,8 @@ ALWAYS = 3
 """Number of columns that are always listed."""
 NOTHING = ("–", "0")
 """Cells without a result."""
-NO_RATTLE = 1e-3
-"""Rattle index below which the accelerations of a gear are without meaning for the contact."""
+NO_RATTLE = 0.05
+"""Rattle index that is not listed: flanks separate above 1."""
 
 
 def contact_table(

@@ -27,7 +27,8 @@ from pitchpoint.viz.report.bearing_forces import bearing_forces, with_resultants
 from pitchpoint.viz.report.cases import short_path
 from pitchpoint.viz.report.contact_times import working_flank
 from pitchpoint.viz.report.page import Section
-from pitchpoint.viz.run_record import owner, settled_part
+from pitchpoint.viz.report.tables import MAX_MODES
+from pitchpoint.viz.run_record import owner, settled_part, statistics_window
 from pitchpoint.viz.tables import plain_table, text_html
 
 MAX_RUNS = 4
@@ -108,8 +109,8 @@ def _run(name: str, run: Any, state: str, results: Any) -> dict[str, str]:
         return {"status": escape(state)}
     window = settled_part(time, run.settle_time)
     flow = results.powers.get(name)
-    begin, end = (float(t) for t in time[window][[0, -1]])
-    row = {"status": escape(state), "window": escape(window_words(begin, end))}
+    words = window_words(*statistics_window(time, found, run.settle_time))
+    row = {"status": escape(state), "window": escape(words)}
     if isinstance(flow, PowerFlow):
         row["input"] = _ends(flow, [link for link in flow.links if link.start == OUTSIDE], starts=True)
         row["output"] = _ends(flow, [link for link in flow.links if link.end == OUTSIDE], starts=False)
@@ -280,10 +281,10 @@ def _cases(tables: Mapping[str, Any], states: Mapping[str, str]) -> str:
 
 
 def _unstable(modes: Any) -> list[str]:
-    """Modes with negative damping, in words."""
+    """Listed modes with negative damping, in words."""
     if modes is None:
         return []
-    rows = zip(modes.names, modes.frequency, modes.damping_ratio, strict=True)
+    rows = list(zip(modes.names, modes.frequency, modes.damping_ratio, strict=True))[:MAX_MODES]
     found = [
         f"{name} ({amount(frequency, 'Hz')}, damping ratio {number(100.0 * ratio, 2)} %)"
         for name, frequency, ratio in rows

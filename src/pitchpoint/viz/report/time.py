@@ -23,6 +23,7 @@ from pitchpoint.viz.run_record import (
     listed,
     owner,
     settled_part,
+    statistics_window,
     turning_angle,
     uniform,
 )
@@ -66,8 +67,8 @@ def time_section(runs: Mapping[str, Any], seen: str = "", overlaid: Collection[s
         states = {owner(c): c.values for c in found.values() if c.quantity == "contact_state"}
         contact = contact_table(time[settled], {k: v[settled] for k, v in states.items()}, found, settled)
         table = bearing_table(bearing_forces(time, found, settled))
-        begin, end = (float(t) for t in time[settled][[0, -1]])
-        words = f"<p>{escape(window_words(begin, end).capitalize())}.</p>"
+        window = window_words(*statistics_window(time, found, run.settle_time))
+        words = f"<p>{escape(window.capitalize())}.</p>"
         section.add(f"<h4>Contact of the flanks</h4>{words}{contact}" if contact else "")
         section.add(f"<h4>Bearing forces</h4>{words}{table}" if table else "")
         if name == seen or name not in overlaid:
