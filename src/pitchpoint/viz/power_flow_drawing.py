@@ -19,7 +19,7 @@ WIDTH_BLOCK, STEP = 122.0, 216.0
 """Width of a block, and distance between columns [pixels]."""
 WIDEST, THINNEST = 54.0, 1.5
 """Width of the band of the largest power, and minimum width of a band [pixels]."""
-GAP, HEAD, MIN_WIDTH = 62.0, 44.0, 46.0
+GAP, HEAD, MIN_WIDTH = 72.0, 44.0, 46.0
 """Distance between blocks of a column, space above them, and height of a block [pixels]."""
 LETTERS, ROW = 12, 16.0
 """Letters of a name that fit into a block, and distance of its lines [pixels]."""
@@ -206,7 +206,7 @@ def _band(
 def _named(link: PowerLink, unit: Scale, x: float, y: float, width: float) -> tuple[str, list[Label]]:
     """Drop for the loss of a straight band; name and power above the band, the loss below it."""
     words = ((link.name, "pp-halo"), (unit.text(link.given), "pp-small"))
-    labels = [Label(x, y - 0.5 * width - 19.0, "middle", words)]
+    labels = [Label(x, y - 0.5 * width - 10.0 - LINE, "middle", words)]
     if not link.lost > 0.0:
         return "", labels
     below, drop = y + 0.5 * width, min(max(THINNEST, width * link.lost / link.given), 40.0)
